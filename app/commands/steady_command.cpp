@@ -79,6 +79,8 @@ std::string jsonMessage(const Case& c, const SteadyResult& r)
         add("null because there is no solution");
     else
         add("null because a static state is of the film alone: contact_force, intermolecular_force");
+    if (isKnown(r) && std::isnan(r.discretisationError.minimumSpacing))
+        add("null because no coarser grid has a solution to compare with: discretisation_error");
     return message;
 }
 
@@ -99,6 +101,7 @@ std::string placeText(const SurfacePoint& point)
 
 std::string withError(double value, double error, const std::string& unit)
 {
+    if (std::isnan(error)) return displayedInFull(value, unit) + " (grid error not known)";
     return displayedInFull(value, unit) + (error > 0.0 ? " (grid error about " + displayed(error, unit, 2) + ")" : "");
 }
 
@@ -278,8 +281,8 @@ Json steadyObject(const Case& c, const SteadyResult& r)
     json["sensitivities"] = sensitivitiesJson(r.sensitivities);
     json["other_equilibria"] = Json::array();
     for (const Attitude& attitude : r.otherEquilibria) json["other_equilibria"].push_back(attitudeJson(attitude));
-    json["residual"] = jsonNumber(r.residual);
-    json["load_error"] = jsonNumber(r.loadError);
+    json["residual"] = known ? jsonNumber(r.residual) : Json(nullptr);
+    json["load_error"] = known ? jsonNumber(r.loadError) : Json(nullptr);
     return json;
 }
 

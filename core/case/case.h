@@ -102,6 +102,7 @@ struct AirCase {
 /// The film's discretisation and its solution.
 struct FilmCase {
     std::array<int, 2> nodes{193, 193}; // grid lines along x and y, 16 k + 1
+    double accuracy = 0.0;              // share at which finer grids need not be tried; 0: take `nodes` [-]
     GridKind grid = GridKind::Adapted;
     ConvectionScheme scheme = ConvectionScheme::CompleteFlux;
     FilmSolver solver = FilmSolver::Newton;

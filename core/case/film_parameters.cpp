@@ -22,6 +22,12 @@ std::vector<Parameter> filmParameters()
     return {
         list("film.nodes", "nodes", noUnit, Range{17, 2049, true, 16}, Count{2, 2}, at(&Case::film, &FilmCase::nodes),
              withFilm, "Grid lines along and across the slider, 16 k + 1 each.", "ours"),
+        number(
+            "film.accuracy", "accuracy", "", noUnit, between(0.0, 0.1), at(&Case::film, &FilmCase::accuracy), withFilm,
+            "Largest share of error wanted in a static state: of the net force at a fixed attitude, else of the "
+            "minimum spacing, both as estimated. Grids of 49, 97, 193, ... up to 1537 lines each way are tried until "
+            "it is reached, and film.nodes has no effect; 0 = film.nodes. A run in time takes the same grid.",
+            "ours: 0"),
         choice("film.grid", "grid", {"uniform", "graded", "adapted"}, at(&Case::film, &FilmCase::grid), withFilm,
                "Spacing of the grid lines: uniform; graded = snapped to the edges of rails; adapted = also denser "
                "where the pressure profile bends.",
@@ -59,7 +65,8 @@ std::vector<Parameter> steadyParameters()
     return {
         boolean("steady.fixed_attitude", "fixed attitude", at(&Case::steady, &SteadyCase::fixedAttitude), withFilm,
                 "Whether the film is solved at the initial attitude only; false = the attitude is found at which the "
-                "film carries the load.",
+                "film carries the load. A fixed attitude with rails inside the disk is refused, unless the case has a "
+                "contact law: then closed gaps are walls of the film.",
                 "ours: the slider flies"),
         boolean("steady.stiffness", "stiffness matrix", at(&Case::steady, &SteadyCase::stiffness), withFilm,
                 "Whether the stiffness matrix of the film is computed.", "ours"),
@@ -71,7 +78,7 @@ std::vector<Parameter> steadyParameters()
         number("steady.load_tolerance", "load tolerance", "", noUnit, between(1e-12, 1e-1),
                at(&Case::steady, &SteadyCase::loadTolerance), withFreeAttitude,
                "Residual at which the attitude counts as found: |dF| + |dT_pitch|/L + |dT_roll|/L relative to the "
-               "preload.",
+               "preload; without a preload, relative to 1/1000 of ambient pressure times area.",
                "ours"),
         number("steady.shear_arm", "arm of the air shear", "", noUnit, notNegative(1),
                at(&Case::steady, &SteadyCase::shearArm), withFilm,

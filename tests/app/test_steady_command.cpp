@@ -22,6 +22,8 @@ private slots:
     void json();
     void text();
     void fixedAttitude();
+    void railsInsideTheDisk();
+    void unknownGridError();
     void saysWhatIsLeftOut();
     void series();
     void writesAFile();
@@ -98,6 +100,36 @@ void TestSteadyCommand::fixedAttitude()
     const Outcome same = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + settings +
                                             QStringList{"steady.fixed_attitude=true"});
     QCOMPARE(same.json()["net_force"].toDouble(), o.json()["net_force"].toDouble());
+}
+
+// Refused before anything is computed, in one line; numbers that nobody knows are null.
+void TestSteadyCommand::railsInsideTheDisk()
+{
+    const QStringList settings = quick({"initial.nominal_trailing_edge_height=-20 nm"});
+    const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--fixed-attitude", "--json"} + settings);
+    QCOMPARE(o.code, 1);
+    QCOMPARE(o.json()["status"].toString(), QString("failed"));
+    QVERIFY(o.json()["message"].toString().startsWith("the rails are inside the disk, 20 nm below"));
+    for (const char* key : {"net_force", "residual", "load_error", "grid", "maximum_pressure", "minimum_spacing"})
+        QVERIFY2(o.json().contains(key) && o.json()[key].isNull(), key);
+    QCOMPARE(o.errorLines().size(), 1);
+    const Outcome text = folder_->touchdown(QStringList{"steady", "film_pico", "--fixed-attitude"} + settings);
+    QVERIFY(!text.out.contains("gf,") && !text.out.contains("net force"));
+}
+
+void TestSteadyCommand::unknownGridError()
+{
+    const QStringList single = quick({"suspension.preload=1000 gf"}); // ends on the coarsest grid
+    const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + single);
+    QCOMPARE(o.code, 1);
+    QVERIFY(o.json()["message"].toString().contains("the last sane state is: trailing edge height"));
+    const QJsonObject error = o.json()["discretisation_error"].toObject();
+    QCOMPARE(error.size(), 4);
+    for (const QJsonValue& each : error) QVERIFY(each.isNull());
+    QVERIFY(o.json()["message"].toString().contains("discretisation_error"));
+    const QByteArray text = folder_->touchdown(QStringList{"steady", "film_pico"} + single).out;
+    QCOMPARE(text.count("(grid error not known)"), 4);
+    QVERIFY(!folder_->touchdown(QStringList{"steady", "film_pico"} + quick()).out.contains("not known"));
 }
 
 // A static state is of the film alone, and says so where the case has more.
@@ -199,7 +231,8 @@ void TestSteadyCommand::notConverged()
     const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + quick({"disk.speed=0 rpm"}));
     QCOMPARE(o.code, 1);
     const QString status = o.json()["status"].toString();
-    QVERIFY(status == "not converged" || status == "failed");
+    QCOMPARE(status, QString("failed"));
+    QVERIFY(o.json()["message"].toString().contains("disk at rest (disk.speed is 0 rpm)"));
     QVERIFY2(o.err.startsWith(status.toUtf8()), o.err);
     QCOMPARE(o.errorLines().size(), 1);
 }

@@ -9,6 +9,7 @@
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/slider/attitude_table.h"
 #include "ui/style/quantity_format.h"
 
@@ -106,6 +107,8 @@ void FilmWindow::onFinished(const SteadyResult& result)
                    .arg(result.grid.ny())
                    .arg(QLocale().toString(result.iterations), roundedText(result.residual, "", 2),
                         timeText(result.wallSeconds));
+    else if (result.status == SteadyStatus::Failed)
+        text = steadyText(result); // why there can be no static state
     progress_->conclude(name(result.status), text);
     // A solution that ended without a field does not replace the last result.
     if (!result.pressure.empty() || !result_) {

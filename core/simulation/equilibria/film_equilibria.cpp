@@ -147,7 +147,7 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
     result.stopped = rest.status == SteadyStatus::Cancelled;
     if (result.stopped) return result;
     // Where the film alone would balance below the disk's mean plane, contact may carry the rest.
-    const bool balanced = rest.status == SteadyStatus::Converged || rest.status == SteadyStatus::Failed;
+    const bool balanced = rest.balanced();
     if (!balanced) {
         result.problem = "there is no static state of the film: " + rest.message;
         return result;

@@ -33,7 +33,7 @@ std::vector<ParametricBalance::Look> ParametricBalance::look(int looks, std::vec
         SteadyResult rest = staticStateOf(*c, goOn_);
         if (rest.status == SteadyStatus::Cancelled) break;
         const bool converged = rest.status == SteadyStatus::Converged;
-        if (!converged && rest.status != SteadyStatus::Failed) {
+        if (!rest.balanced()) {
             if (std::ranges::find(problems, rest.message) == problems.end()) problems.push_back(rest.message);
             continue;
         }

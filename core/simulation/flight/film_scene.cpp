@@ -38,7 +38,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
     if (fromRest && rest.status != SteadyStatus::Converged)
         return fail("there is no static flying state to start from (initial.state): " + rest.message);
     // Also where the film alone would balance below the plane of the disk.
-    const bool balanced = rest.status == SteadyStatus::Converged || rest.status == SteadyStatus::Failed;
+    const bool balanced = rest.balanced();
     start = {case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
     if (!balanced)
         warnings.push_back(
@@ -65,10 +65,11 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 
 bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
 {
-    FilmGaps gaps(recess, rest.grid, goOn);
+    const bool known = !rest.pressure.empty(); // not where no static state can exist
+    FilmGaps gaps(recess, known ? rest.grid : unadaptedGrid(case_, filmLevels(case_.film).back()), goOn);
     if (!goOn()) return false;
     level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
-    level->gaps.pad.pad<double>(rest.pressure, level->pressure);
+    if (known) level->gaps.pad.pad<double>(rest.pressure, level->pressure);
     disk.emplace(case_, topography, level->gaps.grid, level->gaps.pad);
     if (!goOn()) return false;
     contact = makeSliderContact(case_, spacing, topography, level->gaps.grid, level->gaps.pad, goOn);

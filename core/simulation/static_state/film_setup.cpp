@@ -19,12 +19,17 @@ Air airOf(const AirCase& air)
 
 FilmSetting filmSetting(const Case& c)
 {
-    return {.air = airOf(c.air), .slip = c.air.slip, .disk = c.disk, .scheme = c.film.scheme};
+    return {.air = airOf(c.air),
+            .slip = c.air.slip,
+            .disk = c.disk,
+            .scheme = c.film.scheme,
+            .leastGap = c.contact == ContactKind::None ? 0.0 : moleculeGap};
 }
 
 std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
 {
     constexpr int coarsest = 32; // cells along the shorter count: fewer do not see the rails
+    if (film.accuracy > 0.0) return {{48, 48}, {96, 96}, {192, 192}, {384, 384}, {768, 768}, {1536, 1536}};
     std::array<int, 2> cells{film.nodes[0] - 1, film.nodes[1] - 1};
     std::vector<std::array<int, 2>> levels{cells};
     // Two grids at least, so that every result comes with an estimate of its error.
@@ -35,6 +40,13 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
     }
     std::reverse(levels.begin(), levels.end());
     return levels;
+}
+
+CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells)
+{
+    const double length = c.slider.length, width = c.slider.width;
+    if (c.film.grid == GridKind::Uniform) return uniformGrid(length, width, cells[0], cells[1]);
+    return gradedGrid(c.surface, length, width, cells[0], cells[1]);
 }
 
 FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)

@@ -20,8 +20,12 @@ struct SteadyResult;
 Air airOf(const AirCase& air);
 FilmSetting filmSetting(const Case& c);
 
-/// Numbers of cells from coarse to fine, each twice the last; the finest is that of the case.
+/// Numbers of cells from coarse to fine, each twice the last; the finest is that of the case, or where the case asks
+/// for an accuracy, the finest that is tried.
 std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
+
+/// The grid that is known before any solution: uniform, or graded towards the rails' edges.
+CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells);
 
 /// One grid of a slider's film. Neither copied nor moved: its parts point at each other.
 struct FilmLevel {

@@ -72,7 +72,13 @@ Vector3 FlyingAttitude::imbalance(std::span<const double> p)
 double FlyingAttitude::loadError(const Vector3& g) const
 {
     const double length = film_.gaps().length;
-    return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / length) / load_.preload;
+    return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / length) / loadScale();
+}
+
+double FlyingAttitude::loadScale() const
+{
+    if (load_.preload > 0.0) return load_.preload;
+    return 1e-3 * film_.ambient() * film_.gaps().length * film_.gaps().width;
 }
 
 double FlyingAttitude::linearise(std::span<const double> p, const Attitude& attitude)
@@ -135,7 +141,7 @@ Vector3 FlyingAttitude::attitudeStep(const Vector3& right, double leading) const
     Matrix3 matrix = -balanceSlopes();
     // Over which the film's force changes [m]: that of a flying slider, or half of what lies below.
     const double scaleHeight = std::max(10e-9, 0.5 * spacing_.at(film_.attitude()).spacing);
-    const double stiffness = leading * load_.preload / scaleHeight;
+    const double stiffness = leading * loadScale() / scaleHeight;
     matrix(0, 0) += stiffness;
     matrix(1, 1) += stiffness * length * length / 12.0;
     matrix(2, 2) += stiffness * width * width / 12.0;
@@ -176,6 +182,32 @@ void FlyingAttitude::step(std::span<double> p, Attitude& attitude, const Vector3
     attitude = changed(attitude, change, share);
 }
 
+double FlyingAttitude::highestCorner(const Attitude& attitude) const
+{
+    const FilmGaps& gaps = film_.gaps();
+    double highest = gaps.lift(attitude, 0.0, 0.0);
+    for (const double x : {0.0, gaps.length})
+        for (const double y : {0.0, gaps.width}) highest = std::max(highest, gaps.lift(attitude, x, y));
+    return highest;
+}
+
+AttitudeSolution FlyingAttitude::giveUp(NoBalance why, const SearchWatch& watch, std::span<double> p,
+                                        Attitude& attitude, AttitudeSolution result)
+{
+    result.why = why;
+    result.leastSaneError = watch.leastSaneError();
+    if (const auto& sane = watch.lastSane()) {
+        result.sane = true;
+        attitude = sane->attitude;
+        result.residual = sane->state.residual;
+        result.loadError = sane->state.loadError;
+        std::copy(watch.sanePressure().begin(), watch.sanePressure().end(), p.begin());
+        film_.setAttitude(attitude);
+        result.imbalance = imbalance(p);
+    }
+    return result;
+}
+
 AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
                                           const AttitudeMonitor& monitor)
 {
@@ -185,8 +217,7 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
     constexpr double clear = 5e-9; // [m]
     attitude.height += std::max(0.0, clear - spacing_.at(attitude).spacing);
     double leading = 1.0, best = 0.0;
-    constexpr int mostUnsolved = 10; // attitudes
-    int unsolved = 0;
+    SearchWatch watch(highestCorner(attitude), options.patience, options.throughDisk);
     Attitude from = attitude;
     bool again = false;
     const auto goOn = asking(monitor, attitude, result);
@@ -202,11 +233,13 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
         FilmSolution film = solveHere();
         if (!film.converged && !film.cancelled) {
             // From a spoilt pressure nothing may be found; at rest the air is everywhere the same.
+            const double spacing = spacing_.at(attitude).spacing;
             std::fill(p.begin(), p.end(), film_.ambient());
-            film = solveHere();
-            if (!film.converged && ++unsolved > mostUnsolved) {
+            if (spacing >= SearchWatch::leastSane) film = solveHere();
+            const NoBalance why = film.converged || film.cancelled ? NoBalance::None : watch.unsolved(spacing);
+            if (why != NoBalance::None) {
                 result.residual = film.residual;
-                return result;
+                return giveUp(why, watch, p, attitude, result);
             }
         }
         result.residual = film.residual;
@@ -216,6 +249,11 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
         result.loadError = loadError(imbalance_);
         result.converged = film.converged && result.loadError <= options.loadTolerance;
         if (result.converged || result.iterations >= 4 * options.maximumIterations) return result;
+        const NoBalance why = watch.look(
+            attitude,
+            {spacing_.at(attitude).spacing, highestCorner(attitude), film.residual, result.loadError, film.converged},
+            p);
+        if (why != NoBalance::None) return giveUp(why, watch, p, attitude, result);
         if (again && (!(result.loadError < 4.0 * best) || !film.converged)) {
             // Too far: back, and more along the forces.
             attitude = from;

@@ -20,6 +20,7 @@
 #include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
+#include "core/simulation/static_state/search_watch.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
@@ -30,6 +31,8 @@ struct AttitudeOptions {
     double filmTolerance = 1e-7; // FilmCase::tolerance [-]
     double loadTolerance = 1e-6; // SteadyCase::loadTolerance [-]
     int maximumIterations = 60;
+    int patience = 100;      // attitudes without a smaller load error before the search is given up
+    bool throughDisk = true; // whether the search may pass through attitudes with rails inside the disk
 };
 
 struct AttitudeSolution {
@@ -37,6 +40,10 @@ struct AttitudeSolution {
     int iterations = 0, solves = 0;
     double residual = 0.0, loadError = 0.0; // [-]
     Vector3 imbalance = Vector3::Zero();    // G [N], [N m]
+    /// Why the search was given up. Pressure and attitude are then those of the last sane state, if there is one.
+    NoBalance why = NoBalance::None;
+    bool sane = false;           // given up: there is a last sane state
+    double leastSaneError = 1.0; // given up: the least load error of all sane states [-]
 };
 
 /// Called at each iteration and within it: number, film's residual, load error, attitude. Return false to stop.
@@ -85,6 +92,8 @@ public:
     /// G at p and the film's attitude.
     Vector3 imbalance(std::span<const double> p);
     double loadError(const Vector3& imbalance) const;
+    /// What forces are compared with: the preload, or where there is none 1/1000 of ambient pressure times area [N].
+    double loadScale() const;
 
 private:
     /// Linearises everything at p; returns the film's residual norm.
@@ -94,6 +103,10 @@ private:
     Matrix3 stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn);
     Vector3 attitudeStep(const Vector3& right, double leading) const;
     double stepShare(const Attitude& attitude, const Vector3& step) const;
+    /// Of recess 0, the highest above the disk's mean plane [m].
+    double highestCorner(const Attitude& attitude) const;
+    AttitudeSolution giveUp(NoBalance why, const SearchWatch& watch, std::span<double> p, Attitude& attitude,
+                            AttitudeSolution result);
     Vector3 imbalanceOf(const std::array<double, 5>& forces, const Attitude& attitude) const;
     Vector3 balanceProduct(std::span<const double> v) const;
     void step(std::span<double> p, Attitude& attitude, const Vector3& change, double share,

@@ -10,7 +10,9 @@
 #include "core/numerics/wall_clock.h"
 #include "core/physics/film/film_line_multigrid.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/grid_error.h"
 #include "core/simulation/static_state/sensitivity.h"
+#include "core/simulation/static_state/static_check.h"
 
 namespace touchdown {
 
@@ -29,7 +31,9 @@ public:
 
     SteadyResult solve()
     {
-        for (const std::array<int, 2>& cells : filmLevels(case_.film)) {
+        if (const std::string why = whyNoStaticState(case_, spacing_); !why.empty()) return refused(why);
+        const std::vector<std::array<int, 2>> levels = filmLevels(case_.film);
+        for (const std::array<int, 2>& cells : levels) {
             previous_ = std::move(level_);
             CellGrid cellGrid = grid(cells);
             const auto goOn = [&] { return tell(cellGrid, 0, result_.residual, result_.loadError, attitude_); };
@@ -39,14 +43,21 @@ public:
             if (!tell(0, result_.residual, result_.loadError, attitude_)) return result_;
             if (previous_) level_->take(previous_->known(case_));
             if (case_.film.solver == FilmSolver::LineMultigrid) takeLineMultigrid();
-            const bool finest = cells[0] == case_.film.nodes[0] - 1;
+            const bool finest = &cells == &levels.back();
             const bool converged = case_.steady.fixedAttitude ? solveFilm(finest) : solveAttitude(finest);
             if (result_.status == SteadyStatus::Cancelled) return result_;
-            if (!converged && finest) return unconverged();
+            if (!converged && case_.film.accuracy > 0.0 && !coarse_.empty()) {
+                goBack();
+                break;
+            }
+            if (!converged && (finest || hopeless())) return unconverged();
+            first_ = false;
+            if (converged && isAccurate()) break;
             if (!finest) {
-                if (converged)
+                if (converged) {
                     coarse_.insert(coarse_.begin(), summary());
-                else {
+                    converged_ = result_;
+                } else {
                     coarse_.clear();
                     level_.reset(); // what a coarse grid did not find is no start for the next, but for how far it came
                 }
@@ -57,11 +68,6 @@ public:
     }
 
 private:
-    struct LevelSummary {
-        Attitude attitude;
-        double minimumSpacing, load, positive;
-    };
-
     void takeLineMultigrid()
     {
         lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps, filmSetting(case_));
@@ -75,15 +81,9 @@ private:
     CellGrid grid(const std::array<int, 2>& cells) const
     {
         const double length = case_.slider.length, width = case_.slider.width;
-        switch (case_.film.grid) {
-        case GridKind::Uniform: return uniformGrid(length, width, cells[0], cells[1]);
-        case GridKind::Adapted:
-            if (previous_)
-                return adaptedGrid(case_.surface, length, width, cells[0], cells[1], previous_->known(case_));
-            break;
-        case GridKind::Graded: break;
-        }
-        return gradedGrid(case_.surface, length, width, cells[0], cells[1]);
+        if (case_.film.grid == GridKind::Adapted && previous_)
+            return adaptedGrid(case_.surface, length, width, cells[0], cells[1], previous_->known(case_));
+        return unadaptedGrid(case_, cells);
     }
 
     bool tell(int iteration, double residual, double loadError, const Attitude& attitude)
@@ -104,7 +104,25 @@ private:
 
     /// Coarse grids are only as exact as what they are good for.
     static constexpr double coarseTolerance = 1e-4;
-    static double tolerance(bool finest, double own) { return finest ? own : std::max(coarseTolerance, own); }
+    double tolerance(bool finest, double own) const
+    {
+        // With an accuracy asked for, any grid may be the last.
+        return finest || case_.film.accuracy > 0.0 ? own : std::max(coarseTolerance, own);
+    }
+
+    /// Whether an accuracy was asked for and is reached: of the net force at a fixed attitude, else of the minimum
+    /// spacing. Two coarser grids must have agreed before.
+    bool isAccurate()
+    {
+        if (!(case_.film.accuracy > 0.0) || coarse_.size() < 2) return false;
+        if (!case_.steady.fixedAttitude) result_.stiffness = level_->flying.stiffness(level_->pressure);
+        const GridState state = summary();
+        const DiscretisationError error = gridError(case_, *level_, result_.stiffness, state, coarse_);
+        accuracy_ = case_.steady.fixedAttitude ? error.load / std::abs(state.load)
+                                               : error.minimumSpacing / std::abs(state.minimumSpacing);
+        result_.stiffness.reset();
+        return accuracy_ <= case_.film.accuracy;
+    }
 
     AttitudeMonitor monitor()
     {
@@ -130,9 +148,13 @@ private:
 
     bool solveAttitude(bool finest)
     {
+        // From far, and where contact may carry what the film does not: see search_watch.h.
+        const bool throughDisk = first_ || case_.contact != ContactKind::None;
         const AttitudeOptions options{.filmTolerance = tolerance(finest, case_.film.tolerance),
                                       .loadTolerance = tolerance(finest, case_.steady.loadTolerance),
-                                      .maximumIterations = case_.film.maximumIterations};
+                                      .maximumIterations = case_.film.maximumIterations,
+                                      .patience = throughDisk ? 100 : 30,
+                                      .throughDisk = throughDisk};
         FlyingAttitude& flying = level_->flying;
         const bool together = previous_ && case_.film.solver == FilmSolver::Newton;
         const AttitudeSolution s = together ? flying.solve(level_->pressure, attitude_, options, monitor())
@@ -142,24 +164,62 @@ private:
         result_.solves += s.solves;
         result_.residual = s.residual;
         result_.loadError = s.loadError;
+        search_ = s;
         return s.converged;
     }
 
-    LevelSummary summary() const
+    /// Whether finer grids need not be tried. A coarse grid may miss the film's force by its half, and two grids do not
+    /// miss the same state.
+    bool hopeless()
+    {
+        constexpr double farFromBalance = 0.5; // load error of all sane states
+        if (case_.steady.fixedAttitude || search_.why == NoBalance::None) return false;
+        return search_.why == NoBalance::BelowDisk || search_.why == NoBalance::FarAway ||
+               search_.leastSaneError > farFromBalance || ++abandoned_ > 1;
+    }
+
+    SteadyResult refused(const std::string& why)
+    {
+        const MinimumSpacing::Place nearest = spacing_.at(attitude_);
+        result_.status = SteadyStatus::Failed;
+        result_.message = why;
+        result_.attitude = attitude_;
+        result_.minimumSpacing = nearest.spacing;
+        result_.minimumAt = nearest.at;
+        return result_;
+    }
+
+    /// To the last grid that was solved.
+    void goBack()
+    {
+        level_ = std::move(previous_);
+        attitude_ = coarse_.front().attitude;
+        coarse_.erase(coarse_.begin());
+        result_ = converged_;
+    }
+
+    GridState summary() const
     {
         const FilmForces forces = level_->loads.forces(level_->pressure);
-        return {attitude_, spacing_.at(attitude_).spacing, forces.net, forces.positive};
+        const MinimumSpacing::Place nearest = spacing_.at(attitude_);
+        return {attitude_, nearest.at, nearest.spacing, forces.net, forces.positive};
     }
 
     SteadyResult unconverged()
     {
         report(false);
         result_.status = SteadyStatus::NotConverged;
+        if (!case_.steady.fixedAttitude && search_.why != NoBalance::None) {
+            result_.message = "no flying attitude was found: " + std::string(reason(search_.why)) +
+                              (search_.sane ? "; " + lastStateWords(case_, result_) : std::string());
+            return result_;
+        }
         char text[240];
         std::snprintf(text, sizeof text,
                       "film residual %.1e and load error %.1e remain after %d iterations on the finest grid",
                       result_.residual, result_.loadError, result_.iterations);
         result_.message = text;
+        if (const std::string note = noteOnClosedGap(case_, spacing_); !note.empty()) result_.message += "; " + note;
         if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
             result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does "
                                "not carry the load";
@@ -170,6 +230,15 @@ private:
     {
         FilmLevel& level = *level_;
         result_.status = SteadyStatus::Converged;
+        result_.message = noteOnClosedGap(case_, spacing_);
+        if (converged && accuracy_ > case_.film.accuracy) {
+            char text[200];
+            std::snprintf(text, sizeof text,
+                          "film.accuracy = %.2g %% is not reached: on the finest grid that is tried the error is about "
+                          "%.2g %%",
+                          100.0 * case_.film.accuracy, 100.0 * accuracy_);
+            result_.message += (result_.message.empty() ? "" : "; ") + std::string(text);
+        }
         result_.attitude = attitude_;
         const MinimumSpacing::Place nearest = spacing_.at(attitude_);
         result_.minimumSpacing = nearest.spacing;
@@ -182,7 +251,8 @@ private:
             result_.interestSpacing.push_back(recess_.at(point.x, point.y) +
                                               level.gaps.lift(attitude_, point.x, point.y));
         if (converged && case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
-        if (!coarse_.empty()) estimateError();
+        if (!coarse_.empty())
+            result_.discretisationError = gridError(case_, level, result_.stiffness, summary(), coarse_);
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
             result_.sensitivities = sensitivities(case_, level, spacing_);
         if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
@@ -201,33 +271,6 @@ private:
                 -result_.minimumSpacing * 1e9);
             result_.message = text;
         }
-    }
-
-    /// The difference from the coarser grid is three times the finer one's error at second order; half of it is taken
-    /// because of the rails' edges. As two results may agree by chance, an eighth of the difference of the two coarser
-    /// ones counts too: as much at second order.
-    void estimateError()
-    {
-        const LevelSummary finest = summary();
-        const auto estimate = [&](auto&& value) {
-            const double last = std::abs(value(finest) - value(coarse_[0]));
-            const double before = coarse_.size() > 1 ? std::abs(value(coarse_[0]) - value(coarse_[1])) : 0.0;
-            return std::max(0.5 * last, 0.125 * before);
-        };
-        DiscretisationError& error = result_.discretisationError;
-        error.pitch = estimate([](const LevelSummary& s) { return s.attitude.pitch; });
-        error.roll = estimate([](const LevelSummary& s) { return s.attitude.roll; });
-        error.minimumSpacing = estimate([](const LevelSummary& s) { return s.minimumSpacing; });
-        if (case_.steady.fixedAttitude)
-            error.load = estimate([](const LevelSummary& s) { return s.load; });
-        else if (result_.stiffness) {
-            // The load that the coarser grid would miss at this attitude.
-            const Vector3 row = result_.stiffness->row(0);
-            error.load = estimate([&](const LevelSummary& s) {
-                return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
-            });
-        } else
-            error.load = estimate([](const LevelSummary& s) { return s.positive; });
     }
 
     /// Other attitudes at which the forces balance, from starts all over the range where sliders fly.
@@ -274,8 +317,12 @@ private:
     Attitude attitude_;
     std::unique_ptr<FilmLevel> level_, previous_;
     std::unique_ptr<FilmLineMultigrid> lineMultigrid_; // of the level, when it is chosen
-    std::vector<LevelSummary> coarse_;                 // the finest of them first, as far as all converged
-    SteadyResult result_;
+    std::vector<GridState> coarse_;                    // the finest of them first, as far as all converged
+    double accuracy_ = 0.0;                            // of the last grid, where one is asked for [-]
+    bool first_ = true;                                // grid
+    AttitudeSolution search_;                          // the last one
+    int abandoned_ = 0;                                // searches that were given up
+    SteadyResult result_, converged_; // the second: with the last solved grid's iterations and residuals
 };
 
 } // namespace

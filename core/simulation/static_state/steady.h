@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,12 +32,14 @@ struct Sensitivity {
     double minimumSpacing = 0.0; // [m/unit]
 };
 
-/// Estimated distance from the limit of infinitely many cells, each as a magnitude.
+/// Estimated distance from the limit of infinitely many cells, each as a magnitude. NaN: not known, as where no coarser
+/// grid has a solution to compare with.
 struct DiscretisationError {
-    double minimumSpacing = 0.0; // [m]
-    double pitch = 0.0;          // [rad]
-    double roll = 0.0;           // [rad]
-    double load = 0.0;           // [N]
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    double minimumSpacing = unknown; // [m]
+    double pitch = unknown;          // [rad]
+    double roll = unknown;           // [rad]
+    double load = unknown;           // [N]
 };
 
 struct SteadyResult {
@@ -64,6 +67,12 @@ struct SteadyResult {
     std::vector<double> pressure; // absolute, per cell [Pa]
     std::vector<double> gap;      // mean over each cell [m]
     std::vector<double> recess;   // mean over each cell [m]
+
+    /// Whether film and suspension balance at the attitude, be it above the disk's mean plane or below ("failed").
+    bool balanced() const
+    {
+        return status == SteadyStatus::Converged || (status == SteadyStatus::Failed && !pressure.empty());
+    }
 };
 
 /// Reported about at every grid level and iteration.
@@ -83,6 +92,7 @@ inline SteadyProgress progressAbout(const SteadyResult& state, std::string stage
 using SteadyCallback = std::function<bool(const SteadyProgress&)>;
 
 /// Solves a valid case with model "film" for its static state. Never throws for numerics: see SteadyResult::status.
+/// Without grid and pressure where none can exist: static_check.h.
 SteadyResult steady(const Case& c, const SteadyCallback& callback = {});
 
 /// The case for its balanced attitude alone: no fixed one, no stiffness, sensitivities or other equilibria.

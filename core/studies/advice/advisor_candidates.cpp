@@ -34,7 +34,7 @@ void addGrids(const Case& c, std::vector<ModelPart>& parts)
         const std::string text = std::to_string(nodes[0]) + ", " + std::to_string(nodes[1]);
         parts.push_back({std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]) + " grid lines",
                          "grid lines beyond " + std::to_string(nodes[0]) + " x " + std::to_string(nodes[1]),
-                         {{"film.nodes", text}},
+                         {{"film.nodes", text}, {"film.accuracy", "0"}},
                          "grid"});
         last = nodes;
     }

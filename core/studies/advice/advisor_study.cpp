@@ -61,7 +61,8 @@ private:
         result_.growthProblem = scene_.growthProblem;
         result_.roughPasses = scene_.roughPasses;
         const SteadyResult& rest = scene_.motion.steady;
-        if (rest.status == SteadyStatus::Converged) result_.gridError = rest.discretisationError.minimumSpacing;
+        const double gridError = rest.discretisationError.minimumSpacing;
+        if (rest.status == SteadyStatus::Converged && std::isfinite(gridError)) result_.gridError = gridError;
         std::vector<Candidate> fast;
         for (Candidate& candidate : candidatesOf(task_, rest.attitude.roll))
             (candidate.inTime()                             ? parts_

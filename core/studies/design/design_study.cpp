@@ -114,7 +114,7 @@ StudyTable targetsOf(const DesignTask& task, const DesignStudy& study)
 }
 
 /// What the search says of itself, for the thread of the study.
-class Progress {
+class SearchProgress {
 public:
     void take(const DesignProgress& progress)
     {
@@ -139,7 +139,7 @@ private:
 
 StudyReport perform(const Case& start, const DesignTask& task, const StudyCallback& callback)
 {
-    Progress progress;
+    SearchProgress progress;
     DesignStudy study;
     const auto search = [&](std::size_t, const GoOn& goOn) {
         study = studyDesign(start, task, [&](const DesignProgress& now) {

@@ -63,14 +63,18 @@ std::vector<MethodSpec> filmMethods(const Case& c, bool inTime)
                       ownGrid = toText(c, *findParameter("film.grid"));
     std::vector<MethodSpec> methods;
     const auto add = [&](const std::string& scheme, const std::string& grid) {
-        methods.push_back(
-            {scheme + ", " + grid, {{"film.scheme", scheme}, {"film.grid", grid}}, "film.nodes", nodes, {"97"}});
+        methods.push_back({scheme + ", " + grid,
+                           {{"film.scheme", scheme}, {"film.grid", grid}, {"film.accuracy", "0"}},
+                           "film.nodes",
+                           nodes,
+                           {"97"}});
     };
     for (const std::string grid : {"adapted", "graded", "uniform"}) add(ownScheme, grid);
     for (const std::string scheme : {"upwind", "power-law", "exponential", "complete-flux"})
         if (scheme != ownScheme) add(scheme, ownGrid);
     if (!inTime) {
-        methods.push_back({"line-multigrid", {{"film.solver", "line-multigrid"}}, "film.nodes", nodes, {}});
+        methods.push_back(
+            {"line-multigrid", {{"film.solver", "line-multigrid"}, {"film.accuracy", "0"}}, "film.nodes", nodes, {}});
         return methods;
     }
     const std::vector<std::string> errors{"0.5 nm", "0.05 nm", "0.005 nm", "0.0005 nm"};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
@@ -21,6 +22,7 @@ private slots:
     void aHeldRollCarriesAnyTorque();
     void reportsWhereItIsNearest();
     void theErrorEstimateCoversTheFinerGrid();
+    void anAccuracyPicksTheGrid();
     void sensitivitiesAgreeWithDifferences_data();
     void sensitivitiesAgreeWithDifferences();
     void mirroredSlidersRollTheOtherWay();
@@ -28,6 +30,10 @@ private slots:
     void cancelling();
     void notConverging();
     void aLoadThatOnlyContactCarries();
+    void railsInsideTheDisk();
+    void aDiskAtRest();
+    void noPreload();
+    void theErrorOfASingleGridIsUnknown();
 };
 
 void TestSteady::forcesBalanceTheLoad()
@@ -105,6 +111,29 @@ void TestSteady::theErrorEstimateCoversTheFinerGrid()
         qPrintable(
             QString("%1 nm, estimate %2 nm").arg(change * 1e9).arg(coarse.discretisationError.minimumSpacing * 1e9)));
     QVERIFY(change > 0.03 * coarse.discretisationError.minimumSpacing);
+}
+
+void TestSteady::anAccuracyPicksTheGrid()
+{
+    // Two thirds of the error that one grid states need a finer one, at a flying attitude and at a fixed one.
+    for (const bool fixedAttitude : {false, true}) {
+        Case c = openCase("film_femto").value;
+        c.steady.fixedAttitude = fixedAttitude;
+        const auto share = [&](const SteadyResult& r) {
+            return fixedAttitude ? r.discretisationError.load / std::abs(r.forces.net)
+                                 : r.discretisationError.minimumSpacing / r.minimumSpacing;
+        };
+        c.film.accuracy = 0.1;
+        const SteadyResult loose = steady(c);
+        QVERIFY2(loose.status == SteadyStatus::Converged && loose.message.empty(), loose.message.c_str());
+        QVERIFY(share(loose) <= 0.1);
+        QCOMPARE(loose.grid.nx(), 192);
+        c.film.accuracy = share(loose) / 1.5;
+        const SteadyResult tight = steady(c);
+        QVERIFY2(tight.status == SteadyStatus::Converged && tight.message.empty(), tight.message.c_str());
+        QVERIFY(share(tight) <= c.film.accuracy);
+        QVERIFY(tight.grid.nx() == 384 || tight.grid.nx() == 768);
+    }
 }
 
 struct Change {
@@ -234,8 +263,14 @@ void TestSteady::notConverging()
     c.suspension.preload = 100.0; // no air bearing of this size carries that
     const SteadyResult r = steady(c);
     QCOMPARE(r.status, SteadyStatus::NotConverged);
-    QVERIFY(QString::fromStdString(r.message).contains("remain after"));
-    QVERIFY(std::isfinite(r.minimumSpacing));
+    QVERIFY(QString::fromStdString(r.message).startsWith("no flying attitude was found: the film's pressure"));
+    QVERIFY(std::isfinite(r.minimumSpacing) && std::isfinite(r.forces.net));
+    Case fixed = test::smallSlider(49);
+    fixed.steady.fixedAttitude = true;
+    fixed.film.maximumIterations = 1;
+    const SteadyResult film = steady(fixed);
+    QCOMPARE(film.status, SteadyStatus::NotConverged);
+    QVERIFY(QString::fromStdString(film.message).contains("remain after 1 iterations"));
 }
 
 void TestSteady::aLoadThatOnlyContactCarries()
@@ -244,8 +279,81 @@ void TestSteady::aLoadThatOnlyContactCarries()
     c.film.grid = GridKind::Uniform;
     c.suspension.preload = 30.0;
     const SteadyResult r = steady(c);
-    QVERIFY(r.status != SteadyStatus::Converged);
-    QVERIFY(!r.message.empty());
+    QCOMPARE(r.status, SteadyStatus::NotConverged);
+    const QString message = QString::fromStdString(r.message);
+    QVERIFY2(message.startsWith("no flying attitude was found: ") && message.contains("the last sane state is: "),
+             qPrintable(message));
+    // The state is that of the words: above the disk, with its own pressure, and the film carries far too little.
+    QVERIFY(r.minimumSpacing >= 0.1e-9 && r.minimumSpacing < 20e-9);
+    QVERIFY(r.forces.net > 0.0 && r.forces.net < 0.5 * c.suspension.preload);
+    QVERIFY(!r.pressure.empty() && !r.stiffness);
+    Case there = c;
+    there.steady.fixedAttitude = true;
+    there.initial = {.nominalTrailingEdgeHeight = r.attitude.height, .roll = r.attitude.roll};
+    there.initial.pitch = r.attitude.pitch;
+    there.film.nodes = {r.grid.nx() + 1, r.grid.ny() + 1};
+    const SteadyResult again = steady(there);
+    QCOMPARE(again.status, SteadyStatus::Converged);
+    // A coarse grid's film is solved to 1e-4.
+    QVERIFY2(std::abs(again.forces.net - r.forces.net) < 1e-2 * r.forces.net,
+             qPrintable(QString("%1 and %2 N").arg(again.forces.net).arg(r.forces.net)));
+}
+
+void TestSteady::railsInsideTheDisk()
+{
+    Case c = test::smallSlider(33);
+    c.steady.fixedAttitude = true;
+    // The form dips below the corners' plane: 10 nm of crown, 3 nm of camber; the pad ends 0.03 mm before the edge.
+    c.initial.nominalTrailingEdgeHeight = -10e-9;
+    const SteadyResult refused = steady(c);
+    QCOMPARE(refused.status, SteadyStatus::Failed);
+    QVERIFY(refused.pressure.empty() && refused.grid.x.empty() && !refused.balanced());
+    QVERIFY(refused.minimumSpacing < 0.0);
+    QVERIFY(QString::fromStdString(refused.message).contains("inside the disk"));
+    // Just above, it is a film like others.
+    c.initial.nominalTrailingEdgeHeight -= refused.minimumSpacing - 1e-9;
+    const SteadyResult above = steady(c);
+    QCOMPARE(above.status, SteadyStatus::Converged);
+    QVERIFY(above.message.empty() && std::abs(above.minimumSpacing - 1e-9) < 1e-15);
+    // With a contact law the film around the closed gap is solved.
+    c.contact = ContactKind::OnoYamane;
+    c.initial.nominalTrailingEdgeHeight -= 1.2e-9;
+    const SteadyResult closed = steady(c);
+    QVERIFY(!closed.pressure.empty());
+    QVERIFY(QString::fromStdString(closed.message).contains("0.2 nm below"));
+}
+
+void TestSteady::aDiskAtRest()
+{
+    Case c = test::smallSlider(33);
+    c.disk.speed = 0.0;
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.status, SteadyStatus::Failed);
+    QCOMPARE(r.solves, 0);
+    QVERIFY(QString::fromStdString(r.message).contains("disk at rest"));
+}
+
+void TestSteady::noPreload()
+{
+    // Suction in the cavity balances the pads' pressure: a slider of this kind flies without a preload, too.
+    Case c = test::smallSlider();
+    const SteadyResult loaded = steady(c);
+    c.suspension.preload = 0.0;
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    QVERIFY(r.forces.positive > 1e-3);
+    QVERIFY(std::abs(r.forces.net) < 1e-6 * r.forces.positive);
+    QVERIFY(r.minimumSpacing > loaded.minimumSpacing);
+}
+
+void TestSteady::theErrorOfASingleGridIsUnknown()
+{
+    const SteadyResult one = steady(test::smallSlider(34)); // 33 cells have no half
+    QCOMPARE(one.status, SteadyStatus::Converged);
+    const DiscretisationError& error = one.discretisationError;
+    for (const double each : {error.minimumSpacing, error.pitch, error.roll, error.load}) QVERIFY(std::isnan(each));
+    const DiscretisationError two = steady(test::smallSlider(33)).discretisationError;
+    for (const double each : {two.minimumSpacing, two.pitch, two.roll, two.load}) QVERIFY(std::isfinite(each));
 }
 
 TOUCHDOWN_TEST(TestSteady)

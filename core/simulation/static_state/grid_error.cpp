@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/grid_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double edgeShare = 0.04; // of what crossed cells carry [-]
+
+/// What crossed cells carry: sums of |p - p0| area, and of these times their arms about the slider's centre [N], [N m].
+Vector3 edgeForces(const FilmLevel& level)
+{
+    const FilmGaps& gaps = level.gaps;
+    std::vector<bool> crossed(gaps.pad.size(), false);
+    for (const std::size_t axis : {0u, 1u})
+        for (const CutPlace& place : gaps.faces[axis].cut)
+            crossed[place.at] = crossed[place.at - gaps.pad.step(static_cast<int>(axis))] = true;
+    Vector3 sum = Vector3::Zero();
+    for (int j = 0; j < gaps.pad.ny; ++j)
+        for (int i = 0; i < gaps.pad.nx; ++i) {
+            const std::size_t at = gaps.pad.at(i, j);
+            if (!crossed[at]) continue;
+            const double force = std::abs(level.pressure[at] - level.film.ambient()) * level.film.areas()[at];
+            sum += force * Vector3(1.0, std::abs(0.5 * gaps.length - gaps.grid.centreX(i)),
+                                   std::abs(0.5 * gaps.width - gaps.grid.centreY(j)));
+        }
+    return sum;
+}
+
+} // namespace
+
+DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::optional<Matrix3>& stiffness,
+                              const GridState& finest, std::span<const GridState> coarser)
+{
+    const auto estimate = [&](double least, auto&& value) {
+        const double last = std::abs(value(finest) - value(coarser[0]));
+        const double before = coarser.size() > 1 ? std::abs(value(coarser[0]) - value(coarser[1])) : 0.0;
+        return std::max({0.5 * last, 0.125 * before, least});
+    };
+    Vector3 edges = edgeShare * edgeForces(level);
+    Matrix3 resisting = stiffness.value_or(Matrix3::Identity());
+    if (c.degreesOfFreedom == 2) {
+        // The roll is held.
+        resisting.row(2).setZero();
+        resisting.col(2).setZero();
+        resisting(2, 2) = 1.0;
+        edges[2] = 0.0;
+    }
+    // By how much the crossed cells' forces may move the attitude along a direction.
+    const auto moved = [&](const Vector3& direction) {
+        if (c.steady.fixedAttitude || !stiffness) return 0.0;
+        return solvePartialPivoting(resisting.transpose(), direction).cwiseAbs().dot(edges);
+    };
+    DiscretisationError error;
+    error.pitch = estimate(moved({0.0, 1.0, 0.0}), [](const GridState& s) { return s.attitude.pitch; });
+    error.roll = estimate(moved({0.0, 0.0, 1.0}), [](const GridState& s) { return s.attitude.roll; });
+    const Vector3 spacing(1.0, c.slider.length - finest.nearest.x, 0.5 * c.slider.width - finest.nearest.y);
+    error.minimumSpacing = estimate(moved(spacing), [](const GridState& s) { return s.minimumSpacing; });
+    if (c.steady.fixedAttitude)
+        error.load = estimate(edges[0], [](const GridState& s) { return s.load; });
+    else if (stiffness) {
+        // The load that the coarser grid would miss at this attitude.
+        const Vector3 row = stiffness->row(0);
+        error.load = estimate(edges[0], [&](const GridState& s) {
+            return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
+        });
+    } else
+        error.load = estimate(edges[0], [](const GridState& s) { return s.positive; });
+    return error;
+}
+
+} // namespace touchdown

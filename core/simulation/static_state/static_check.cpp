@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/static_check.h"
+
+#include "core/case/case.h"
+#include "core/formats/units.h"
+#include "core/simulation/static_state/steady.h"
+
+namespace touchdown {
+
+namespace {
+
+Attitude startOf(const Case& c) { return {c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll}; }
+
+std::string placeWords(const SurfacePoint& at)
+{
+    return "x = " + fewDigits(at.x, "mm", 4) + ", y = " + fewDigits(at.y, "mm", 4);
+}
+
+std::string depthWords(const MinimumSpacing::Place& lowest)
+{
+    return (lowest.spacing < 0.0 ? fewDigits(-lowest.spacing, "nm", 3) + " below" : std::string("at")) +
+           " its mean plane at " + placeWords(lowest.at);
+}
+
+} // namespace
+
+std::string attitudeWords(const Attitude& attitude)
+{
+    return "trailing edge height " + fewDigits(attitude.height, "nm", 4) + ", pitch " +
+           fewDigits(attitude.pitch, "urad", 4) + ", roll " + fewDigits(attitude.roll, "urad", 4);
+}
+
+std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing)
+{
+    if (!c.steady.fixedAttitude) {
+        if (c.disk.speed != 0.0) return {};
+        return "there is no flying attitude over a disk at rest (disk.speed is 0 rpm): no air bearing forms, and the "
+               "film carries nothing of the preload of " +
+               fewDigits(c.suspension.preload, "gf", 4) +
+               (c.contact == ContactKind::None ? "" : "; contact has a part in runs in time only");
+    }
+    if (c.contact != ContactKind::None) return {};
+    const MinimumSpacing::Place lowest = spacing.at(startOf(c));
+    if (lowest.spacing > 0.0) return {};
+    return "the rails are inside the disk, " + depthWords(lowest) +
+           ", at the fixed attitude: " + attitudeWords(startOf(c)) +
+           "; the film needs an open gap everywhere, as the case has no contact law; " +
+           "raise initial.nominal_trailing_edge_height above " +
+           fewDigits(c.initial.nominalTrailingEdgeHeight - lowest.spacing, "nm", 4);
+}
+
+std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing)
+{
+    if (!c.steady.fixedAttitude) return {};
+    const MinimumSpacing::Place lowest = spacing.at(startOf(c));
+    if (lowest.spacing > 0.0) return {};
+    return "the rails are inside the disk, " + depthWords(lowest) +
+           ": there the gap is closed, and the forces are those of the film around it, without contact";
+}
+
+std::string lastStateWords(const Case& c, const SteadyResult& state)
+{
+    return "the last sane state is: " + attitudeWords(state.attitude) + ", minimum spacing " +
+           fewDigits(state.minimumSpacing, "nm", 3) + ", net force of the film " +
+           fewDigits(state.forces.net, "gf", 4) + " for a preload of " + fewDigits(c.suspension.preload, "gf", 4);
+}
+
+} // namespace touchdown

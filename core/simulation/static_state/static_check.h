@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Static states that cannot exist, found before anything is computed, and the words for searches that found none.
+//
+// - A flying attitude needs a moving disk: over one at rest the steady film has ambient pressure everywhere and carries
+//   nothing. Contact has no part in a static state.
+// - A film at a fixed attitude needs rails above the mean plane of the disk. Where the gap is closed the film's
+//   equation does not hold: the cells there are walls, and the force is that of the air they shut in. With a contact
+//   law in the case such an attitude occurs in runs in time, where contact carries the rails; its film is solved, with
+//   closed gaps as walls, and the result says so.
+#pragma once
+
+#include <string>
+
+#include "core/physics/slider/minimum_spacing.h"
+
+namespace touchdown {
+
+struct Case;
+struct SteadyResult;
+
+/// Why the case has no static state; "" if it may have one.
+std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing);
+
+/// What to know of a film that was solved at a fixed attitude with rails below the mean plane; "" if there are none.
+std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing);
+
+/// "trailing edge height 20 nm, pitch 150 urad, roll 0 urad"
+std::string attitudeWords(const Attitude& attitude);
+/// The last state of a search that was given up: attitude, minimum spacing, force of the film and preload.
+std::string lastStateWords(const Case& c, const SteadyResult& state);
+
+} // namespace touchdown
