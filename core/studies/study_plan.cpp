@@ -82,12 +82,13 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     appendTo(plan.problems, applyOptions(toml, options));
 
     StudyReader reader(toml, plan.name, plan.start.value, plan.problems);
+    reader.setPlace(source.folder, settings);
     const std::string title = reader.text("title").value_or("");
     if (!isOfKind(reader, kind)) return plan;
     const bool takesGiven = source.given && !namesCase(reader);
     if (takesGiven) {
-        plan.start = changedStudyCase(reader, std::move(*source.given), settings);
-    } else if (auto start = openStudyCase(reader, source.folder, settings)) {
+        plan.start = changedStudyCase(reader, std::move(*source.given));
+    } else if (auto start = openStudyCase(reader)) {
         plan.start = std::move(*start);
     } else {
         return plan;
@@ -191,8 +192,9 @@ std::span<const StudyKind> studyKinds()
          "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
          "forces",
          planDesign, designForm, true},
-        {"convergence", "Convergence of a contact patch",
-         "Solves the closest approach of a contact case with smaller and smaller cells: observed order and error",
+        {"convergence", "Convergence over the grid",
+         "Solves the static state of films, or the closest approach of a contact case, on finer and finer grids: "
+         "observed order and error",
          planConvergence, convergenceForm},
     };
     return kinds;
@@ -267,7 +269,12 @@ std::vector<DescribedKey> studyKeys(const std::string& kind)
             if (row.kind == StudyKeyKind::Table) continue;
             auto described =
                 std::ranges::find_if(keys, [&](const DescribedKey& each) { return each.key.key == row.key; });
-            if (described == keys.end()) described = keys.insert(described, {row, allowedText(row), {}});
+            if (described == keys.end()) {
+                // A key of the root that another model has stands before all tables.
+                const auto isOfTable = [](const DescribedKey& each) { return !tableOf(each.key.key).empty(); };
+                if (tableOf(row.key).empty()) described = std::ranges::find_if(keys, isOfTable);
+                described = keys.insert(described, {row, allowedText(row), {}});
+            }
             described->varies = described->varies || described->allowed != allowedText(row);
             if (const std::string standard = defaultText(row); !standard.empty())
                 described->standards.emplace_back(toText(c, *findParameter("model")), standard);

@@ -37,12 +37,27 @@ private slots:
         for (const char* part : {"contact_force", "observed order", "limit", "error", "0.0625"})
             QVERIFY2(o.out.contains(part), part);
     }
+    void film()
+    {
+        const Outcome o = folder_->touchdown({"study", "convergence", "film_femto", "--json", "--option", "grids=33,49",
+                                              "--option", "reference=65", "--jobs", "2", "--csv", "a.csv"});
+        QCOMPARE(o.code, 0);
+        const QJsonArray runs = o.json()["tables"].toArray()[0].toObject()["rows"].toArray();
+        QCOMPARE(runs.size(), 6); // two grids by three methods
+        const QJsonObject coarse = runs[0].toObject();
+        QCOMPARE(coarse["nodes"].toInt(), 33);
+        const double ratio = coarse["stated_error"].toDouble() / coarse["error"].toDouble();
+        QVERIFY(ratio > 0.0 && std::abs(coarse["ratio"].toDouble() / ratio - 1.0) < 1e-12);
+        QCOMPARE(o.json()["charts"].toArray().size(), 2);
+        QCOMPARE(folder_->files(), QStringList{"a.csv"});
+    }
     void refuses_data()
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
         QTest::newRow("no case") << QStringList{"convergence"} << "convergence: FILE";
         QTest::newRow("springs") << QStringList{"convergence", "fig10a"} << "no grid";
+        QTest::newRow("levels of a film") << QStringList{"convergence", "film_femto", "--levels", "4"} << "levels";
         QTest::newRow("one level") << QStringList{"convergence", "contact_hertz", "--levels", "1"} << "levels";
         QTest::newRow("a bad setting") << QStringList{"convergence", "contact_hertz", "--set", "pad.radius=0"}
                                        << "pad.radius";

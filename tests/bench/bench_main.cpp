@@ -12,6 +12,8 @@
 //
 //   touchdown-bench --coupled [CASE OR KEY=VALUE]...                        (tests/bench/coupled_bench.h)
 //
+//   touchdown-bench --family [KEY=VALUE]...                                 (tests/bench/family_bench.h)
+//
 // The error is that of the flying height every 2 us against a stored reference (tests/bench/reference_<case>.csv), up
 // to the time to which the reference is determined. References are made by --write-references: dopri5 at 1e-13, as far
 // as rk4-events at a quarter of a nanosecond agrees with it to 1e-5 nm; a bouncing slider loses all memory of its
@@ -34,6 +36,7 @@
 #include "core/simulation/run.h"
 #include "tests/bench/contact_bench.h"
 #include "tests/bench/coupled_bench.h"
+#include "tests/bench/family_bench.h"
 #include "tests/bench/film_bench.h"
 #include "tests/bench/film_terms.h"
 
@@ -171,6 +174,8 @@ int main(int argc, char** argv)
             return benchmarkContact(repeats);
         else if (std::strcmp(argv[i], "--coupled") == 0)
             return benchmarkCoupled({argv + i + 1, argv + argc});
+        else if (std::strcmp(argv[i], "--family") == 0)
+            return benchmarkFamily({argv + i + 1, argv + argc});
         else if (std::strcmp(argv[i], "--film") == 0)
             return benchmarkFilm(more ? argv[i + 1] : "", repeats);
         else if (std::strcmp(argv[i], "--film-terms") == 0 && more)
@@ -180,7 +185,8 @@ int main(int argc, char** argv)
                                  "       touchdown-bench [--repeats N] --film [CASE OR FOLDER OF CML FILES]\n"
                                  "       touchdown-bench --film-terms CASE-OR-FOLDER [KEY=VALUE]...\n"
                                  "       touchdown-bench [--repeats N] --contact\n"
-                                 "       touchdown-bench --coupled [CASE OR KEY=VALUE]...\n");
+                                 "       touchdown-bench --coupled [CASE OR KEY=VALUE]...\n"
+                                 "       touchdown-bench --family [KEY=VALUE]...\n");
             return std::strcmp(argv[i], "--help") == 0 ? 0 : 2;
         }
     }

@@ -10,7 +10,7 @@
 #include "core/case_files/case_settings.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
-#include "tests/bench/node_film.h"
+#include "core/studies/convergence/node_film.h"
 
 namespace touchdown {
 
@@ -44,7 +44,7 @@ public:
         const CellGrid grid = kind == GridKind::Uniform
                                   ? uniform(lines)
                                   : gradedGrid(case_.surface, recess_.length(), recess_.width(), lines - 1, lines - 1);
-        const NodeFilmResult result = solveNodeFilm(recess_, setting, attitude_, grid, gaps);
+        const NodeFilmResult result = NodeFilm(recess_, setting, grid, gaps).solve(attitude_);
         return result.converged ? result.load / gramForce : NAN;
     }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What parts the load of a static film at a fixed attitude, counted in the established program's manner
-// (tests/bench/node_film.h), from ours on as many lines: one term after the other is switched, so that the changes add
-// up to the whole difference. As the grid is refined both tend to one limit.
+// (core/studies/convergence/node_film.h), from ours on as many lines: one term after the other is switched, so that the
+// changes add up to the whole difference. As the grid is refined both tend to one limit.
 #pragma once
 
 #include <string>

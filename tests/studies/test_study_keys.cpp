@@ -41,6 +41,9 @@ private slots:
         for (const DescribedKey& each : keys)
             QVERIFY2(!each.allowed.empty() && !each.key.help.empty(), each.key.key.c_str());
         QVERIFY(std::ranges::any_of(keys, [](const DescribedKey& each) { return !each.standards.empty(); }));
+        // Keys of tables come last, whatever models they are of.
+        QVERIFY(std::ranges::is_partitioned(
+            keys, [](const DescribedKey& each) { return each.key.key.find('.') == std::string::npos; }));
     }
     void aNumber()
     {

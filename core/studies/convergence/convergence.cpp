@@ -10,6 +10,8 @@
 #include "core/simulation/contact/contact_run.h"
 #include "core/simulation/contact/elastic_pad.h"
 #include "core/simulation/run.h"
+#include "core/studies/convergence/film_convergence_report.h"
+#include "core/studies/convergence/film_convergence_task.h"
 #include "core/studies/runs/parallel.h"
 #include "core/studies/study/study_reader.h"
 
@@ -172,15 +174,11 @@ ObservedOrder observedOrder(double coarse, double middle, double fine)
 
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options)
 {
-    if (c.model == ModelKind::Film)
-        return "is of model \"film\"; `touchdown steady` estimates the error of its grid, and a convergence study "
-               "takes a "
-               "case of model \"contact\" with contact \"elastic\"";
     if (c.model == ModelKind::Springs)
         return "is of model \"springs\", which has no grid; run.step_check compares a run with one of half its time "
                "step";
     if (c.contact != ContactKind::Elastic)
-        return "has a contact law without a grid; a convergence study takes contact \"elastic\"";
+        return "has a contact law without a grid; a convergence study takes contact \"elastic\", or a film";
     if (std::string reason = reasonNotToRun(c); !reason.empty()) return reason;
     for (int level = 0; level < options.levels; ++level) {
         Case at = c;
@@ -244,6 +242,10 @@ StudyReport convergenceReport(const ConvergenceStudy& study)
 
 StudyPerformance planConvergence(StudyReader& reader)
 {
+    if (reader.start().model == ModelKind::Film)
+        return [task = readFilmConvergence(reader)](int jobs, const StudyCallback& callback) {
+            return filmConvergenceReport(task, performFilmConvergence(task, jobs, callback));
+        };
     ConvergenceOptions options;
     options.levels = reader.integer("levels");
     if (const std::string reason = reasonNotToConverge(reader.start(), options); !reason.empty())
@@ -253,11 +255,12 @@ StudyPerformance planConvergence(StudyReader& reader)
     };
 }
 
-StudyForm convergenceForm(const Case&)
+StudyForm convergenceForm(const Case& c)
 {
-    return {
-        .keys = {integerKey("levels", ConvergenceOptions{}.levels, fewestLevels, mostLevels,
-                            "cells of each level are half as large; the last level but one has those of the case")}};
+    if (c.model == ModelKind::Film) return filmConvergenceForm(c);
+    return {.keys = {integerKey(
+                "levels", ConvergenceOptions{}.levels, fewestLevels, mostLevels,
+                "of a contact case: cells of each level are half as large; the last level but one has its own")}};
 }
 
 } // namespace touchdown

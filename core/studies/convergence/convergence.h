@@ -55,7 +55,7 @@ struct ConvergenceStudy {
     std::vector<ObservedOrder> observed;  // one for each quantity, of the three finest levels
 };
 
-/// Why a valid case cannot be studied so, in a sentence; "" when it can.
+/// Why a valid case without a film cannot be studied so, in a sentence; "" when it can.
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options);
 
 /// `done` is told how many levels are solved, and stops the study by returning false. Called on the thread of the
@@ -65,6 +65,7 @@ ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& optio
 
 StudyReport convergenceReport(const ConvergenceStudy& study);
 
+/// Of a contact case as above; of a film case that of film_convergence.h.
 StudyPerformance planConvergence(StudyReader& reader);
 StudyForm convergenceForm(const Case& c);
 

@@ -152,7 +152,7 @@ StudyTable stepTable(const HeldSteps& task, const HysteresisResult& result, cons
             row.insert(row.end(), 4, StudyValue{});
         else
             row.insert(row.end(), {step.end.spacing, step.spacing.min, step.spacing.max, step.pitch});
-        row.push_back(std::move(remark));
+        row.emplace_back(std::move(remark));
         table.rows.push_back(std::move(row));
     }
     return table;

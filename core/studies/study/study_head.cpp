@@ -89,26 +89,30 @@ bool namesCase(StudyReader& reader)
     return false;
 }
 
-std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
-                                          const std::vector<std::string>& settings)
+std::optional<CaseDocument> openStudyCase(StudyReader& reader)
 {
     if (!namesCase(reader)) reader.add("case", std::string("is missing; ") + neededCase + " is needed");
     const auto name = reader.text("case", neededCase);
     if (!name) return {};
-    std::error_code error;
-    const std::filesystem::path beside = folder / *name;
-    const bool isBeside = !folder.empty() && !name->empty() && std::filesystem::exists(beside, error);
-    return changedStudyCase(reader, openCase(isBeside ? beside.string() : *name), settings);
+    return openFurtherCase(reader, *name);
 }
 
-CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start, const std::vector<std::string>& settings)
+CaseDocument openFurtherCase(StudyReader& reader, const std::string& name)
+{
+    std::error_code error;
+    const std::filesystem::path beside = reader.folder() / name;
+    const bool isBeside = !reader.folder().empty() && !name.empty() && std::filesystem::exists(beside, error);
+    return changedStudyCase(reader, openCase(isBeside ? beside.string() : name));
+}
+
+CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start)
 {
     std::vector<std::string> own;
     for (const CaseSetting& each : reader.settings("set")) own.push_back(each.key + '=' + each.value);
     if (!own.empty()) applySettings(start, own);
     placeInStudy(reader, start.problems);
     placeInStudy(reader, start.unused);
-    if (!settings.empty()) applySettings(start, settings);
+    if (!reader.caseSettings().empty()) applySettings(start, reader.caseSettings());
     return start;
 }
 

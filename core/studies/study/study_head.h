@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,14 +26,15 @@ bool isOfKind(StudyReader& reader, const std::string& kind);
 /// Whether the file names a case.
 bool namesCase(StudyReader& reader);
 
-/// The case that the study names: a file in `folder` or a sample case, changed by the study's `set`, then by the
-/// settings of --set. Problems of the case are in the document, each with its place: the study, the case or --set.
+/// The case that the study names: a file in the study's folder or a sample case, changed by the study's `set`, then by
+/// the settings of --set. Problems of the case are in the document, each with its place: the study, the case or --set.
 /// Without a name there is no case, and the reader has the problem.
-std::optional<CaseDocument> openStudyCase(StudyReader& reader, const std::filesystem::path& folder,
-                                          const std::vector<std::string>& settings);
+std::optional<CaseDocument> openStudyCase(StudyReader& reader);
+/// Another case, found by the same rules and with the same changes.
+CaseDocument openFurtherCase(StudyReader& reader, const std::string& name);
 
 /// The same changes of a case that is there already.
-CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start, const std::vector<std::string>& settings);
+CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start);
 
 /// Puts each "key=value" of --option over what the file says; the last one of a key counts. A key of a table has its
 /// name before it: ensemble.starts. A value is TOML or bare text: 3, [1, 2], "10 ns", 10 ns. Returns the problems of

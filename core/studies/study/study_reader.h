@@ -4,10 +4,12 @@
 // is neither in the study's table of keys nor was read is unknown.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/case_files/case_settings.h"
@@ -29,6 +31,15 @@ public:
 
     const Case& start() const { return start_; }
     const std::string& name() const { return name_; }
+    /// The folder of the study's file, empty for none, and the "key=value" of --set: for the cases that the study
+    /// names.
+    void setPlace(std::filesystem::path folder, std::vector<std::string> caseSettings)
+    {
+        folder_ = std::move(folder);
+        caseSettings_ = std::move(caseSettings);
+    }
+    const std::filesystem::path& folder() const { return folder_; }
+    const std::vector<std::string>& caseSettings() const { return caseSettings_; }
     /// The keys of the study for this case.
     void setKeys(std::vector<StudyKey> keys);
 
@@ -76,6 +87,8 @@ private:
     std::string name_;
     const Case& start_;
     std::vector<InputProblem>& problems_;
+    std::filesystem::path folder_;
+    std::vector<std::string> caseSettings_;
     std::map<std::string, const TomlEntry*> entries_;
     std::map<std::string, const TomlTable*> tables_;
     std::vector<StudyKey> keys_;

@@ -93,8 +93,6 @@ private slots:
         QTest::addColumn<QString>("says");
         QTest::newRow("springs") << "fig10a"
                                  << "no grid";
-        QTest::newRow("a film") << "film_plane"
-                                << "touchdown steady";
         QTest::newRow("a characteristic") << "contact_ono_yamane"
                                           << "without a grid";
         QTest::newRow("a statistical surface") << "contact_greenwood_williamson"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/bench/node_film.h"
+#include "core/studies/convergence/node_film.h"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +26,9 @@ struct Line {
     int volumes() const { return static_cast<int>(face.size()) - 1; }
     double width(int k) const { return face[static_cast<std::size_t>(k) + 1] - face[static_cast<std::size_t>(k)]; }
 
+    /// From the node of a volume to the middle of the line.
+    double arm(int k) const { return 0.5 * (node.front() + node.back()) - node[static_cast<std::size_t>(k) + 1]; }
+
     std::vector<double> node, face; // [m]
 };
 
@@ -36,16 +39,18 @@ struct RecessShare {
 
 struct Face {
     std::size_t shares, shareEnd; // in shares_
-    double lift;                  // of the slider's plane above the disk [m]
+    double x, y;                  // of its middle node [m]
+    double lift;                  // of the slider's plane above the disk there [m]
     double meanRecess;            // [m]
     double width, length;         // of the face, between its nodes [m]
     double speed;                 // of the disk across it, halved [m/s]
 };
 
-class NodeFilm {
+} // namespace
+
+class NodeFilm::Solver {
 public:
-    NodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude, const CellGrid& nodes,
-             FaceGaps gaps)
+    Solver(const Recess& recess, const FilmSetting& setting, const CellGrid& nodes, FaceGaps gaps)
         : setting_(setting),
           table_(setting.slip, setting.air),
           lines_{Line(nodes.x), Line(nodes.y)},
@@ -58,14 +63,27 @@ public:
             for (auto* field : {&flow_[a], &lower_[a], &upper_[a], &diffusion_[a], &effective_[a], &convection_[a]})
                 field->assign(pad_.size(), 0.0);
             forFaces(axis, [&](std::size_t at, int along, int across) {
-                faces_[a][at] = faceAt(recess, attitude, axis, along, across, gaps);
-                flowScale_ += setting.air.pressure * std::abs(convectionOf(faces_[a][at])) /
-                              static_cast<double>(lines_[a].face.size());
+                faces_[a][at] = faceAt(recess, axis, along, across, gaps);
             });
         }
     }
 
-    NodeFilmResult solve()
+    void setAttitude(const Attitude& attitude)
+    {
+        flowScale_ = 0.0;
+        for (int axis = 0; axis < 2; ++axis) {
+            const std::size_t a = static_cast<std::size_t>(axis);
+            forFaces(axis, [&](std::size_t at, int, int) {
+                Face& face = faces_[a][at];
+                face.lift = attitude.height + attitude.pitch * (lines_[0].node.back() - face.x) -
+                            attitude.roll * (face.y - 0.5 * lines_[1].node.back());
+                flowScale_ +=
+                    setting_.air.pressure * std::abs(convectionOf(face)) / static_cast<double>(lines_[a].face.size());
+            });
+        }
+    }
+
+    NodeFilmResult solve(const std::function<bool()>& goOn)
     {
         NodeFilmResult result;
         Multigrid<double> multigrid(pad_);
@@ -81,7 +99,7 @@ public:
             }
             result.residual = sum / flowScale_;
             result.converged = result.residual <= tolerance;
-            if (result.converged) break;
+            if (result.converged || (goOn && !goOn())) break;
             multigrid.setOperator({FaceOperator{diffusion_[0], effective_[0], convection_[0]},
                                    FaceOperator{diffusion_[1], effective_[1], convection_[1]}},
                                   {});
@@ -94,8 +112,13 @@ public:
                 p_[at] = std::clamp(p_[at] + step[at], p_[at] / 3.0, 3.0 * p_[at]);
         }
         for (int j = 0; j < pad_.ny; ++j)
-            for (int i = 0; i < pad_.nx; ++i)
-                result.load += (p_[pad_.at(i, j)] - setting_.air.pressure) * lines_[0].width(i) * lines_[1].width(j);
+            for (int i = 0; i < pad_.nx; ++i) {
+                const double force =
+                    (p_[pad_.at(i, j)] - setting_.air.pressure) * lines_[0].width(i) * lines_[1].width(j);
+                result.load += force;
+                result.pitchTorque += force * lines_[0].arm(i);
+                result.rollTorque += force * lines_[1].arm(j);
+            }
         return result;
     }
 
@@ -108,7 +131,7 @@ private:
             for (int i = 0; i < pad_.nx + 1 - axis; ++i) visit(pad_.at(i, j), axis == 0 ? i : j, axis == 0 ? j : i);
     }
 
-    Face faceAt(const Recess& recess, const Attitude& attitude, int axis, int along, int across, FaceGaps gaps)
+    Face faceAt(const Recess& recess, int axis, int along, int across, FaceGaps gaps)
     {
         const Line& line = lines_[static_cast<std::size_t>(axis)];
         const Line& other = lines_[static_cast<std::size_t>(1 - axis)];
@@ -118,8 +141,9 @@ private:
         const Velocity disk = diskVelocity(setting_.disk, recess.length(), recess.width(), x, y);
         Face face{.shares = shares_.size(),
                   .shareEnd = 0,
-                  .lift = attitude.height + attitude.pitch * (recess.length() - x) -
-                          attitude.roll * (y - 0.5 * recess.width()),
+                  .x = x,
+                  .y = y,
+                  .lift = 0.0,
                   .meanRecess = 0.0,
                   .width = high - low,
                   .length = line.node[k + 1] - line.node[k],
@@ -236,12 +260,16 @@ private:
     Pair flow_, lower_, upper_, diffusion_, effective_, convection_;
 };
 
-} // namespace
+NodeFilm::NodeFilm(const Recess& recess, const FilmSetting& setting, const CellGrid& nodes, FaceGaps gaps)
+    : solver_(std::make_unique<Solver>(recess, setting, nodes, gaps))
+{}
 
-NodeFilmResult solveNodeFilm(const Recess& recess, const FilmSetting& setting, const Attitude& attitude,
-                             const CellGrid& nodes, FaceGaps gaps)
+NodeFilm::~NodeFilm() = default;
+
+NodeFilmResult NodeFilm::solve(const Attitude& attitude, const std::function<bool()>& goOn)
 {
-    return NodeFilm(recess, setting, attitude, nodes, gaps).solve();
+    solver_->setAttitude(attitude);
+    return solver_->solve(goOn);
 }
 
 } // namespace touchdown
