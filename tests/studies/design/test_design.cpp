@@ -178,7 +178,8 @@ private slots:
         task.targets = {target("minimum_spacing", 5e-9, 1e-10)};
         const DesignStudy study = studyDesign(c, task);
         QCOMPARE(study.status, StudyStatus::Failed);
-        QVERIFY2(study.message.starts_with("no static state to start from: no flying attitude was found"), study.message.c_str());
+        QVERIFY2(study.message.starts_with("no static state to start from: no flying attitude was found"),
+                 study.message.c_str());
         QCOMPARE(study.solves, 1);
     }
     void stops()
