@@ -66,6 +66,7 @@ public:
         if (const long long closings = stepper_ ? stepper_->closings() : 0; closings > 0)
             summary.warnings.push_back("cells of the film closed " + std::to_string(closings) +
                                        " times: the air that was left in them is lost from the energy balance");
+        if (std::string doubt = doubtOnDamping(summary); !doubt.empty()) summary.warnings.push_back(std::move(doubt));
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (recorder_) addCost(summary);
@@ -74,6 +75,22 @@ public:
     }
 
 private:
+    /// Where the grid does not resolve the damping of the fastest of the motion's larger peaks: a sentence.
+    std::string doubtOnDamping(const Summary& summary) const
+    {
+        constexpr double largeShare = 0.1; // of the largest peak
+        if (!scene_.level || summary.peaks.empty()) return {};
+        const double resolved = resolvedFrequency(case_, scene_.level->gaps.grid);
+        double fastest = 0.0;
+        for (const Peak& peak : summary.peaks)
+            if (peak.amplitude >= largeShare * summary.peaks.front().amplitude)
+                fastest = std::max(fastest, peak.frequency);
+        if (fastest <= resolved) return {};
+        const auto kilohertz = [](double frequency) { return std::to_string(std::lround(frequency / 1e3)) + " kHz"; };
+        return "the damping of the motion at " + kilohertz(fastest) + " is not known: above " + kilohertz(resolved) +
+               " the waves that the disk drags along span fewer than ten cells of this grid; more film.nodes resolve "
+               "them";
+    }
     void addCost(Summary& summary) const
     {
         const CoupledCost& cost = stepper_->cost();

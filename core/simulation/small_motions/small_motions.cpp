@@ -225,9 +225,4 @@ ComplexVector3 SmallMotions::force(Complex s, std::span<const double> real, std:
     return force;
 }
 
-double resolvedFrequency(const Case& c, const CellGrid& grid)
-{
-    return 0.5 * c.disk.speed * c.disk.radius * grid.nx() / (cellsForDamping * c.slider.length);
-}
-
 } // namespace touchdown

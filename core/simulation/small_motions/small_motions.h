@@ -94,10 +94,4 @@ private:
     bool converged_ = true;
 };
 
-/// The disk carries the pressure waves of a motion at half its speed U, with a length U/(2 f). Waves of a few cells
-/// decay or travel too fast, which changes the damping ratio: by 5 % at ten cells, its sign at three.
-inline constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
-/// Frequency up to which the grid resolves the damping of a motion [Hz].
-double resolvedFrequency(const Case& c, const CellGrid& grid);
-
 } // namespace touchdown

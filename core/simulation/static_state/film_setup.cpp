@@ -49,6 +49,11 @@ CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells)
     return gradedGrid(c.surface, length, width, cells[0], cells[1]);
 }
 
+double resolvedFrequency(const Case& c, const CellGrid& grid)
+{
+    return 0.5 * c.disk.speed * c.disk.radius * grid.nx() / (cellsForDamping * c.slider.length);
+}
+
 FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)
     : gaps(std::move(filmGaps)),
       film(gaps, filmSetting(c)),

@@ -27,6 +27,12 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 /// The grid that is known before any solution: uniform, or graded towards the rails' edges.
 CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells);
 
+/// The disk carries the pressure waves of a motion at half its speed U, with a length U/(2 f). Waves of a few cells
+/// decay or travel too fast, which changes the damping ratio: by 5 % at ten cells, its sign at three.
+inline constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
+/// Frequency up to which the grid resolves the damping of a motion [Hz].
+double resolvedFrequency(const Case& c, const CellGrid& grid);
+
 /// One grid of a slider's film. Neither copied nor moved: its parts point at each other.
 struct FilmLevel {
     FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)

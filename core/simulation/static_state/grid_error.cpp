@@ -12,7 +12,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double edgeShare = 0.04; // of what crossed cells carry [-]
+constexpr double edgeShare = 0.035; // of what crossed cells carry [-]
 
 /// What crossed cells carry: sums of |p - p0| area, and of these times their arms about the slider's centre [N], [N m].
 Vector3 edgeForces(const FilmLevel& level)

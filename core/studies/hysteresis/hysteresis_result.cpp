@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/formats/units.h"
-#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
 

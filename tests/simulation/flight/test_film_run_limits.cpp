@@ -61,6 +61,24 @@ class TestFilmRunLimits : public QObject {
     Q_OBJECT
 
 private slots:
+    /// The pitch mode near 250 kHz drags waves of U/(2 f) along, about a cell long on 49 lines. The roll mode near 60
+    /// kHz has waves of more than ten cells on 145 lines.
+    void saysWhereItsDampingIsNotKnown()
+    {
+        Case c = fromRest("film_pico", 40e-6);
+        c.initial.pitchOffset = 5e-6;
+        const Flight pitching = fly(c);
+        QVERIFY_STATUS(pitching, RunStatus::Completed);
+        QVERIFY(warns(pitching, "the damping of the motion at "));
+        c.initial.pitchOffset = 0.0;
+        c.initial.rollOffset = 2e-6;
+        c.film.nodes = {145, 145};
+        const Flight rolling = fly(c);
+        QVERIFY_STATUS(rolling, RunStatus::Completed);
+        QVERIFY(!rolling.summary.peaks.empty());
+        QVERIFY(!warns(rolling, "the damping of the motion at "));
+    }
+
     /// In turns, steps find a solution up to 2/omega of the stiffest way to move. Longer ones are cut, and the run says
     /// so and why; solved at once they need no cut at either length.
     void inTurnsAtLowSpacing()
