@@ -22,12 +22,12 @@ std::vector<Parameter> filmParameters()
     return {
         list("film.nodes", "nodes", noUnit, Range{17, 2049, true, 16}, Count{2, 2}, at(&Case::film, &FilmCase::nodes),
              withFilm, "Grid lines along and across the slider, 16 k + 1 each.", "ours"),
-        number(
-            "film.accuracy", "accuracy", "", noUnit, between(0.0, 0.1), at(&Case::film, &FilmCase::accuracy), withFilm,
-            "Largest share of error wanted in a static state: of the net force at a fixed attitude, else of the "
-            "minimum spacing, both as estimated. Grids of 49, 97, 193, ... up to 1537 lines each way are tried until "
-            "it is reached, and film.nodes has no effect; 0 = film.nodes. A run in time takes the same grid.",
-            "ours: 0"),
+        number("film.accuracy", "accuracy", "", noUnit, between(0.0, 0.1), at(&Case::film, &FilmCase::accuracy),
+               withFilm,
+               "Largest relative error of a static state: of the net force at a fixed attitude, else of the minimum "
+               "spacing, both as estimated. Grids of 49, 97, 193, ... up to 1537 lines each way are tried until it is "
+               "reached, in place of film.nodes; 0 = film.nodes. A run in time takes the grid of its static state.",
+               "ours: 0"),
         choice("film.grid", "grid", {"uniform", "graded", "adapted"}, at(&Case::film, &FilmCase::grid), withFilm,
                "Spacing of the grid lines: uniform; graded = snapped to the edges of rails; adapted = also denser "
                "where the pressure profile bends.",
@@ -66,7 +66,7 @@ std::vector<Parameter> steadyParameters()
         boolean("steady.fixed_attitude", "fixed attitude", at(&Case::steady, &SteadyCase::fixedAttitude), withFilm,
                 "Whether the film is solved at the initial attitude only; false = the attitude is found at which the "
                 "film carries the load. A fixed attitude with rails inside the disk is refused, unless the case has a "
-                "contact law: then closed gaps are walls of the film.",
+                "contact law: then the film is solved there with a gap of 0.3 nm.",
                 "ours: the slider flies"),
         boolean("steady.stiffness", "stiffness matrix", at(&Case::steady, &SteadyCase::stiffness), withFilm,
                 "Whether the stiffness matrix of the film is computed.", "ours"),

@@ -122,7 +122,8 @@ void TestSteadyCommand::unknownGridError()
     const QStringList single = quick({"suspension.preload=1000 gf"}); // ends on the coarsest grid
     const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + single);
     QCOMPARE(o.code, 1);
-    QVERIFY(o.json()["message"].toString().contains("the last sane state is: trailing edge height"));
+    QVERIFY(o.json()["message"].toString().contains(
+        "the last attitude with rails above the disk was: trailing edge height"));
     const QJsonObject error = o.json()["discretisation_error"].toObject();
     QCOMPARE(error.size(), 4);
     for (const QJsonValue& each : error) QVERIFY(each.isNull());

@@ -66,7 +66,8 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
 {
     const bool known = !rest.pressure.empty(); // not where no static state can exist
-    FilmGaps gaps(recess, known ? rest.grid : unadaptedGrid(case_, filmLevels(case_.film).back()), goOn);
+    FilmGaps gaps(recess, known ? rest.grid : unadaptedGrid(case_, {case_.film.nodes[0] - 1, case_.film.nodes[1] - 1}),
+                  goOn);
     if (!goOn()) return false;
     level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
     if (known) level->gaps.pad.pad<double>(rest.pressure, level->pressure);

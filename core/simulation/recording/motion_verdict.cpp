@@ -46,6 +46,7 @@ bool movesOn(std::span<const double> lastHalf)
 
 Motion motionOf(const MotionEvidence& evidence)
 {
+    if (evidence.samples < fewestSamples) return Motion::TooShort;
     if (evidence.swing <= smallestSwing) return evidence.movesOn ? Motion::TooShort : Motion::AtRest;
     if (evidence.periods < fewestPeriods) return Motion::TooShort;
     if (evidence.swing < smallestDecay * evidence.swingBefore) return Motion::Settles;
@@ -65,6 +66,9 @@ std::string motionRule(const MotionEvidence& evidence)
     case Motion::NotJudged: break;
     case Motion::AtRest: return figures + "; up to " + nm(smallestSwing) + " counts as rest";
     case Motion::TooShort:
+        if (evidence.samples < fewestSamples)
+            return figures + "; it holds " + std::to_string(evidence.samples) + " samples, and " +
+                   std::to_string(fewestSamples) + " are needed to tell";
         if (small) return figures + ", but it was still moving on: a longer run can tell";
         return figures + "; " + formatNumber(fewestPeriods) + " periods are needed to tell";
     case Motion::Settles: return figures + "; less than 90 % of the swing before counts as decay";

@@ -14,6 +14,7 @@
 // value of the window there and back.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -21,13 +22,16 @@
 
 namespace touchdown {
 
+constexpr std::size_t fewestSamples = 10; // of a window that tells anything
+
 struct MotionEvidence {
-    bool third = false;       // the window is the last third of the run, not the last tenth
-    double swing = 0.0;       // of the minimum spacing in the window, peak to peak [m]
-    double swingBefore = 0.0; // in as long a time before [m]
-    double periods = 0.0;     // in the window
-    bool movesOn = false;     // however little it moves in the last tenth
-    bool touches = false;     // in the window
+    bool third = false;                  // the window is the last third of the run, not the last tenth
+    double swing = 0.0;                  // of the minimum spacing in the window, peak to peak [m]
+    double swingBefore = 0.0;            // in as long a time before [m]
+    double periods = 0.0;                // in the window
+    bool movesOn = false;                // in the half before the end, though at rest in the last tenth
+    bool touches = false;                // in the window
+    std::size_t samples = fewestSamples; // in the window
 };
 constexpr double smallestSwing = 0.02e-9; // that matters, peak to peak [m]
 constexpr double smallestDecay = 0.9;     // of the swing of sustained motion, from window to window [-]

@@ -102,7 +102,7 @@ void RunStatistics::finish(Summary& summary) const
         summary.tail.emplace_back(name, blocks_[i].over(0.9, 1.0));
     }
     if (!oscillates_) return;
-    judgeMotion(summary);
+    if (summary.status != RunStatus::Cancelled) judgeMotion(summary);
     const Spectrum spectrum = welch(std::span(spacing_).subspan(beforeSpectrum_), case_.run.sampleInterval,
                                     welchOptions(case_.spectrum, case_.run.sampleInterval));
     summary.peaks = findPeaks(spectrum, case_.spectrum.scaling);
@@ -125,7 +125,10 @@ MotionEvidence RunStatistics::evidenceOf(const Summary& summary, bool third) con
         const auto count = static_cast<std::size_t>(part * static_cast<double>(samples_));
         return std::span(spacing_).last(std::min(spacing_.size(), count));
     };
-    MotionEvidence evidence{.third = third, .periods = periodsOf(last(share)), .movesOn = movesOn(last(0.5))};
+    MotionEvidence evidence{.third = third,
+                            .periods = periodsOf(last(share)),
+                            .movesOn = movesOn(last(0.5)),
+                            .samples = last(share).size()};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const Statistics window = blocks_[i].over(1.0 - share, 1.0);
         const Statistics before = blocks_[i].over(1.0 - 2.0 * share, 1.0 - share);

@@ -3,6 +3,7 @@
 
 #include "core/case/case.h"
 #include "core/formats/units.h"
+#include "core/physics/film/gas_film.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -35,8 +36,9 @@ std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing)
     if (!c.steady.fixedAttitude) {
         if (c.disk.speed != 0.0) return {};
         return "there is no flying attitude over a disk at rest (disk.speed is 0 rpm): no air bearing forms, and the "
-               "film carries nothing of the preload of " +
-               fewDigits(c.suspension.preload, "gf", 4) +
+               "film carries nothing" +
+               (c.suspension.preload != 0.0 ? " of the preload of " + fewDigits(c.suspension.preload, "gf", 4)
+                                            : std::string()) +
                (c.contact == ContactKind::None ? "" : "; contact has a part in runs in time only");
     }
     if (c.contact != ContactKind::None) return {};
@@ -54,13 +56,13 @@ std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing)
     if (!c.steady.fixedAttitude) return {};
     const MinimumSpacing::Place lowest = spacing.at(startOf(c));
     if (lowest.spacing > 0.0) return {};
-    return "the rails are inside the disk, " + depthWords(lowest) +
-           ": there the gap is closed, and the forces are those of the film around it, without contact";
+    return "the rails are inside the disk, " + depthWords(lowest) + ": there the film is solved with a gap of " +
+           fewDigits(moleculeGap, "nm", 2) + ", and the forces are those of the film without contact";
 }
 
 std::string lastStateWords(const Case& c, const SteadyResult& state)
 {
-    return "the last sane state is: " + attitudeWords(state.attitude) + ", minimum spacing " +
+    return "the last attitude with rails above the disk was: " + attitudeWords(state.attitude) + ", minimum spacing " +
            fewDigits(state.minimumSpacing, "nm", 3) + ", net force of the film " +
            fewDigits(state.forces.net, "gf", 4) + " for a preload of " + fewDigits(c.suspension.preload, "gf", 4);
 }

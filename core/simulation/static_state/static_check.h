@@ -5,9 +5,8 @@
 // - A flying attitude needs a moving disk: over one at rest the steady film has ambient pressure everywhere and carries
 //   nothing. Contact has no part in a static state.
 // - A film at a fixed attitude needs rails above the mean plane of the disk. Where the gap is closed the film's
-//   equation does not hold: the cells there are walls, and the force is that of the air they shut in. With a contact
-//   law in the case such an attitude occurs in runs in time, where contact carries the rails; its film is solved, with
-//   closed gaps as walls, and the result says so.
+//   equation does not hold. With a contact law in the case such an attitude occurs in runs in time, where contact
+//   carries the rails; its film is solved with a least gap (FilmSetting), and the result says so.
 #pragma once
 
 #include <string>

@@ -46,7 +46,7 @@ public:
             const bool finest = &cells == &levels.back();
             const bool converged = case_.steady.fixedAttitude ? solveFilm(finest) : solveAttitude(finest);
             if (result_.status == SteadyStatus::Cancelled) return result_;
-            if (!converged && case_.film.accuracy > 0.0 && !coarse_.empty()) {
+            if (!converged && case_.film.accuracy > 0.0 && coarse_.size() > 1) {
                 goBack();
                 break;
             }
@@ -106,8 +106,8 @@ private:
     static constexpr double coarseTolerance = 1e-4;
     double tolerance(bool finest, double own) const
     {
-        // With an accuracy asked for, any grid may be the last.
-        return finest || case_.film.accuracy > 0.0 ? own : std::max(coarseTolerance, own);
+        // With an accuracy asked for, any grid after the second may be the last.
+        return finest || (case_.film.accuracy > 0.0 && coarse_.size() > 1) ? own : std::max(coarseTolerance, own);
     }
 
     /// Whether an accuracy was asked for and is reached: of the net force at a fixed attitude, else of the minimum
@@ -118,8 +118,10 @@ private:
         if (!case_.steady.fixedAttitude) result_.stiffness = level_->flying.stiffness(level_->pressure);
         const GridState state = summary();
         const DiscretisationError error = gridError(case_, *level_, result_.stiffness, state, coarse_);
-        accuracy_ = case_.steady.fixedAttitude ? error.load / std::abs(state.load)
-                                               : error.minimumSpacing / std::abs(state.minimumSpacing);
+        // Where the parts above and below ambient pressure nearly cancel, their size is what counts.
+        const double force = std::max({std::abs(state.load), 1e-2 * (2.0 * state.positive - state.load), 1e-9});
+        accuracy_ =
+            case_.steady.fixedAttitude ? error.load / force : error.minimumSpacing / std::abs(state.minimumSpacing);
         result_.stiffness.reset();
         return accuracy_ <= case_.film.accuracy;
     }
@@ -193,6 +195,7 @@ private:
     void goBack()
     {
         level_ = std::move(previous_);
+        lineMultigrid_.reset(); // it knows the other grid
         attitude_ = coarse_.front().attitude;
         coarse_.erase(coarse_.begin());
         result_ = converged_;
@@ -231,12 +234,13 @@ private:
         FilmLevel& level = *level_;
         result_.status = SteadyStatus::Converged;
         result_.message = noteOnClosedGap(case_, spacing_);
-        if (converged && accuracy_ > case_.film.accuracy) {
+        if (converged && case_.film.accuracy > 0.0 && !(accuracy_ <= case_.film.accuracy)) {
             char text[200];
-            std::snprintf(text, sizeof text,
-                          "film.accuracy = %.2g %% is not reached: on the finest grid that is tried the error is about "
-                          "%.2g %%",
-                          100.0 * case_.film.accuracy, 100.0 * accuracy_);
+            std::snprintf(
+                text, sizeof text,
+                "film.accuracy = %.2g %% is not reached: on the finest grid that has a solution the error is about "
+                "%.2g %%",
+                100.0 * case_.film.accuracy, 100.0 * accuracy_);
             result_.message += (result_.message.empty() ? "" : "; ") + std::string(text);
         }
         result_.attitude = attitude_;
@@ -250,9 +254,11 @@ private:
         for (const SurfacePoint& point : case_.surface.pointsOfInterest)
             result_.interestSpacing.push_back(recess_.at(point.x, point.y) +
                                               level.gaps.lift(attitude_, point.x, point.y));
-        if (converged && case_.steady.stiffness) result_.stiffness = level.flying.stiffness(level.pressure);
-        if (!coarse_.empty())
-            result_.discretisationError = gridError(case_, level, result_.stiffness, summary(), coarse_);
+        std::optional<Matrix3> stiffness; // the error follows from it, too
+        if (converged && (case_.steady.stiffness || (!coarse_.empty() && !case_.steady.fixedAttitude)))
+            stiffness = level.flying.stiffness(level.pressure);
+        if (case_.steady.stiffness) result_.stiffness = stiffness;
+        if (!coarse_.empty()) result_.discretisationError = gridError(case_, level, stiffness, summary(), coarse_);
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
             result_.sensitivities = sensitivities(case_, level, spacing_);
         if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();

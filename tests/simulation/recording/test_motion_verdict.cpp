@@ -74,6 +74,8 @@ private slots:
         };
         QCOMPARE(with([](MotionEvidence& e) { e.touches = true; }), Motion::Bounces);
         QCOMPARE(with([](MotionEvidence& e) { e.periods = 2.5; }), Motion::TooShort);
+        QCOMPARE(with([](MotionEvidence& e) { e.samples = 9; }), Motion::TooShort);
+        QCOMPARE(with([](MotionEvidence& e) { e.samples = 9, e.swing = 0.0; }), Motion::TooShort);
         QCOMPARE(with([](MotionEvidence& e) { e.swingBefore = 1.12e-9; }), Motion::Settles);
         QCOMPARE(with([](MotionEvidence& e) { e.swingBefore = 1.10e-9; }), Motion::Swings);
         QCOMPARE(with([](MotionEvidence& e) { e.swing = 0.019e-9; }), Motion::AtRest);

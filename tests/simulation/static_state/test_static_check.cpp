@@ -87,7 +87,8 @@ private slots:
         state.minimumSpacing = 0.158e-9;
         state.forces.net = 12.5 * 9.80665e-3;
         const QString words = QString::fromStdString(lastStateWords(test::smallSlider(33), state));
-        QCOMPARE(words, "the last sane state is: trailing edge height 4.5 nm, pitch 36 urad, roll -6 urad, minimum "
+        QCOMPARE(words, "the last attitude with rails above the disk was: trailing edge height 4.5 nm, pitch 36 urad, "
+                        "roll -6 urad, minimum "
                         "spacing 0.158 nm, net force of the film 12.5 gf for a preload of 1 gf");
     }
 };
