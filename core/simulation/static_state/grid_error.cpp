@@ -14,7 +14,8 @@ namespace {
 
 constexpr double edgeShare = 0.035; // of what crossed cells carry [-]
 
-/// What crossed cells carry: sums of |p - p0| area, and of these times their arms about the slider's centre [N], [N m].
+/// What crossed cells carry, those on either side of a face with rows (cut_rows.h): sums of |p - p0| area, and of these
+/// times their arms about the slider's centre [N], [N m].
 Vector3 edgeForces(const FilmLevel& level)
 {
     const FilmGaps& gaps = level.gaps;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How far a static state on one grid is from the limit of infinitely many cells, from the states on coarser grids and
-// from what the cells carry that edges and walls cross.
+// from what the cells carry that edges and walls cross, or that take parts of such faces (cut_rows.h).
 //
 // At second order the difference from a grid of half as many cells along each axis is three times the finer one's
 // error; half of it is taken because of the rails' edges. As two results may agree by chance, an eighth of the
