@@ -4,7 +4,7 @@
 // third where the tenth holds less than 3 periods of a motion that is not at rest:
 //
 //   at rest           s swings by no more than 0.02 nm, peak to peak, nor was it about to move on
-//   too short to tell the window holds less than 3 periods of the main motion
+//   too short to tell the window holds less than 3 periods of the main motion, or fewer than 10 samples
 //   settles           the swing is less than 90 % of that over the tenth or third before
 //   bounces           else, and the slider touches the disk in the window
 //   swings            else: the motion lasts without contact

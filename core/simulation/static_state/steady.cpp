@@ -115,14 +115,14 @@ private:
     bool isAccurate()
     {
         if (!(case_.film.accuracy > 0.0) || coarse_.size() < 2) return false;
-        if (!case_.steady.fixedAttitude) result_.stiffness = level_->flying.stiffness(level_->pressure);
+        std::optional<Matrix3> stiffness;
+        if (!case_.steady.fixedAttitude) stiffness = level_->flying.stiffness(level_->pressure);
         const GridState state = summary();
-        const DiscretisationError error = gridError(case_, *level_, result_.stiffness, state, coarse_);
+        const DiscretisationError error = gridError(case_, *level_, stiffness, state, coarse_);
         // Where the parts above and below ambient pressure nearly cancel, their size is what counts.
         const double force = std::max({std::abs(state.load), 1e-2 * (2.0 * state.positive - state.load), 1e-9});
         accuracy_ =
             case_.steady.fixedAttitude ? error.load / force : error.minimumSpacing / std::abs(state.minimumSpacing);
-        result_.stiffness.reset();
         return accuracy_ <= case_.film.accuracy;
     }
 
