@@ -23,6 +23,19 @@ TOUCHDOWN_VECTOR_CLONES void setRest(std::size_t count, std::size_t up, const Re
     for (std::size_t k = 0; k < count; ++k) rest[k] = b[k] - south[k] * below[k] - north[k] * above[k];
 }
 
+/// The same where the rows beside count with three cells each.
+template <typename Real, typename Number>
+TOUCHDOWN_VECTOR_CLONES void setNineRest(std::size_t count, std::size_t up, const std::array<const Real*, 8> beside,
+                                         const Number* b, const Number* v, Number* rest)
+{
+    const Real *c0 = beside[0], *c1 = beside[1], *c2 = beside[2], *c5 = beside[5], *c6 = beside[6], *c7 = beside[7];
+    const Number *below = v - up, *above = v + up;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k)
+        rest[k] = b[k] - (c0[k] * below[k - 1] + c1[k] * below[k] + c2[k] * below[k + 1]) -
+                  (c5[k] * above[k - 1] + c6[k] * above[k] + c7[k] * above[k + 1]);
+}
+
 /// Solves lines along x, `apart` from each other, their right-hand sides in rows a stride apart.
 template <std::size_t lines, typename Real, typename Number>
 void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const Real* west, const Real* east,
@@ -51,6 +64,22 @@ TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, c
     for (int i = 0; i < count; ++i) {
         const Number old = v[i];
         const Number value = (b[i] - west[i] * before[i] - east[i] * after[i] - south[i] * below[i]) * pivot[i];
+        v[i] = (i & 1) == colour ? value : old;
+    }
+}
+template <typename Real, typename Number>
+TOUCHDOWN_VECTOR_CLONES void forwardNineRow(int count, int colour, std::size_t up,
+                                            const std::array<const Real*, 8> beside, const Number* pivot,
+                                            const Number* b, Number* v)
+{
+    const auto [c0, c1, c2, c3, c4, c5, c6, c7] = beside;
+    const Number *below = v - up, *above = v + up;
+#pragma GCC ivdep
+    for (int i = 0; i < count; ++i) {
+        const Number old = v[i];
+        const Number value = (b[i] - (c0[i] * below[i - 1] + c1[i] * below[i] + c2[i] * below[i + 1]) -
+                              (c3[i] * v[i - 1] + c4[i] * v[i + 1]) - (c5[i] * above[i - 1] + c7[i] * above[i + 1])) *
+                             pivot[i];
         v[i] = (i & 1) == colour ? value : old;
     }
 }
@@ -233,6 +262,50 @@ void Multigrid<T>::sweep(Level& level)
 }
 
 template <typename T>
+void Multigrid<T>::sweepNineX(int colour)
+{
+    Level& level = levels_.front();
+    const PaddedGrid& pad = level.pad;
+    const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
+    const auto solve = [&]<std::size_t lines>(int j) {
+        const std::size_t first = pad.at(0, j);
+        for (std::size_t k = 0; k < lines; ++k) {
+            const std::size_t at = first + 2 * k * up;
+            setNineRest<Real>(n, up, besideAt(at), &level.right[at], &level.value[at], &rows_[k * up]);
+        }
+        solveLines<lines>(n, 2 * up, up, &nine_.beside[3][first], &nine_.beside[4][first], &nine_.pivot[0][first],
+                          rows_.data(), &level.value[first]);
+    };
+    int j = colour;
+    for (; j + 6 < pad.ny; j += 8) solve.template operator()<together>(j);
+    for (; j < pad.ny; j += 2) solve.template operator()<1>(j);
+}
+
+template <typename T>
+void Multigrid<T>::sweepNineY(int colour)
+{
+    Level& level = levels_.front();
+    const PaddedGrid& pad = level.pad;
+    const std::size_t up = pad.stride();
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        forwardNineRow<Real>(pad.nx, colour, up, besideAt(at), &nine_.pivot[1][at], &level.right[at], &level.value[at]);
+    }
+    for (int j = pad.ny - 2; j >= 0; --j) {
+        const std::size_t at = pad.at(0, j);
+        backwardRow(pad.nx, colour, up, &nine_.beside[6][at], &nine_.pivot[1][at], &level.value[at]);
+    }
+}
+
+template <typename T>
+std::array<const typename Multigrid<T>::Real*, 8> Multigrid<T>::besideAt(std::size_t at) const
+{
+    std::array<const Real*, 8> beside;
+    for (std::size_t k = 0; k < 8; ++k) beside[k] = &nine_.beside[k][at];
+    return beside;
+}
+
+template <typename T>
 void Multigrid<T>::restrictResidual(const Level& fine, Level& coarse)
 {
     const std::size_t up = fine.pad.stride(), n = static_cast<std::size_t>(fine.pad.nx);
@@ -266,15 +339,19 @@ void Multigrid<T>::cycle(std::size_t l)
 {
     Level& level = levels_[l];
     std::fill(level.value.begin(), level.value.end(), Number{});
+    const bool endsWithNine = l == 0 && hasNine_;
     if (l + 1 == levels_.size()) {
         for (int k = 0; k < 6; ++k) sweep(level);
-        return;
+    } else {
+        sweep(level);
+        restrictResidual(level, levels_[l + 1]);
+        cycle(l + 1);
+        prolong(levels_[l + 1], level);
+        if (!endsWithNine) sweep(level);
     }
-    sweep(level);
-    restrictResidual(level, levels_[l + 1]);
-    cycle(l + 1);
-    prolong(levels_[l + 1], level);
-    sweep(level);
+    if (!endsWithNine) return;
+    for (int colour = 0; colour < 2; ++colour) sweepNineX(colour);
+    for (int colour = 0; colour < 2; ++colour) sweepNineY(colour);
 }
 
 template <typename T>

@@ -9,6 +9,10 @@
 // Unknowns may be complex (films that oscillate); then the diagonal is complex too. Real ones are stored in single
 // precision, which is enough for a preconditioner and halves the memory traffic; a power of two keeps the operator
 // within its range.
+//
+// A cycle may also end, on the finest level, with a sweep of an operator of nine points, as that of the complete flux
+// scheme. The operator of the faces alone leaves out how the flow along one axis depends on that along the other; with
+// it about three times as many cycles are needed. Coarser levels know the faces alone.
 #pragma once
 
 #include <array>
@@ -24,6 +28,12 @@ struct FaceOperator {
     std::span<const double> diffusion;  // K = E without convection, >= 0
     std::span<const double> effective;  // E >= |c|/2
     std::span<const double> convection; // c
+};
+
+/// An operator on a cell and its eight neighbours: out = (sum - those beside) v + beside v_beside; padded arrays.
+struct NinePoints {
+    std::array<std::span<const float>, 8> beside; // from south west to north east, row by row
+    std::span<const float> sum;                   // of the nine
 };
 
 /// Types in which multigrid stores numbers, and those of them that are always real.
@@ -46,6 +56,9 @@ public:
 
     /// The operator: flows through faces, plus `diagonal` per cell (padded; may be empty for none).
     void setOperator(const std::array<FaceOperator, 2>& faces, std::span<const T> diagonal);
+    /// Until the next setOperator, which is to be called before and sets the scale, precondition() ends with a sweep of
+    /// this operator, or of its transpose, plus `diagonal`. The first call allocates.
+    void setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed = false);
 
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
@@ -77,7 +90,9 @@ private:
     };
 
     void setStencil(Level& level, const Source& source);
-    void factor(Level& level);
+    static void factor(const PaddedGrid& pad, const std::vector<Real>& west, const std::vector<Real>& east,
+                       const std::vector<Real>& south, const std::vector<Real>& north,
+                       const std::vector<Number>& centre, std::array<std::vector<Number>, 2>& pivot);
     static void coarsen(const PaddedGrid& from, const Source& fine, const PaddedGrid& to, CoarseSource& coarse);
     /// b, scaled as the operator, into the finest level.
     void take(std::span<const T> b);
@@ -86,6 +101,10 @@ private:
     void sweepX(Level& level, int colour);
     void sweepY(Level& level, int colour);
     void sweep(Level& level);
+    /// The coefficients of the eight neighbours, from a cell on.
+    std::array<const Real*, 8> besideAt(std::size_t at) const;
+    void sweepNineX(int colour);
+    void sweepNineY(int colour);
     void restrictResidual(const Level& fine, Level& coarse);
     void prolong(const Level& coarse, Level& fine);
     void cycle(std::size_t l);
@@ -94,6 +113,14 @@ private:
     std::vector<CoarseSource> sources_; // of the levels but the finest
     // Of the finest level's lines along y: (centre, south, north) times 1/pivot.
     std::vector<Number> factorCentre_, factorSouth_, factorNorth_;
+    /// The operator of nine points, scaled.
+    struct Nine {
+        std::array<std::vector<Real>, 8> beside;
+        std::vector<Number> centre;
+        std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
+    };
+    Nine nine_;
+    bool hasNine_ = false;
     double scale_ = 1.0; // of the operator
     std::vector<T> noMass_;
     std::vector<Number> rows_; // work space: a few rows with rings

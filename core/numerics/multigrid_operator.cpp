@@ -95,6 +95,28 @@ TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const 
             static_cast<T>(centre[k]), static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
 }
 
+/// A row of coefficients, scaled.
+template <typename Real>
+TOUCHDOWN_VECTOR_CLONES void scaleRow(std::size_t count, double scale, const float* in, Real* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] = static_cast<Real>(scale * in[k]);
+}
+
+/// Centres of a row: the sum less those beside, plus the diagonal, scaled.
+template <typename T, typename Number>
+TOUCHDOWN_VECTOR_CLONES void setCentreRow(std::size_t count, double scale, const std::array<const float*, 8> beside,
+                                          const float* sum, const T* mass, Number* centre)
+{
+    const auto [c0, c1, c2, c3, c4, c5, c6, c7] = beside;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const double own = sum[k] - ((c0[k] + c1[k] + c2[k]) + (c3[k] + c4[k]) + (c5[k] + c6[k] + c7[k]));
+        const T whole = scale * (own + mass[k]);
+        centre[k] = std::abs(whole) > leastCentre ? static_cast<Number>(whole) : Number(1);
+    }
+}
+
 template <typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void multiplyRow(std::size_t count, const Number* pivot, const Real* factor, Number* out)
 {
@@ -110,13 +132,15 @@ void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::sp
     const double most =
         std::max({largest<double>(faces[0].effective), largest<double>(faces[1].effective), largest<T>(diagonal)});
     scale_ = most > 0.0 ? std::ldexp(1.0, -std::ilogb(most)) : 1.0;
+    hasNine_ = false;
     Source source{faces, diagonal.empty() ? std::span<const T>(noMass_) : diagonal};
     for (std::size_t l = 0;; ++l) {
-        setStencil(levels_[l], source);
-        factor(levels_[l]);
+        Level& level = levels_[l];
+        setStencil(level, source);
+        factor(level.pad, level.west, level.east, level.south, level.north, level.centre, level.pivot);
         if (l + 1 == levels_.size()) break;
         CoarseSource& coarse = sources_[l];
-        coarsen(levels_[l].pad, source, levels_[l + 1].pad, coarse);
+        coarsen(level.pad, source, levels_[l + 1].pad, coarse);
         for (std::size_t axis = 0; axis < 2; ++axis)
             source.faces[axis] = {coarse.diffusion[axis], coarse.effective[axis], coarse.convection[axis]};
         source.mass = coarse.mass;
@@ -129,6 +153,33 @@ void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::sp
         multiplyRow(n, pivot, &finest.south[at], &factorSouth_[at]);
         multiplyRow(n, pivot, &finest.north[at], &factorNorth_[at]);
     }
+}
+
+template <typename T>
+void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed)
+{
+    const PaddedGrid& pad = levels_.front().pad;
+    const std::size_t n = static_cast<std::size_t>(pad.nx);
+    const std::ptrdiff_t up = static_cast<std::ptrdiff_t>(pad.stride());
+    const std::array<std::ptrdiff_t, 8> offset{-up - 1, -up, -up + 1, -1, 1, up - 1, up, up + 1};
+    if (nine_.centre.empty()) {
+        for (auto& field : nine_.beside) field.assign(pad.size(), Real{});
+        for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1]}) field->assign(pad.size(), Number{});
+    }
+    hasNine_ = true;
+    const std::span<const T> mass = diagonal.empty() ? std::span<const T>(noMass_) : diagonal;
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        std::array<const float*, 8> beside;
+        for (std::size_t k = 0; k < 8; ++k) {
+            beside[k] = points.beside[k].data() + at;
+            // Transposed: this cell's coefficient in that neighbour's row.
+            const float* from = transposed ? points.beside[7 - k].data() + at + offset[k] : beside[k];
+            scaleRow(n, scale_, from, &nine_.beside[k][at]);
+        }
+        setCentreRow<T>(n, scale_, beside, &points.sum[at], &mass[at], &nine_.centre[at]);
+    }
+    factor(pad, nine_.beside[3], nine_.beside[4], nine_.beside[1], nine_.beside[6], nine_.centre, nine_.pivot);
 }
 
 template <typename T>
@@ -147,20 +198,20 @@ void Multigrid<T>::setStencil(Level& level, const Source& source)
 }
 
 template <typename T>
-void Multigrid<T>::factor(Level& level)
+void Multigrid<T>::factor(const PaddedGrid& pad, const std::vector<Real>& west, const std::vector<Real>& east,
+                          const std::vector<Real>& south, const std::vector<Real>& north,
+                          const std::vector<Number>& centre, std::array<std::vector<Number>, 2>& pivot)
 {
-    const PaddedGrid& pad = level.pad;
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
     const auto factor = [&]<int lines>(int j) {
-        factorLines<T, lines>(pad.at(0, j), up, n, level.west.data(), level.east.data(), level.centre.data(),
-                              level.pivot[0].data());
+        factorLines<T, lines>(pad.at(0, j), up, n, west.data(), east.data(), centre.data(), pivot[0].data());
     };
     int first = 0;
     for (; first + 3 < pad.ny; first += 4) factor.template operator()<4>(first);
     for (; first < pad.ny; ++first) factor.template operator()<1>(first);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        factorRow<T>(n, up, &level.south[at], &level.north[at], &level.centre[at], &level.pivot[1][at]);
+        factorRow<T>(n, up, &south[at], &north[at], &centre[at], &pivot[1][at]);
     }
 }
 
@@ -206,6 +257,9 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
         }
 }
 
+template void Multigrid<double>::setFinest(const NinePoints&, std::span<const double>, bool);
+template void Multigrid<std::complex<double>>::setFinest(const NinePoints&, std::span<const std::complex<double>>,
+                                                         bool);
 template void Multigrid<double>::setOperator(const std::array<FaceOperator, 2>&, std::span<const double>);
 template void Multigrid<std::complex<double>>::setOperator(const std::array<FaceOperator, 2>&,
                                                            std::span<const std::complex<double>>);

@@ -225,6 +225,120 @@ double nonlinearity()
     return error / largest;
 }
 
+/// An operator of nine points; `coefficient(i, j, a, b)`: of cell (i + a, j + b) in the row of cell (i, j).
+struct Nine {
+    PaddedGrid pad;
+    std::array<std::vector<float>, 8> beside;
+    std::vector<float> sum;
+    std::vector<Eigen::Triplet<double>> entries;
+
+    template <typename Coefficient>
+    Nine(const PaddedGrid& grid, const Coefficient& coefficient) : pad(grid), sum(grid.size(), 0.0f)
+    {
+        for (auto& field : beside) field.assign(pad.size(), 0.0f);
+        for (int j = 0; j < pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i)
+                for (int place = 0; place < 9; ++place) {
+                    const int m = i + place % 3 - 1, n = j + place / 3 - 1;
+                    const float c = coefficient(i, j, m - i, n - j);
+                    if (place != 4) beside[static_cast<std::size_t>(place < 4 ? place : place - 1)][pad.at(i, j)] = c;
+                    sum[pad.at(i, j)] += c;
+                    if (m >= 0 && n >= 0 && m < pad.nx && n < pad.ny)
+                        entries.emplace_back(j * pad.nx + i, n * pad.nx + m, static_cast<double>(c));
+                }
+    }
+    NinePoints points() const
+    {
+        NinePoints result;
+        for (std::size_t k = 0; k < beside.size(); ++k) result.beside[k] = beside[k];
+        result.sum = sum;
+        return result;
+    }
+    template <typename T>
+    Eigen::SparseMatrix<T> matrix(T shift, bool transposed) const
+    {
+        Eigen::SparseMatrix<double> a(pad.nx * pad.ny, pad.nx * pad.ny);
+        a.setFromTriplets(entries.begin(), entries.end());
+        if (transposed) a = Eigen::SparseMatrix<double>(a.transpose());
+        Eigen::SparseMatrix<T> one(a.rows(), a.cols());
+        one.setIdentity();
+        return Eigen::SparseMatrix<T>(a.cast<T>() + shift * one);
+    }
+};
+
+/// What one cycle leaves of b, as |A v - b|/|b|.
+template <typename T>
+double leftByCycle(Multigrid<T>& multigrid, const PaddedGrid& pad, const Eigen::SparseMatrix<T>& a)
+{
+    using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+    std::vector<T> b(pad.size()), v(pad.size());
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) b[pad.at(i, j)] = std::sin(1.3 * i + 0.4 * j * j);
+    multigrid.precondition(b, v);
+    const std::vector<T> cells = pad.unpad<T>(v), right = pad.unpad<T>(b);
+    const Eigen::Map<const Column> x(cells.data(), a.rows()), y(right.data(), a.rows());
+    return Column(a * x - y).norm() / y.norm();
+}
+
+/// The same for random nine points, whole 64ths, so that sums in single precision are exact. The lines that a sweep
+/// solves first do not depend on the others.
+template <typename T>
+double leftByLines(const PaddedGrid& pad, T shift, bool alongX, bool transposed)
+{
+    std::mt19937 random(5);
+    const Nine nine(pad, [&](int i, int j, int a, int b) {
+        if (a == 0 && b == 0) return 10.0f;
+        const int line = alongX ? j : i, across = alongX ? b : a;
+        const float c = static_cast<float>(static_cast<int>(random() % 129) - 64) / 64.0f;
+        return across == 0 || line % 2 != (transposed ? 1 : 0) ? c : 0.0f;
+    });
+    const Flow flow = film(pad.nx, pad.ny, 1.0, 1.0, 0.0, 0.0, evenGap(pad.nx, pad.ny));
+    const std::vector<T> diagonal(pad.size(), shift);
+    const Eigen::SparseMatrix<T> a = nine.matrix<T>(shift, transposed);
+    Multigrid<T> multigrid(pad);
+    multigrid.setOperator(flow.faces(), diagonal);
+    if (!(leftByCycle(multigrid, pad, a) > 0.1)) return INFINITY; // the faces' operator is another one
+    multigrid.setFinest(nine.points(), diagonal, transposed);
+    return leftByCycle(multigrid, pad, a);
+}
+
+/// What eight cycles leave of a random error's residual, for the operator of ninePointsContract.
+double leftByCycles(bool hasNine, bool transposed)
+{
+    const int n = 32;
+    const std::array line{-1.5f, 3.0f, -0.5f};
+    const Nine nine(PaddedGrid{n, n}, [&](int, int, int a, int b) {
+        const float c = line[static_cast<std::size_t>(a + 1)] * line[static_cast<std::size_t>(b + 1)];
+        return a == 0 && b == 0 ? c - 1.0f : c; // the one is the diagonal's
+    });
+    Flow flow(n, n);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        std::ranges::fill(flow.diffusion[axis], 1.0);
+        std::ranges::fill(flow.effective[axis], 1.0);
+        std::ranges::fill(flow.convection[axis], transposed ? -1.0 : 1.0);
+    }
+    const PaddedGrid& pad = flow.pad;
+    const std::vector<double> diagonal(pad.size(), 1.0);
+    Multigrid<double> multigrid(pad);
+    multigrid.setOperator(flow.faces(), diagonal);
+    if (hasNine) multigrid.setFinest(nine.points(), diagonal, transposed);
+    const Eigen::SparseMatrix<double> a = nine.matrix<double>(1.0, transposed);
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    Eigen::VectorXd x(a.rows());
+    for (double& value : x) value = uniform(random);
+    const double start = (a * x).norm();
+    std::vector<double> right(pad.size()), step(pad.size());
+    for (int cycle = 0; cycle < 8; ++cycle) {
+        const Eigen::VectorXd rest = -(a * x);
+        pad.pad<double>(std::span<const double>(rest.data(), static_cast<std::size_t>(rest.size())), right);
+        multigrid.precondition(right, step);
+        const std::vector<double> cells = pad.unpad<double>(step);
+        x += Eigen::Map<const Eigen::VectorXd>(cells.data(), x.size());
+    }
+    return (a * x).norm() / start;
+}
+
 class TestMultigrid : public QObject {
     Q_OBJECT
 
@@ -430,6 +544,32 @@ private slots:
         QVERIFY(result.converged);
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) QVERIFY(std::abs(x[pad.at(i, j)] - exact(j * pad.nx + i)) < 1e-8);
+    }
+
+    /// Where the lines that come first do not depend on the others, a sweep along them is a direct solution, which the
+    /// sweep the other way leaves as it is: one cycle solves A v = b, or A^T v = b, to rounding. Each row sums nine
+    /// products.
+    void ninePointsAlongLines()
+    {
+        for (const PaddedGrid& pad : {PaddedGrid{23, 18}, PaddedGrid{23, 3}})
+            for (const bool alongX : {true, false})
+                for (const bool transposed : {false, true}) {
+                    const double single = leftByLines<double>(pad, 1.0, alongX, transposed);
+                    QVERIFY2(single < 30 * 0x1p-24, qPrintable(QString::number(single)));
+                    const double twice = leftByLines<Complex>(pad, {1.0, 2.0}, alongX, transposed);
+                    QVERIFY2(twice < 1e-14, qPrintable(QString::number(twice)));
+                }
+    }
+
+    /// (1 + X)(1 + Y), X and Y convection and diffusion along the axes, where the faces know 1 + X + Y. The roughest
+    /// error has X = Y = 4: the faces alone take 25/9 of it, so that it grows; sweeps of the nine points take it.
+    void ninePointsContract()
+    {
+        for (const bool transposed : {false, true}) {
+            const double without = leftByCycles(false, transposed), with = leftByCycles(true, transposed);
+            const QString both = QStringLiteral("%1, %2").arg(without).arg(with);
+            QVERIFY2(without > 0.1 && with < 1e-2, qPrintable(both));
+        }
     }
 };
 

@@ -45,7 +45,10 @@ void FilmLinearSolver::prepare(double shift)
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
                             FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
                            diagonal_);
+    if (usesNinePoints()) multigrid_.setFinest(stencil_.points(), diagonal_);
 }
+
+bool FilmLinearSolver::usesNinePoints() const { return film_.isComplete() && film_.storagePerTime() == 0.0; }
 
 void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out) const
 {
@@ -88,6 +91,10 @@ void FilmLinearSolver::prepareTransposed()
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, convection_[0]},
                             FaceOperator{faces[1].diffusion, faces[1].effective, convection_[1]}},
                            diagonal_);
+    if (!usesNinePoints()) return;
+    film_.setStencil(stencil_);
+    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+    multigrid_.setFinest(stencil_.points(), diagonal_, true);
 }
 
 GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x,

@@ -54,6 +54,8 @@ public:
     GmresResult solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 
 private:
+    /// In time the faces pass on some of the storage, which the nine points leave out.
+    bool usesNinePoints() const;
     void addShift(std::span<const double> v, std::span<double> out) const;
 
     const GasFilm& film_;

@@ -16,12 +16,14 @@ constexpr int restart = 50;
 
 FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
     : film_(film),
+      stencil_(film.pad()),
       multigrid_(film.pad()),
       gmres_(film.pad().size(), restart),
       diagonal_(film.pad().size()),
       right_(film.pad().size())
 {
     work_.resize(film.pad().size());
+    film.setStencil(stencil_);
     AttitudeWork work(film.gaps());
     film.attitudeColumns(p, columns_, work);
     film.attitudeStorageColumns(p, storage_, work);
@@ -35,6 +37,7 @@ void FilmOscillation::setRate(Complex s)
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
                             FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}},
                            diagonal_);
+    if (film_.isComplete()) multigrid_.setFinest(stencil_.points(), diagonal_);
 }
 
 void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& converged)

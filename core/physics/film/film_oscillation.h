@@ -51,6 +51,7 @@ private:
     const GasFilm& film_;
     std::function<bool()> goOn_;
     std::array<std::vector<double>, 3> columns_, storage_; // dR/da and T
+    FilmStencil stencil_;
     Multigrid<std::complex<double>> multigrid_;
     Gmres<std::complex<double>> gmres_;
     FaceFlows<std::complex<double>> work_;

@@ -62,6 +62,14 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
     width.assign(pad.stride(), 0.0);
 }
 
+NinePoints FilmStencil::points() const
+{
+    NinePoints points;
+    for (std::size_t k = 0; k < beside.size(); ++k) points.beside[k] = beside[k];
+    points.sum = sum;
+    return points;
+}
+
 void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume,
                         std::span<double> out) const
 {

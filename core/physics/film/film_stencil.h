@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "core/numerics/multigrid.h"
 #include "core/numerics/padded_grid.h"
 
 namespace touchdown {
@@ -31,6 +32,9 @@ struct FilmStencil {
     };
     void addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own,
                    std::span<double> effective, std::span<double> convection) const;
+
+    /// For multigrid: without what faces pass on of the storage.
+    NinePoints points() const;
 
     PaddedGrid pad;
     std::array<std::vector<float>, 8> beside; // from south west to north east, row by row; padded [m^3/s]

@@ -125,7 +125,7 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     const auto finish = [&](std::size_t axis, int j) {
         const std::size_t first = pad.at(0, j), count = nx + (axis == 0);
         double* flow = row(rows_.flow[axis], j);
-        if (complete())
+        if (isComplete())
             limitRow<derived>(first, count, rows_.moments[axis][static_cast<std::size_t>(j % 2)],
                               axis == 0 ? slope(0, j) - 1 : slope(1, j - 1), slope(axis, j), faces_[axis], flow);
         else
@@ -143,7 +143,7 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
             if (storagePerTime_ != 0.0)
                 setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first], stored(j));
             const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
-            if (complete()) setSlopes(j, flowX, flowY, flowY + pad.stride(), stored(j), slope(0, j), slope(1, j));
+            if (isComplete()) setSlopes(j, flowX, flowY, flowY + pad.stride(), stored(j), slope(0, j), slope(1, j));
             finish(0, j);
             massFlow_ += std::max(0.0, row(rows_.flow[0], j)[0]) + std::max(0.0, -row(rows_.flow[0], j)[nx]);
         } else {
@@ -221,7 +221,7 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
             setVolumeSlopes(k, storagePerTime_, p, flows.stored);
         else
             flows.stored.clear();
-        if (complete()) {
+        if (isComplete()) {
             setSlopes(flows);
             completeChanges(flows);
             for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -256,7 +256,7 @@ void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::
     for (std::size_t k = 0; k < 3; ++k) {
         for (auto& flow : flows.flow) std::fill(flow.begin(), flow.end(), 0.0);
         setVolumeSlopes(k, 1.0, p, flows.stored);
-        if (complete()) {
+        if (isComplete()) {
             setSlopes(flows);
             completeChanges(flows);
         }

@@ -50,6 +50,7 @@ public:
     const Slip& slip() const { return setting_.slip; }
     const DiskMotion& disk() const { return setting_.disk; }
     const FlowTable& flowTable() const { return table_; }
+    bool isComplete() const { return setting_.scheme == ConvectionScheme::CompleteFlux; }
     /// Flow through the film at ambient pressure: the scale of residuals [Pa m^3/s].
     double flowScale() const;
     /// How often the disk passes the slider [1/s].
@@ -127,7 +128,6 @@ private:
     void divergence(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
                     std::span<T> out) const;
     void divergence(const FaceFlows<double>& flows, std::span<double> out) const;
-    bool complete() const { return setting_.scheme == ConvectionScheme::CompleteFlux; }
 
     FilmSetting setting_;
     FlowTable table_;

@@ -152,7 +152,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
         setFlows(nx + (axis == 0), &f.lower[at], &f.upper[at], &v[at - step], &v[at], row(work.flow[axis], j));
     };
     const auto finish = [&](std::size_t axis, int j) {
-        if (!complete()) return;
+        if (!isComplete()) return;
         const FilmFaces& f = faces_[axis];
         const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis)), count = nx + (axis == 0);
         T* flow = row(work.flow[axis], j);
@@ -167,7 +167,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
             start(0, j);
             start(1, j + 1);
             setStoredRow(nx, perTime, &volumes()[at], &v[at], row(work.stored, j));
-            if (complete())
+            if (isComplete())
                 setSlopes(j, row(work.flow[0], j), row(work.flow[1], j), row(work.flow[1], j + 1), row(work.stored, j),
                           row(work.slope[0], j), row(work.slope[1], j));
             finish(0, j);
@@ -205,14 +205,14 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
         const FilmFaces& f = faces_[axis];
         const double drop = v[before] - v[at];
         work.flow[axis][at] = drop;
-        if (!complete()) return;
+        if (!isComplete()) return;
         work.slope[axis][before] -= f.below[at] * drop;
         work.slope[axis][at] -= f.above[at] * drop;
         out[before] += f.ownLower[at] * drop;
         out[at] += f.ownUpper[at] * drop;
     });
     for (const std::size_t at : gaps().steppedCells) work.slope[0][at] = work.slope[1][at] = 0.0;
-    if (complete())
+    if (isComplete())
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) {
                 const std::size_t at = pad.at(i, j), up = pad.stride();

@@ -46,7 +46,8 @@ std::string coarseGrid(const Case& c, const ModesResult& result)
     const double highest = resolvedFrequency(c, result.steady.grid);
     if (highest == 0.0 || result.modes.empty() || result.modes.back().frequency <= highest) return {};
     return "above " + std::to_string(std::lround(highest / 1e3)) +
-           " kHz the waves that the disk drags along span fewer than ten cells: damping ratios there need a finer grid";
+           " kHz the waves that the disk drags along span fewer than ten cells: damping ratios, and beside steep walls "
+           "frequencies, need a finer grid there";
 }
 
 } // namespace

@@ -329,7 +329,7 @@ Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, co
 {
     linearise(p, film_.attitude());
     AttitudeSolution count;
-    solveColumns(1e-9, count, goOn);
+    solveColumns(1e-7, count, goOn);
     Matrix3 result = Matrix3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) {

@@ -70,7 +70,7 @@ public:
                            const AttitudeMonitor& monitor = {});
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
-    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-9; where `goOn`
+    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-7; where `goOn`
     /// returns false the result is invalid.
     Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
     {
