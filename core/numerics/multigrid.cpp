@@ -54,6 +54,15 @@ void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const 
         }
 }
 
+/// Calls solve<lines>(first one) for every second line, a few together.
+template <typename Solve>
+void forEverySecond(int first, int count, const Solve& solve)
+{
+    int j = first;
+    for (; j + 6 < count; j += 8) solve.template operator()<together>(j);
+    for (; j < count; j += 2) solve.template operator()<1>(j);
+}
+
 /// Rows of the lines along y, from the first to the last: v = (b - west and east - south) pivot in every second column.
 template <typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, const Real* west, const Real* east,
@@ -233,9 +242,7 @@ void Multigrid<T>::sweepX(Level& level, int colour)
         solveLines<lines>(n, 2 * up, up, &level.west[first], &level.east[first], &level.pivot[0][first], rows_.data(),
                           &level.value[first]);
     };
-    int j = colour;
-    for (; j + 6 < pad.ny; j += 8) solve.template operator()<together>(j);
-    for (; j < pad.ny; j += 2) solve.template operator()<1>(j);
+    forEverySecond(colour, pad.ny, solve);
 }
 
 template <typename T>
@@ -276,9 +283,7 @@ void Multigrid<T>::sweepNineX(int colour)
         solveLines<lines>(n, 2 * up, up, &nine_.beside[3][first], &nine_.beside[4][first], &nine_.pivot[0][first],
                           rows_.data(), &level.value[first]);
     };
-    int j = colour;
-    for (; j + 6 < pad.ny; j += 8) solve.template operator()<together>(j);
-    for (; j < pad.ny; j += 2) solve.template operator()<1>(j);
+    forEverySecond(colour, pad.ny, solve);
 }
 
 template <typename T>

@@ -23,7 +23,7 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
       right_(film.pad().size())
 {
     work_.resize(film.pad().size());
-    film.setStencil(stencil_);
+    if (film.isComplete()) film.setStencil(stencil_);
     AttitudeWork work(film.gaps());
     film.attitudeColumns(p, columns_, work);
     film.attitudeStorageColumns(p, storage_, work);
