@@ -63,18 +63,29 @@ void forEverySecond(int first, int count, const Solve& solve)
     for (; j < count; j += 2) solve.template operator()<1>(j);
 }
 
+/// v = value(i) in every second column: real numbers in all columns at once, where vectors keep what the others have.
+template <typename Number, typename Value>
+inline void updateEverySecond(int count, int colour, Number* v, const Value& value)
+{
+    if constexpr (std::is_floating_point_v<Number>) {
+#pragma GCC ivdep
+        for (int i = 0; i < count; ++i) {
+            const Number old = v[i], next = value(i);
+            v[i] = (i & 1) == colour ? next : old;
+        }
+    } else
+        for (int i = colour; i < count; i += 2) v[i] = value(i);
+}
+
 /// Rows of the lines along y, from the first to the last: v = (b - west and east - south) pivot in every second column.
 template <typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, const Real* west, const Real* east,
                                         const Real* south, const Number* pivot, const Number* b, Number* v)
 {
     const Number *before = v - 1, *after = v + 1, *below = v - up;
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-        const Number old = v[i];
-        const Number value = (b[i] - west[i] * before[i] - east[i] * after[i] - south[i] * below[i]) * pivot[i];
-        v[i] = (i & 1) == colour ? value : old;
-    }
+    updateEverySecond(count, colour, v, [=](int i) {
+        return (b[i] - west[i] * before[i] - east[i] * after[i] - south[i] * below[i]) * pivot[i];
+    });
 }
 template <typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void forwardNineRow(int count, int colour, std::size_t up,
@@ -83,25 +94,18 @@ TOUCHDOWN_VECTOR_CLONES void forwardNineRow(int count, int colour, std::size_t u
 {
     const auto [c0, c1, c2, c3, c4, c5, c6, c7] = beside;
     const Number *below = v - up, *above = v + up;
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-        const Number old = v[i];
-        const Number value = (b[i] - (c0[i] * below[i - 1] + c1[i] * below[i] + c2[i] * below[i + 1]) -
-                              (c3[i] * v[i - 1] + c4[i] * v[i + 1]) - (c5[i] * above[i - 1] + c7[i] * above[i + 1])) *
-                             pivot[i];
-        v[i] = (i & 1) == colour ? value : old;
-    }
+    updateEverySecond(count, colour, v, [=](int i) {
+        return (b[i] - (c0[i] * below[i - 1] + c1[i] * below[i] + c2[i] * below[i + 1]) -
+                (c3[i] * v[i - 1] + c4[i] * v[i + 1]) - (c5[i] * above[i - 1] + c7[i] * above[i + 1])) *
+               pivot[i];
+    });
 }
 template <typename Real, typename Number>
 TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, const Real* north, const Number* pivot,
                                          Number* v)
 {
     const Number* above = v + up;
-#pragma GCC ivdep
-    for (int i = 0; i < count; ++i) {
-        const Number old = v[i];
-        v[i] = (i & 1) == colour ? old - north[i] * pivot[i] * above[i] : old;
-    }
+    updateEverySecond(count, colour, v, [=](int i) { return v[i] - north[i] * pivot[i] * above[i]; });
 }
 
 /// Rows of the lines along y of a factored operator.
@@ -187,7 +191,6 @@ Multigrid<T>::Multigrid(const PaddedGrid& pad)
         next = {(next.nx + 1) / 2, (next.ny + 1) / 2};
     }
     noMass_.assign(pad.size(), T{});
-    for (auto* field : {&factorCentre_, &factorSouth_, &factorNorth_}) field->assign(pad.size(), Number{});
     rows_.assign(together * pad.stride(), Number{});
 }
 
@@ -195,12 +198,6 @@ template <typename T>
 void Multigrid<T>::take(std::span<const T> b)
 {
     convert(b.size(), scale_, b.data(), levels_.front().right.data());
-}
-
-template <typename T>
-void Multigrid<T>::give(std::span<T> v) const
-{
-    convert(v.size(), 1.0, levels_.front().value.data(), v.data());
 }
 
 template <typename T>
@@ -212,11 +209,11 @@ void Multigrid<T>::solveByFactors()
     // A few lines along x, and at once these rows of the lines along y, while they are at hand.
     const auto solve = [&]<std::size_t lines>(int first) {
         const std::size_t from = pad.at(0, first);
-        solveLines<lines>(n, up, up, &level.west[from], &level.east[from], &level.pivot[0][from], &level.right[from],
-                          &level.value[from]);
+        solveLines<lines>(n, up, up, &factors_.west[from], &factors_.east[from], &factors_.pivot[0][from],
+                          &level.right[from], &level.value[from]);
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = from + k * up; // below the first row the ring holds zero
-            forwardRowAlone(n, up, &factorCentre_[at], &factorSouth_[at], &level.value[at]);
+            forwardRowAlone(n, up, &factors_.centre[at], &factors_.south[at], &level.value[at]);
         }
     };
     int first = 0;
@@ -224,7 +221,7 @@ void Multigrid<T>::solveByFactors()
     for (; first < pad.ny; ++first) solve.template operator()<1>(first);
     for (int j = pad.ny - 2; j >= 0; --j) {
         const std::size_t at = pad.at(0, j);
-        backwardRowAlone(n, up, &factorNorth_[at], &level.value[at]);
+        backwardRowAlone(n, up, &factors_.north[at], &level.value[at]);
     }
 }
 
@@ -278,7 +275,7 @@ void Multigrid<T>::sweepNineX(int colour)
         const std::size_t first = pad.at(0, j);
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = first + 2 * k * up;
-            setNineRest<Real>(n, up, besideAt(at), &level.right[at], &level.value[at], &rows_[k * up]);
+            setNineRest<Number>(n, up, besideAt(at), &level.right[at], &level.value[at], &rows_[k * up]);
         }
         solveLines<lines>(n, 2 * up, up, &nine_.beside[3][first], &nine_.beside[4][first], &nine_.pivot[0][first],
                           rows_.data(), &level.value[first]);
@@ -294,7 +291,8 @@ void Multigrid<T>::sweepNineY(int colour)
     const std::size_t up = pad.stride();
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        forwardNineRow<Real>(pad.nx, colour, up, besideAt(at), &nine_.pivot[1][at], &level.right[at], &level.value[at]);
+        forwardNineRow<Number>(pad.nx, colour, up, besideAt(at), &nine_.pivot[1][at], &level.right[at],
+                               &level.value[at]);
     }
     for (int j = pad.ny - 2; j >= 0; --j) {
         const std::size_t at = pad.at(0, j);
@@ -303,9 +301,9 @@ void Multigrid<T>::sweepNineY(int colour)
 }
 
 template <typename T>
-std::array<const typename Multigrid<T>::Real*, 8> Multigrid<T>::besideAt(std::size_t at) const
+std::array<const typename Multigrid<T>::Number*, 8> Multigrid<T>::besideAt(std::size_t at) const
 {
-    std::array<const Real*, 8> beside;
+    std::array<const Number*, 8> beside;
     for (std::size_t k = 0; k < 8; ++k) beside[k] = &nine_.beside[k][at];
     return beside;
 }
@@ -348,7 +346,10 @@ void Multigrid<T>::cycle(std::size_t l)
     if (l + 1 == levels_.size()) {
         for (int k = 0; k < 6; ++k) sweep(level);
     } else {
-        sweep(level);
+        if (l == 0 && hasFactors_)
+            solveByFactors();
+        else
+            sweep(level);
         restrictResidual(level, levels_[l + 1]);
         cycle(l + 1);
         prolong(levels_[l + 1], level);
@@ -364,7 +365,7 @@ void Multigrid<T>::precondition(std::span<const T> b, std::span<T> v)
 {
     take(b);
     cycle(0);
-    give(v);
+    std::ranges::copy(levels_.front().value, v.begin());
 }
 
 template <typename T>
@@ -372,7 +373,7 @@ void Multigrid<T>::solveFactors(std::span<const T> b, std::span<T> v)
 {
     take(b);
     solveByFactors();
-    give(v);
+    std::ranges::copy(levels_.front().value, v.begin());
 }
 
 template <typename T>
@@ -385,7 +386,7 @@ void Multigrid<T>::halfCycle(std::span<const T> b, std::span<T> v)
         cycle(1);
         prolong(levels_[1], levels_[0]);
     }
-    give(v);
+    std::ranges::copy(levels_.front().value, v.begin());
 }
 
 template class Multigrid<double>;

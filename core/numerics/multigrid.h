@@ -6,7 +6,7 @@
 // parallel across. Its convection is the sum over the fine faces. The exponential scheme combines the two, so coarse
 // levels are monotone at any Peclet number.
 //
-// Unknowns may be complex (films that oscillate); then the diagonal is complex too. Real ones are stored in single
+// Unknowns may be complex (films that oscillate); then the diagonal is complex too. Numbers are stored in single
 // precision, which is enough for a preconditioner and halves the memory traffic; a power of two keeps the operator
 // within its range.
 //
@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <span>
 #include <vector>
 
@@ -39,12 +40,12 @@ struct NinePoints {
 /// Types in which multigrid stores numbers, and those of them that are always real.
 template <typename T>
 struct MultigridNumbers {
-    using Number = T;
-    using Real = double;
+    using Number = float;
+    using Real = float;
 };
 template <>
-struct MultigridNumbers<double> {
-    using Number = float;
+struct MultigridNumbers<std::complex<double>> {
+    using Number = std::complex<float>;
     using Real = float;
 };
 
@@ -57,13 +58,22 @@ public:
     /// The operator: flows through faces, plus `diagonal` per cell (padded; may be empty for none).
     void setOperator(const std::array<FaceOperator, 2>& faces, std::span<const T> diagonal);
     /// Until the next setOperator, which is to be called before and sets the scale, precondition() ends with a sweep of
-    /// this operator, or of its transpose, plus `diagonal`. The first call allocates.
-    void setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed = false);
+    /// this operator, or of its transpose, plus `diagonal`, plus `rate` times another operator where there is one. The
+    /// first call allocates.
+    void setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed = false,
+                   const NinePoints& stored = {}, T rate = {});
+
+    /// Until the next setOperator, which is to be called before and sets the scale: the factors of solveFactors() and
+    /// halfCycle(), with which full cycles begin, too. `faces` pass on some of what cells store, the diagonal; `flows`
+    /// do not. The first call allocates.
+    void setFactors(const std::array<FaceOperator, 2>& faces, const std::array<FaceOperator, 2>& flows,
+                    std::span<const T> diagonal);
 
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
-    /// v = approximately A^-1 b by factors: with A = D + X + Y, D the diagonal, X along x, Y along y, v = (D + Y)^-1 D
-    /// (D + X)^-1 b (Beam & Warming 1976). Good where D dominates; a third of the work of a sweep. v has zero rings.
+    /// v = approximately A^-1 b by factors: with A = D + X + Y, D what the cells store, X along x, Y along y, v = (D +
+    /// Y)^-1 D (D + X)^-1 b (Beam & Warming 1976). Good where D dominates; a third of the work of a sweep. v has zero
+    /// rings.
     void solveFactors(std::span<const T> b, std::span<T> v);
     /// v = approximately A^-1 b by these factors, then by the coarser levels.
     void halfCycle(std::span<const T> b, std::span<T> v);
@@ -90,19 +100,21 @@ private:
     };
 
     void setStencil(Level& level, const Source& source);
-    static void factor(const PaddedGrid& pad, const std::vector<Real>& west, const std::vector<Real>& east,
-                       const std::vector<Real>& south, const std::vector<Real>& north,
-                       const std::vector<Number>& centre, std::array<std::vector<Number>, 2>& pivot);
+    /// Of the lines along x, along y; factored, they may lie where the centres were.
+    using Centres = std::array<std::span<const Number>, 2>;
+    template <typename Beside>
+    static void factor(const PaddedGrid& pad, const std::vector<Beside>& west, const std::vector<Beside>& east,
+                       const std::vector<Beside>& south, const std::vector<Beside>& north, const Centres& centre,
+                       std::array<std::vector<Number>, 2>& pivot);
     static void coarsen(const PaddedGrid& from, const Source& fine, const PaddedGrid& to, CoarseSource& coarse);
     /// b, scaled as the operator, into the finest level.
     void take(std::span<const T> b);
-    void give(std::span<T> v) const;
     void solveByFactors();
     void sweepX(Level& level, int colour);
     void sweepY(Level& level, int colour);
     void sweep(Level& level);
     /// The coefficients of the eight neighbours, from a cell on.
-    std::array<const Real*, 8> besideAt(std::size_t at) const;
+    std::array<const Number*, 8> besideAt(std::size_t at) const;
     void sweepNineX(int colour);
     void sweepNineY(int colour);
     void restrictResidual(const Level& fine, Level& coarse);
@@ -111,16 +123,22 @@ private:
 
     std::vector<Level> levels_;
     std::vector<CoarseSource> sources_; // of the levels but the finest
-    // Of the finest level's lines along y: (centre, south, north) times 1/pivot.
-    std::vector<Number> factorCentre_, factorSouth_, factorNorth_;
-    /// The operator of nine points, scaled.
-    struct Nine {
-        std::array<std::vector<Real>, 8> beside;
-        std::vector<Number> centre;
+    struct Factors {
+        std::vector<Number> west, east;           // of the lines along x
+        std::vector<Number> south, north;         // of those along y, times 1/pivot
+        std::vector<Number> centre;               // D, times 1/pivot
         std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
     };
+    Factors factors_;
+    /// The operator of nine points, scaled.
+    struct Nine {
+        std::array<std::vector<Number>, 8> beside;
+        std::vector<Number> centre;
+        std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
+        std::array<std::vector<double>, 2> own;   // of a row, of both operators
+    };
     Nine nine_;
-    bool hasNine_ = false;
+    bool hasNine_ = false, hasFactors_ = false;
     double scale_ = 1.0; // of the operator
     std::vector<T> noMass_;
     std::vector<Number> rows_; // work space: a few rows with rings

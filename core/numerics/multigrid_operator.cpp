@@ -67,6 +67,41 @@ inline T inversePivot(T centre, T taken)
     return 1.0 / (std::abs(own) > leastPivot * std::abs(centre) ? own : centre);
 }
 
+/// Lines of the factors. D is what the cells store, or what flows out of them where that is more; then the lines have
+/// as much less in their centres, in proportion to the flows along x and y.
+template <typename T, typename Number>
+TOUCHDOWN_VECTOR_CLONES void setFactorRow(std::size_t count, std::size_t up, double scale, FaceRow faces, FaceRow flows,
+                                          const T* mass, StencilRow<Number, Number> out, Number* alongX, Number* alongY)
+{
+    const double *ex = faces.ex, *cx = faces.cx, *ey = faces.ey, *cy = faces.cy;
+    const double *fx = flows.ex, *gx = flows.cx, *fy = flows.ey, *gy = flows.cy;
+    Number *west = out.west, *east = out.east, *south = out.south, *north = out.north;
+    Number* D = out.centre;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        east[k] = static_cast<float>(scale * (0.5 * cx[k + 1] - ex[k + 1]));
+        west[k] = static_cast<float>(scale * (-0.5 * cx[k] - ex[k]));
+        north[k] = static_cast<float>(scale * (0.5 * cy[k + up] - ey[k + up]));
+        south[k] = static_cast<float>(scale * (-0.5 * cy[k] - ey[k]));
+        const double ownX = scale * ((0.5 * cx[k + 1] + ex[k + 1]) + (ex[k] - 0.5 * cx[k]));
+        const double ownY = scale * ((0.5 * cy[k + up] + ey[k + up]) + (ey[k] - 0.5 * cy[k]));
+        const double flowX = scale * ((0.5 * gx[k + 1] + fx[k + 1]) + (fx[k] - 0.5 * gx[k]));
+        const double flowY = scale * ((0.5 * gy[k + up] + fy[k + up]) + (fy[k] - 0.5 * gy[k]));
+        const T stored = scale * mass[k];
+        const double flow = flowX + flowY, size = std::abs(stored);
+        const T most = size > flow ? stored : T(flow), less = size > flow ? T{} : most - stored;
+        const double share = flow > 0.0 ? flowX / flow : 0.0;
+        const bool open = std::abs(most) > leastCentre;
+        D[k] = open ? static_cast<Number>(most) : Number(1);
+        alongX[k] = open ? static_cast<Number>(most + ownX - share * less) : Number(1);
+        alongY[k] = open ? static_cast<Number>(most + ownY - (1.0 - share) * less) : Number(1);
+    }
+}
+
+/// In double precision.
+inline double widened(double x) { return x; }
+inline std::complex<double> widened(std::complex<float> x) { return x; }
+
 /// 1/pivots of lines along x, several at once.
 template <typename T, int lines, typename Real, typename Number>
 void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real* west, const Real* east,
@@ -76,7 +111,7 @@ void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = first + k * apart + i;
-            const double couple = i > 0 ? static_cast<double>(west[at]) * east[at - 1] : 0.0;
+            const auto couple = i > 0 ? widened(west[at]) * widened(east[at - 1]) : widened(Real{});
             last[k] = inversePivot(static_cast<T>(centre[at]), couple * last[k]);
             pivot[at] = static_cast<Number>(last[k]);
         }
@@ -92,27 +127,39 @@ TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const 
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
         pivot[k] = static_cast<Number>(inversePivot(
-            static_cast<T>(centre[k]), static_cast<double>(south[k]) * northBelow[k] * static_cast<T>(below[k])));
+            static_cast<T>(centre[k]), widened(south[k]) * widened(northBelow[k]) * static_cast<T>(below[k])));
 }
 
 /// A row of coefficients, scaled.
-template <typename Real>
-TOUCHDOWN_VECTOR_CLONES void scaleRow(std::size_t count, double scale, const float* in, Real* out)
+template <typename Number>
+TOUCHDOWN_VECTOR_CLONES void scaleRow(std::size_t count, double scale, const float* in, Number* out)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) out[k] = static_cast<Real>(scale * in[k]);
+    for (std::size_t k = 0; k < count; ++k) out[k] = static_cast<float>(scale * in[k]);
+}
+template <typename T, typename Number>
+TOUCHDOWN_VECTOR_CLONES void addScaledRow(std::size_t count, T scale, const float* in, Number* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] += static_cast<Number>(scale * static_cast<double>(in[k]));
 }
 
-/// Centres of a row: the sum less those beside, plus the diagonal, scaled.
-template <typename T, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setCentreRow(std::size_t count, double scale, const std::array<const float*, 8> beside,
-                                          const float* sum, const T* mass, Number* centre)
+/// Centres of a row: the sums less those beside, plus the diagonal.
+TOUCHDOWN_VECTOR_CLONES void setOwnRow(std::size_t count, const std::array<const float*, 8> beside, const float* sum,
+                                       double* own)
 {
     const auto [c0, c1, c2, c3, c4, c5, c6, c7] = beside;
 #pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k)
+        own[k] = sum[k] - ((c0[k] + c1[k] + c2[k]) + (c3[k] + c4[k]) + (c5[k] + c6[k] + c7[k]));
+}
+template <typename T, typename Number>
+TOUCHDOWN_VECTOR_CLONES void setCentreRow(std::size_t count, double scale, const double* own, const T* mass, T rate,
+                                          const double* stored, Number* centre)
+{
+#pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        const double own = sum[k] - ((c0[k] + c1[k] + c2[k]) + (c3[k] + c4[k]) + (c5[k] + c6[k] + c7[k]));
-        const T whole = scale * (own + mass[k]);
+        const T whole = scale * (own[k] + mass[k] + rate * stored[k]);
         centre[k] = std::abs(whole) > leastCentre ? static_cast<Number>(whole) : Number(1);
     }
 }
@@ -132,12 +179,12 @@ void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::sp
     const double most =
         std::max({largest<double>(faces[0].effective), largest<double>(faces[1].effective), largest<T>(diagonal)});
     scale_ = most > 0.0 ? std::ldexp(1.0, -std::ilogb(most)) : 1.0;
-    hasNine_ = false;
+    hasNine_ = hasFactors_ = false;
     Source source{faces, diagonal.empty() ? std::span<const T>(noMass_) : diagonal};
     for (std::size_t l = 0;; ++l) {
         Level& level = levels_[l];
         setStencil(level, source);
-        factor(level.pad, level.west, level.east, level.south, level.north, level.centre, level.pivot);
+        factor(level.pad, level.west, level.east, level.south, level.north, {level.centre, level.centre}, level.pivot);
         if (l + 1 == levels_.size()) break;
         CoarseSource& coarse = sources_[l];
         coarsen(level.pad, source, levels_[l + 1].pad, coarse);
@@ -145,41 +192,74 @@ void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::sp
             source.faces[axis] = {coarse.diffusion[axis], coarse.effective[axis], coarse.convection[axis]};
         source.mass = coarse.mass;
     }
-    const Level& finest = levels_.front();
-    for (int j = 0; j < finest.pad.ny; ++j) {
-        const std::size_t at = finest.pad.at(0, j), n = static_cast<std::size_t>(finest.pad.nx);
-        const Number* pivot = &finest.pivot[1][at];
-        multiplyRow(n, pivot, &finest.centre[at], &factorCentre_[at]);
-        multiplyRow(n, pivot, &finest.south[at], &factorSouth_[at]);
-        multiplyRow(n, pivot, &finest.north[at], &factorNorth_[at]);
+}
+
+template <typename T>
+void Multigrid<T>::setFactors(const std::array<FaceOperator, 2>& faces, const std::array<FaceOperator, 2>& flows,
+                              std::span<const T> diagonal)
+{
+    const PaddedGrid& pad = levels_.front().pad;
+    const std::size_t n = static_cast<std::size_t>(pad.nx), up = pad.stride();
+    hasFactors_ = true;
+    Factors& f = factors_;
+    if (f.centre.empty())
+        for (auto* field : {&f.west, &f.east, &f.south, &f.north, &f.centre, &f.pivot[0], &f.pivot[1]})
+            field->assign(pad.size(), Number{});
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        const auto row = [&](const std::array<FaceOperator, 2>& of) {
+            return FaceRow{&of[0].effective[at], &of[0].convection[at], &of[1].effective[at], &of[1].convection[at]};
+        };
+        setFactorRow<T>(n, up, scale_, row(faces), row(flows), &diagonal[at],
+                        StencilRow<Number, Number>{&f.west[at], &f.east[at], &f.south[at], &f.north[at], &f.centre[at]},
+                        &f.pivot[0][at], &f.pivot[1][at]);
+    }
+    factor(pad, f.west, f.east, f.south, f.north, {f.pivot[0], f.pivot[1]}, f.pivot);
+    for (int j = 0; j < pad.ny; ++j) {
+        const std::size_t at = pad.at(0, j);
+        const Number* pivot = &f.pivot[1][at];
+        multiplyRow(n, pivot, &f.centre[at], &f.centre[at]);
+        multiplyRow(n, pivot, &f.south[at], &f.south[at]);
+        multiplyRow(n, pivot, &f.north[at], &f.north[at]);
     }
 }
 
 template <typename T>
-void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed)
+void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed,
+                             const NinePoints& stored, T rate)
 {
+    const bool stores = !stored.sum.empty();
     const PaddedGrid& pad = levels_.front().pad;
     const std::size_t n = static_cast<std::size_t>(pad.nx);
     const std::ptrdiff_t up = static_cast<std::ptrdiff_t>(pad.stride());
     const std::array<std::ptrdiff_t, 8> offset{-up - 1, -up, -up + 1, -1, 1, up - 1, up, up + 1};
     if (nine_.centre.empty()) {
-        for (auto& field : nine_.beside) field.assign(pad.size(), Real{});
+        for (auto& field : nine_.beside) field.assign(pad.size(), Number{});
+        for (auto& row : nine_.own) row.assign(n, 0.0);
         for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1]}) field->assign(pad.size(), Number{});
     }
     hasNine_ = true;
     const std::span<const T> mass = diagonal.empty() ? std::span<const T>(noMass_) : diagonal;
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        std::array<const float*, 8> beside;
+        const auto own = [&](const NinePoints& from, double* out) {
+            std::array<const float*, 8> beside;
+            for (std::size_t k = 0; k < 8; ++k) beside[k] = &from.beside[k][at];
+            setOwnRow(n, beside, &from.sum[at], out);
+        };
         for (std::size_t k = 0; k < 8; ++k) {
-            beside[k] = points.beside[k].data() + at;
             // Transposed: this cell's coefficient in that neighbour's row.
-            const float* from = transposed ? points.beside[7 - k].data() + at + offset[k] : beside[k];
-            scaleRow(n, scale_, from, &nine_.beside[k][at]);
+            const std::size_t from = transposed ? 7 - k : k;
+            const std::size_t first = transposed ? at + static_cast<std::size_t>(offset[k]) : at;
+            scaleRow(n, scale_, points.beside[from].data() + first, &nine_.beside[k][at]);
+            if (stores) addScaledRow(n, scale_ * rate, stored.beside[from].data() + first, &nine_.beside[k][at]);
         }
-        setCentreRow<T>(n, scale_, beside, &points.sum[at], &mass[at], &nine_.centre[at]);
+        own(points, nine_.own[0].data());
+        if (stores) own(stored, nine_.own[1].data());
+        setCentreRow(n, scale_, nine_.own[0].data(), &mass[at], rate, nine_.own[1].data(), &nine_.centre[at]);
     }
-    factor(pad, nine_.beside[3], nine_.beside[4], nine_.beside[1], nine_.beside[6], nine_.centre, nine_.pivot);
+    factor(pad, nine_.beside[3], nine_.beside[4], nine_.beside[1], nine_.beside[6], {nine_.centre, nine_.centre},
+           nine_.pivot);
 }
 
 template <typename T>
@@ -198,20 +278,21 @@ void Multigrid<T>::setStencil(Level& level, const Source& source)
 }
 
 template <typename T>
-void Multigrid<T>::factor(const PaddedGrid& pad, const std::vector<Real>& west, const std::vector<Real>& east,
-                          const std::vector<Real>& south, const std::vector<Real>& north,
-                          const std::vector<Number>& centre, std::array<std::vector<Number>, 2>& pivot)
+template <typename Beside>
+void Multigrid<T>::factor(const PaddedGrid& pad, const std::vector<Beside>& west, const std::vector<Beside>& east,
+                          const std::vector<Beside>& south, const std::vector<Beside>& north, const Centres& centre,
+                          std::array<std::vector<Number>, 2>& pivot)
 {
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
     const auto factor = [&]<int lines>(int j) {
-        factorLines<T, lines>(pad.at(0, j), up, n, west.data(), east.data(), centre.data(), pivot[0].data());
+        factorLines<T, lines>(pad.at(0, j), up, n, west.data(), east.data(), centre[0].data(), pivot[0].data());
     };
     int first = 0;
     for (; first + 3 < pad.ny; first += 4) factor.template operator()<4>(first);
     for (; first < pad.ny; ++first) factor.template operator()<1>(first);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        factorRow<T>(n, up, &south[at], &north[at], &centre[at], &pivot[1][at]);
+        factorRow<T>(n, up, &south[at], &north[at], &centre[1][at], &pivot[1][at]);
     }
 }
 
@@ -257,9 +338,11 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
         }
 }
 
-template void Multigrid<double>::setFinest(const NinePoints&, std::span<const double>, bool);
-template void Multigrid<std::complex<double>>::setFinest(const NinePoints&, std::span<const std::complex<double>>,
-                                                         bool);
+template void Multigrid<double>::setFinest(const NinePoints&, std::span<const double>, bool, const NinePoints&, double);
+template void Multigrid<std::complex<double>>::setFinest(const NinePoints&, std::span<const std::complex<double>>, bool,
+                                                         const NinePoints&, std::complex<double>);
+template void Multigrid<double>::setFactors(const std::array<FaceOperator, 2>&, const std::array<FaceOperator, 2>&,
+                                            std::span<const double>);
 template void Multigrid<double>::setOperator(const std::array<FaceOperator, 2>&, std::span<const double>);
 template void Multigrid<std::complex<double>>::setOperator(const std::array<FaceOperator, 2>&,
                                                            std::span<const std::complex<double>>);

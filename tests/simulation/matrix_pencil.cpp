@@ -24,8 +24,9 @@ std::complex<double> leadingFactor(const std::vector<Eigen::Vector3d>& samples, 
         steps.eigenvectors().partialPivLu().solve((U.transpose() * before.col(0)).cast<std::complex<double>>());
     std::complex<double> leading = 0.0;
     double largest = 0.0;
+    const double slowest = 2.0 * M_PI / static_cast<double>(samples.size());
     for (Eigen::Index k = 0; k < rank; ++k)
-        if (steps.eigenvalues()[k].imag() > 0.0 && std::abs(parts[k]) > largest) {
+        if (std::arg(steps.eigenvalues()[k]) > slowest && std::abs(parts[k]) > largest) {
             leading = steps.eigenvalues()[k];
             largest = std::abs(parts[k]);
         }

@@ -39,18 +39,37 @@ void FilmLinearSolver::prepare(double shift)
         diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
     const auto& faces = film_.faces();
     film_.setStencil(stencil_);
+    hasNine_ = false;
+    const std::array<FaceOperator, 2> flows{FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
+                                            FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}};
+    const double perTime = film_.storagePerTime();
+    if (perTime == 0.0) {
+        multigrid_.setOperator(flows, diagonal_);
+        return;
+    }
     for (std::size_t axis = 0; axis < 2; ++axis)
-        stencil_.addStored(axis, film_.storagePerTime(), film_.volumes(),
-                           {faces[axis].effective, faces[axis].convection}, effective_[axis], convection_[axis]);
-    multigrid_.setOperator({FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
-                            FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}},
-                           diagonal_);
-    if (usesNinePoints()) multigrid_.setFinest(stencil_.points(), diagonal_);
+        stencil_.addStored(axis, perTime, film_.volumes(), {faces[axis].effective, faces[axis].convection},
+                           effective_[axis], convection_[axis]);
+    const std::array<FaceOperator, 2> all{FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
+                                          FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}};
+    multigrid_.setOperator(all, diagonal_);
+    multigrid_.setFactors(all, flows, diagonal_);
 }
 
-bool FilmLinearSolver::usesNinePoints() const { return film_.isComplete() && film_.storagePerTime() == 0.0; }
+void FilmLinearSolver::setNinePoints()
+{
+    if (hasNine_ || !film_.isComplete()) return;
+    hasNine_ = true;
+    const double perTime = film_.storagePerTime();
+    if (perTime == 0.0) {
+        multigrid_.setFinest(stencil_.points(), diagonal_);
+        return;
+    }
+    stencil_.setStorage(film_.volumes());
+    multigrid_.setFinest(stencil_.points(), {}, false, stencil_.storagePoints(), perTime);
+}
 
-void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out) const
+void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out)
 {
     stencil_.apply(v, film_.storagePerTime(), film_.volumes(), out);
     addShift(v, out);
@@ -64,6 +83,7 @@ void FilmLinearSolver::addShift(std::span<const double> v, std::span<double> out
 
 GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double> x, const GmresOptions& options)
 {
+    setNinePoints();
     const auto apply = [this](std::span<const double> v, std::span<double> out) {
         film_.applyJacobian(v, out, work_);
         addShift(v, out);
@@ -91,10 +111,11 @@ void FilmLinearSolver::prepareTransposed()
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, convection_[0]},
                             FaceOperator{faces[1].diffusion, faces[1].effective, convection_[1]}},
                            diagonal_);
-    if (!usesNinePoints()) return;
+    if (!film_.isComplete()) return;
+    hasNine_ = true;
     film_.setStencil(stencil_);
-    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
-    multigrid_.setFinest(stencil_.points(), diagonal_, true);
+    stencil_.setStorage(film_.volumes());
+    multigrid_.setFinest(stencil_.points(), {}, true, stencil_.storagePoints(), film_.storagePerTime());
 }
 
 GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x,

@@ -41,11 +41,15 @@ public:
     /// Takes the film's linearisation, plus `shift` times the cells' volumes on the diagonal [1/s].
     void prepare(double shift = 0.0);
     /// out = J v to single precision (film_stencil.h), with the film's present storage; padded, zero rings.
-    void apply(std::span<const double> v, std::span<double> out) const;
+    void apply(std::span<const double> v, std::span<double> out);
     /// v = approximately J^-1 b, padded: by factors along x and y; by these and coarser grids; by a full cycle.
     void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }
     void halfCycle(std::span<const double> b, std::span<double> v) { multigrid_.halfCycle(b, v); }
-    void cycle(std::span<const double> b, std::span<double> v) { multigrid_.precondition(b, v); }
+    void cycle(std::span<const double> b, std::span<double> v)
+    {
+        setNinePoints();
+        multigrid_.precondition(b, v);
+    }
     /// x = J^-1 b from the guess x; padded.
     GmresResult solve(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 
@@ -54,8 +58,8 @@ public:
     GmresResult solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 
 private:
-    /// In time the faces pass on some of the storage, which the nine points leave out.
-    bool usesNinePoints() const;
+    /// Makes full cycles end with all nine points, where they are needed.
+    void setNinePoints();
     void addShift(std::span<const double> v, std::span<double> out) const;
 
     const GasFilm& film_;
@@ -66,6 +70,7 @@ private:
     std::vector<double> diagonal_;
     std::array<std::vector<double>, 2> effective_, convection_; // what multigrid takes
     double shift_ = 0.0;
+    bool hasNine_ = false;
 };
 
 class FilmNewton {

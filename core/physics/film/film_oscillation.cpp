@@ -23,7 +23,10 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
       right_(film.pad().size())
 {
     work_.resize(film.pad().size());
-    if (film.isComplete()) film.setStencil(stencil_);
+    if (film.isComplete()) {
+        film.setStencil(stencil_);
+        stencil_.setStorage(film.volumes());
+    }
     AttitudeWork work(film.gaps());
     film.attitudeColumns(p, columns_, work);
     film.attitudeStorageColumns(p, storage_, work);
@@ -37,7 +40,7 @@ void FilmOscillation::setRate(Complex s)
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
                             FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}},
                            diagonal_);
-    if (film_.isComplete()) multigrid_.setFinest(stencil_.points(), diagonal_);
+    if (film_.isComplete()) multigrid_.setFinest(stencil_.points(), {}, false, stencil_.storagePoints(), s);
 }
 
 void FilmOscillation::solve(Complex s, std::vector<Complex>& response, bool& converged)

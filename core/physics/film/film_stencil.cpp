@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/film/film_stencil.h"
 
+#include <numeric>
+
 #include "core/numerics/vector_clones.h"
 
 namespace touchdown {
@@ -14,13 +16,38 @@ struct StencilRow {
     std::array<const float*, 2> storedBelow, storedAbove;
 };
 
-TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const StencilRow row, double rate,
-                                      const double* volume, const double* v, double* out)
+/// V v of three rows of cells, south, here and north, and of this row with what the faces across y pass on of it.
+struct StoredRows {
+    const double *south, *here, *north;
+    double* crossed;
+};
+
+TOUCHDOWN_VECTOR_CLONES void multiplyRow(std::size_t count, const double* volume, const double* v, double* out)
 {
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] = volume[k] * v[k];
+}
+
+TOUCHDOWN_VECTOR_CLONES void crossRow(std::size_t count, std::size_t up, const float* below, const float* above,
+                                      const StoredRows stored)
+{
+    const double *south = stored.south, *here = stored.here, *north = stored.north;
+    double* out = stored.crossed;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t t = k + up; // the face on top
+        out[k] = here[k] + (below[t] * here[k] + above[t] * north[k]) - (below[k] * south[k] + above[k] * here[k]);
+    }
+}
+
+TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const StencilRow row, double rate,
+                                      const StoredRows rows, const double* v, double* out)
+{
+    const double *storedSouth = rows.south, *storedHere = rows.here, *storedNorth = rows.north, *crossed = rows.crossed;
     const auto [c0, c1, c2, c3, c4, c5, c6, c7] = row.beside;
     const float *sum = row.sum, *xBelow = row.storedBelow[0], *xAbove = row.storedAbove[0];
     const float *yBelow = row.storedBelow[1], *yAbove = row.storedAbove[1];
-    const double *south = v - up, *north = v + up, *volumeSouth = volume - up, *volumeNorth = volume + up;
+    const double *south = v - up, *north = v + up;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t e = k + 1, t = k + up; // the faces east and on top
@@ -28,11 +55,11 @@ TOUCHDOWN_VECTOR_CLONES void applyRow(std::size_t count, std::size_t up, const S
         const double below = c0[k] * (south[k - 1] - own) + c1[k] * (south[k] - own) + c2[k] * (south[k + 1] - own);
         const double beside = c3[k] * (west - own) + c4[k] * (east - own);
         const double above = c5[k] * (north[k - 1] - own) + c6[k] * (north[k] - own) + c7[k] * (north[k + 1] - own);
-        const double stored = volume[k] * own;
-        const double passedX = (xBelow[e] * stored + xAbove[e] * (volume[k + 1] * east)) -
-                               (xBelow[k] * (volume[k - 1] * west) + xAbove[k] * stored);
-        const double passedY = (yBelow[t] * stored + yAbove[t] * (volumeNorth[k] * north[k])) -
-                               (yBelow[k] * (volumeSouth[k] * south[k]) + yAbove[k] * stored);
+        const double stored = storedHere[k];
+        const double passedX = (xBelow[e] * crossed[k] + xAbove[e] * crossed[k + 1]) -
+                               (xBelow[k] * crossed[k - 1] + xAbove[k] * crossed[k]);
+        const double passedY =
+            (yBelow[t] * stored + yAbove[t] * storedNorth[k]) - (yBelow[k] * storedSouth[k] + yAbove[k] * stored);
         out[k] = ((below + beside + above) + sum[k] * own) + rate * (stored + (passedX + passedY));
     }
 }
@@ -58,8 +85,11 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
     sum.assign(pad.size(), 0.0f);
     for (auto* pair : {&storedBelow, &storedAbove})
         for (auto& field : *pair) field.assign(pad.size(), 0.0f);
+    for (auto* field : {&crossBelow, &crossAbove}) field->assign(pad.size(), 0.0f);
     rows.assign(12 * pad.stride(), 0.0);
     width.assign(pad.stride(), 0.0);
+    ones.assign(pad.size(), 1.0);
+    stored.assign(4 * pad.stride(), 0.0);
 }
 
 NinePoints FilmStencil::points() const
@@ -70,16 +100,55 @@ NinePoints FilmStencil::points() const
     return points;
 }
 
-void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume,
-                        std::span<double> out) const
+NinePoints FilmStencil::storagePoints() const
 {
+    NinePoints points;
+    for (std::size_t k = 0; k < beside.size(); ++k) points.beside[k] = storedBeside[k];
+    points.sum = storedSum;
+    return points;
+}
+
+void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume, std::span<double> out)
+{
+    const std::size_t nx = static_cast<std::size_t>(pad.nx), up = pad.stride();
+    const auto row = [&](int j) { return &stored[static_cast<std::size_t>((j + 3) % 3) * up + PaddedGrid::rings]; };
+    double* crossed = &stored[3 * up + PaddedGrid::rings];
+    std::fill_n(row(-1), nx, 0.0);
+    multiplyRow(nx, &volume[pad.at(0, 0)], &v[pad.at(0, 0)], row(0));
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        StencilRow row{
+        StencilRow coefficients{
             {}, &sum[at], {&storedBelow[0][at], &storedBelow[1][at]}, {&storedAbove[0][at], &storedAbove[1][at]}};
-        for (std::size_t k = 0; k < beside.size(); ++k) row.beside[k] = &beside[k][at];
-        applyRow(static_cast<std::size_t>(pad.nx), pad.stride(), row, rate, &volume[at], &v[at], &out[at]);
+        for (std::size_t k = 0; k < beside.size(); ++k) coefficients.beside[k] = &beside[k][at];
+        multiplyRow(nx, &volume[at + up], &v[at + up], row(j + 1)); // zero in the ring
+        const StoredRows around{row(j - 1), row(j), row(j + 1), crossed};
+        crossRow(nx, up, &crossBelow[at], &crossAbove[at], around);
+        applyRow(nx, up, coefficients, rate, around, &v[at], &out[at]);
     }
+}
+
+void FilmStencil::setStorage(std::span<const double> volume)
+{
+    for (auto& field : storedBeside) field.resize(pad.size());
+    storedSum.resize(pad.size());
+    const std::size_t up = pad.stride();
+    // Of a cell's storage with what faces across y pass on: by those of the cell and its neighbours along y.
+    const auto here = [&](std::size_t at) { return volume[at] * (1.0 + crossBelow[at + up] - crossAbove[at]); };
+    const auto south = [&](std::size_t at) { return -volume[at - up] * crossBelow[at]; };
+    const auto north = [&](std::size_t at) { return volume[at + up] * crossAbove[at + up]; };
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j), e = at + 1, w = at - 1, t = at + up;
+            const std::array<std::vector<float>, 2>&b = storedBelow, &a = storedAbove;
+            const double west = -b[0][at], own = b[0][e] - a[0][at], east = a[0][e];
+            const double alongY = b[1][t] - a[1][at];
+            const std::array<double, 9> c{
+                west * south(w), own * south(at) - b[1][at] * volume[at - up], east * south(e),
+                west * here(w),  own * here(at) + volume[at] * (1.0 + alongY), east * here(e),
+                west * north(w), own * north(at) + a[1][t] * volume[t],        east * north(e)};
+            for (std::size_t k = 0; k < 8; ++k) storedBeside[k][at] = static_cast<float>(c[k < 4 ? k : k + 1]);
+            storedSum[at] = static_cast<float>(std::accumulate(c.begin(), c.end(), 0.0));
+        }
 }
 
 void FilmStencil::addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own,

@@ -12,12 +12,15 @@ namespace {
 
 constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
 
-/// Storage of a row of cells.
+/// Storage of a row of cells, and that per width along y.
 TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p,
-                                       const double* history, double* stored)
+                                       const double* history, double perWidth, double* stored, double* source)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
+    for (std::size_t k = 0; k < count; ++k) {
+        stored[k] = perTime * volume[k] * p[k] - history[k];
+        source[k] = perWidth * stored[k];
+    }
 }
 
 /// The flows of a row of faces less the limited corrections, and the derivatives of the corrections.
@@ -30,7 +33,7 @@ TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, cons
     const double *belowByMean = moments.belowByMean.data(), *aboveByMean = moments.aboveByMean.data();
     const double *inflowByLower = moments.inflowByLower.data(), *inflowByUpper = moments.inflowByUpper.data();
     double *share = faces.share.data() + first, *inflowShare = faces.inflowShare.data() + first;
-    double *lessBelow = faces.below.data() + first, *lessAbove = faces.above.data() + first;
+    double *outBelow = faces.below.data() + first, *outAbove = faces.above.data() + first;
     double *ownLower = faces.ownLower.data() + first, *ownUpper = faces.ownUpper.data() + first;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
@@ -43,8 +46,8 @@ TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, cons
             const double byMean = 0.5 * byFull * (before[k] * belowByMean[k] + after[k] * aboveByMean[k]);
             share[k] = byFull;
             inflowShare[k] = byInflow;
-            lessBelow[k] = byFull * below[k];
-            lessAbove[k] = byFull * above[k];
+            outBelow[k] = below[k];
+            outAbove[k] = above[k];
             ownLower[k] = -byMean - byInflow * inflowByLower[k];
             ownUpper[k] = -byMean - byInflow * inflowByUpper[k];
         }
@@ -77,7 +80,8 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
         cutFlows_[axis].resize(gaps.faces[axis].cut.size());
         cutFlowsByPressure_[axis].resize(gaps.faces[axis].cut.size());
     }
-    rows_.stored.assign(2 * pad().stride(), 0.0);
+    rows_.stored.assign(3 * pad().stride(), 0.0);
+    for (auto* rows : {&rows_.source, &rows_.crossing}) rows->assign(2 * pad().stride(), 0.0);
     noStorage_.assign(pad().stride(), 0.0);
     for (int j = 0; j <= pad().ny + 1; ++j) {
         const std::size_t row = pad().at(-PaddedGrid::rings, j);
@@ -118,10 +122,34 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     const auto row = [&](std::vector<double>& rows, int j) {
         return rows.data() + static_cast<std::size_t>((j + 2) % 2) * pad.stride() + PaddedGrid::rings;
     };
+    const bool stores = storagePerTime_ != 0.0;
     const auto slope = [&](std::size_t axis, int j) {
         return derived ? slope_[axis].data() + pad.at(0, j) : row(rows_.slope[axis], j);
     };
-    const auto stored = [&](int j) { return storagePerTime_ != 0.0 ? row(rows_.stored, j) : noStorage_.data(); };
+    const auto stored = [&](int j) {
+        return stores ? &rows_.stored[static_cast<std::size_t>(j % 3) * pad.stride()] : noStorage_.data();
+    };
+    const auto store = [&](int j) {
+        if (!stores) return;
+        double* source = row(rows_.source, j);
+        if (j == pad.ny) {
+            std::fill_n(source, nx, 0.0);
+            return;
+        }
+        const std::size_t first = pad.at(0, j);
+        setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first],
+                  axes()[1].perWidth[static_cast<std::size_t>(j)], stored(j), source);
+        clearStepped(j, source);
+    };
+    // Flows along y through the faces before row j, with what they pass on of the storage.
+    const auto cross = [&](int j) {
+        const double* flow = &faces_[1].flow[pad.at(0, j)];
+        if (!stores || !isComplete()) return flow;
+        const FaceMoments& m = rows_.moments[1][static_cast<std::size_t>(j % 2)];
+        double* crossing = row(rows_.crossing, j);
+        addPassed(m.below.data(), m.above.data(), row(rows_.source, j - 1), row(rows_.source, j), flow, crossing);
+        return static_cast<const double*>(crossing);
+    };
     const auto finish = [&](std::size_t axis, int j) {
         const std::size_t first = pad.at(0, j), count = nx + (axis == 0);
         double* flow = row(rows_.flow[axis], j);
@@ -135,15 +163,18 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     setCutFlows<Number>(p);
     setFaceRow<Number>(1, 0, p);
     std::fill_n(slope(1, -1), nx, 0.0);
+    std::fill_n(row(rows_.source, -1), nx, 0.0);
+    store(0);
+    const double* below = cross(0);
     for (int j = 0; j <= pad.ny; ++j) {
         const std::size_t first = pad.at(0, j);
         if (j < pad.ny) {
             setFaceRow<Number>(0, j, p);
             setFaceRow<Number>(1, j + 1, p);
-            if (storagePerTime_ != 0.0)
-                setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first], stored(j));
-            const double *flowX = &faces_[0].flow[first], *flowY = &faces_[1].flow[first];
-            if (isComplete()) setSlopes(j, flowX, flowY, flowY + pad.stride(), stored(j), slope(0, j), slope(1, j));
+            store(j + 1);
+            const double* above = cross(j + 1);
+            if (isComplete()) setSlopes(j, &faces_[0].flow[first], below, above, stored(j), slope(0, j), slope(1, j));
+            below = above;
             finish(0, j);
             massFlow_ += std::max(0.0, row(rows_.flow[0], j)[0]) + std::max(0.0, -row(rows_.flow[0], j)[nx]);
         } else {

@@ -12,7 +12,11 @@
 // of third order where the pressure is smooth, and no cell is emptied below zero.
 //
 // In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; in the complete flux scheme
-// storage is a source of the flow along a path. A cell without an open face keeps its pressure.
+// storage is a source of the flow along a path. The faces across y pass it on first, those across x then what is left
+// and what was passed on: with a = 1 - exp(-i kx), b = 1 - exp(-i ky) of a wave and flows A and B through thin films,
+// cells store S = (1 - a/2)(1 - b/2), and as the net outflow is J = A a (1 - b/2) + B b (1 - a/2), -J/S = -A a/(1 -
+// a/2) - B b/(1 - b/2) is imaginary: the disk carries each wave along, and none grows. Without the product in S
+// oblique ones grow. A cell without an open face keeps its pressure.
 #pragma once
 
 #include <array>
@@ -71,7 +75,8 @@ public:
     double massFlow() const { return massFlow_; }
     /// The linearisation without storage, and the shares of the storage that the faces pass on.
     void setStencil(FilmStencil& out) const;
-    /// out = dR/dp v, exactly (v zero in its rings); the cells store perTime V v, by default that of setStorage.
+    /// out = dR/dp v (v zero in its rings); the cells store perTime V v, by default that of setStorage. Exactly, but
+    /// for how much more or less of the storage a face across y passes on, as for the attitude's columns.
     template <typename T>
     void applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const;
     template <typename T>
@@ -117,10 +122,20 @@ private:
         return flows.stored.empty() ? noStorage_.data() : &flows.stored[pad().at(0, j)];
     }
     /// Slopes of the flow along each axis in a row of cells, by the cell's mass balance: change of the flow along x =
-    /// -change of the flow along y - storage.
+    /// -change of the flow along y, with what it passes on of the storage, - storage.
     template <typename T>
     void setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbove, const T* stored, T* slopeX,
                    T* slopeY) const;
+    /// Zero in the cells of a row that have no slopes.
+    template <typename T>
+    void clearStepped(int j, T* slope) const;
+    /// Storage per width along y of the cells of a row that pass some on; beyond the last row zeros.
+    template <typename T>
+    void setSource(int j, const T* stored, T* source) const;
+    /// out = flow + what faces across y pass on of the storage below and above them.
+    template <typename T>
+    void addPassed(const double* below, const double* above, const T* sourceBelow, const T* sourceAbove, const T* flow,
+                   T* out) const;
     void setSlopes(FaceFlows<double>& flows) const;
     /// Subtracts the limited corrections from the flows, for small changes.
     void completeChanges(FaceFlows<double>& flows) const;
@@ -149,7 +164,8 @@ private:
     struct RowWork {
         std::array<std::array<FaceMoments, 2>, 2> moments; // by axis
         std::array<std::vector<double>, 2> flow, slope;    // complete flows
-        std::vector<double> stored;
+        std::vector<double> stored;                        // of three rows
+        std::vector<double> source, crossing;
     };
     RowWork rows_;
 };

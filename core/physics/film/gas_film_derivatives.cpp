@@ -28,38 +28,52 @@ TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const do
     for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * v[k];
 }
 
-/// Mass balance of a row of cells: change of the flow along x = -change of the flow along y - storage. Both slopes in
-/// full would count a cell's storage twice: each axis counts its share of the motion's square.
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void scaleRow(std::size_t count, double scale, const T* in, T* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] = scale * in[k];
+}
+
+/// Mass balance of a row of cells: change of the flow along x = -change of the flow along y - storage.
 template <typename T>
 TOUCHDOWN_VECTOR_CLONES void setSlopeRow(std::size_t count, const double* perWidth, double perWidthAcross,
-                                         double shareX, double shareY, const T* flowX, const T* flowY,
-                                         const T* flowYAbove, const T* stored, T* slopeX, T* slopeY)
+                                         const T* flowX, const T* flowY, const T* flowYAbove, const T* stored,
+                                         T* slopeX, T* slopeY)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        slopeX[k] = (flowY[k] - flowYAbove[k]) * perWidth[k] - stored[k] * (shareX * perWidth[k]);
-        slopeY[k] = (flowX[k] - flowX[k + 1]) * perWidthAcross - stored[k] * (shareY * perWidthAcross);
+        slopeX[k] = ((flowY[k] - flowYAbove[k]) - stored[k]) * perWidth[k];
+        slopeY[k] = ((flowX[k] - flowX[k + 1]) - stored[k]) * perWidthAcross;
     }
+}
+
+template <typename T>
+TOUCHDOWN_VECTOR_CLONES void addPassedRow(std::size_t count, const double* below, const double* above,
+                                          const T* sourceBelow, const T* sourceAbove, const T* flow, T* out)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) out[k] = flow[k] + (below[k] * sourceBelow[k] + above[k] * sourceAbove[k]);
 }
 
 /// Subtracts from the flows through a row of faces the corrections by the slopes in the cells below and above.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
-                                         const T* slopeBelow, const T* slopeAbove, T* flow)
+TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* share, const double* below,
+                                         const double* above, const T* slopeBelow, const T* slopeAbove, T* flow)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) flow[k] -= slopeBelow[k] * below[k] + slopeAbove[k] * above[k];
+    for (std::size_t k = 0; k < count; ++k) flow[k] -= share[k] * (slopeBelow[k] * below[k] + slopeAbove[k] * above[k]);
 }
 
 /// Also adds the change of the corrections with the pressures in the cells below and above.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void completeRow(std::size_t count, const double* below, const double* above,
-                                         const double* ownLower, const double* ownUpper, const T* slopeBelow,
-                                         const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
+TOUCHDOWN_VECTOR_CLONES void
+completeRow(std::size_t count, const double* share, const double* below, const double* above, const double* ownLower,
+            const double* ownUpper, const T* slopeBelow, const T* slopeAbove, const T* vBelow, const T* vAbove, T* flow)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k)
-        flow[k] = (flow[k] - (slopeBelow[k] * below[k] + slopeAbove[k] * above[k])) +
+        flow[k] = (flow[k] - share[k] * (slopeBelow[k] * below[k] + slopeAbove[k] * above[k])) +
                   (ownLower[k] * vBelow[k] + ownUpper[k] * vAbove[k]);
 }
 
@@ -79,22 +93,57 @@ void GasFilm::setSlopes(int j, const T* flowX, const T* flowY, const T* flowYAbo
                         T* slopeY) const
 {
     setSlopeRow(static_cast<std::size_t>(gaps().pad.nx), axes()[0].perWidth.data(),
-                axes()[1].perWidth[static_cast<std::size_t>(j)], motionShare()[0], motionShare()[1], flowX, flowY,
-                flowYAbove, stored, slopeX, slopeY);
-    // Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
+                axes()[1].perWidth[static_cast<std::size_t>(j)], flowX, flowY, flowYAbove, stored, slopeX, slopeY);
+    clearStepped(j, slopeX);
+    clearStepped(j, slopeY);
+}
+
+/// Beside a step the flow across leaves by the deep side alone: spread over the cell it would starve the rail.
+template <typename T>
+void GasFilm::clearStepped(int j, T* slope) const
+{
     const std::size_t first = gaps().pad.at(0, j), row = static_cast<std::size_t>(j);
-    for (std::size_t n = steppedRows_[row]; n < steppedRows_[row + 1]; ++n)
-        slopeX[gaps().steppedCells[n] - first] = slopeY[gaps().steppedCells[n] - first] = T{};
+    for (std::size_t n = steppedRows_[row]; n < steppedRows_[row + 1]; ++n) slope[gaps().steppedCells[n] - first] = T{};
+}
+
+template <typename T>
+void GasFilm::setSource(int j, const T* stored, T* source) const
+{
+    const std::size_t nx = static_cast<std::size_t>(gaps().pad.nx);
+    if (j >= gaps().pad.ny) {
+        std::fill_n(source, nx, T{});
+        return;
+    }
+    scaleRow(nx, axes()[1].perWidth[static_cast<std::size_t>(j)], stored, source);
+    clearStepped(j, source);
+}
+
+template <typename T>
+void GasFilm::addPassed(const double* below, const double* above, const T* sourceBelow, const T* sourceAbove,
+                        const T* flow, T* out) const
+{
+    addPassedRow(static_cast<std::size_t>(gaps().pad.nx), below, above, sourceBelow, sourceAbove, flow, out);
 }
 
 void GasFilm::setSlopes(FaceFlows<double>& flows) const
 {
     const PaddedGrid& pad = gaps().pad;
+    const std::size_t up = pad.stride();
+    flows.passing.assign(4 * up, 0.0); // the last two rows of sources and of flows along y
+    const auto cross = [&](int j) {
+        const std::size_t at = pad.at(0, j), even = static_cast<std::size_t>(j % 2) * up;
+        double *source = &flows.passing[even], *out = &flows.passing[2 * up + even];
+        setSource(j, j < pad.ny ? storedRow(flows, j) : nullptr, source);
+        addPassed(&faces_[1].below[at], &faces_[1].above[at], &flows.passing[up - even], source, &flows.flow[1][at],
+                  out);
+        return out;
+    };
+    const double* below = cross(0);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        const double* flowY = &flows.flow[1][at];
-        setSlopes(j, &flows.flow[0][at], flowY, flowY + pad.stride(), storedRow(flows, j), &flows.slope[0][at],
-                  &flows.slope[1][at]);
+        const double* above = cross(j + 1);
+        setSlopes(j, &flows.flow[0][at], below, above, storedRow(flows, j), &flows.slope[0][at], &flows.slope[1][at]);
+        below = above;
     }
 }
 
@@ -106,7 +155,7 @@ void GasFilm::completeChanges(FaceFlows<double>& flows) const
         for (int j = 0; j < pad.ny + (axis == 1); ++j) {
             const std::size_t at = pad.at(0, j);
             const double* slope = &flows.slope[axis][at];
-            completeRow(static_cast<std::size_t>(pad.nx + (axis == 0)), &f.below[at], &f.above[at],
+            completeRow(static_cast<std::size_t>(pad.nx + (axis == 0)), &f.share[at], &f.below[at], &f.above[at],
                         slope - pad.step(static_cast<int>(axis)), slope, &flows.flow[axis][at]);
         }
     }
@@ -130,6 +179,9 @@ void GasFilm::divergence(const FaceFlows<double>& flows, std::span<double> out) 
 
 template void GasFilm::setSlopes(int, const double*, const double*, const double*, const double*, double*,
                                  double*) const;
+template void GasFilm::clearStepped(int, double*) const;
+template void GasFilm::addPassed(const double*, const double*, const double*, const double*, const double*,
+                                 double*) const;
 template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
                                   std::span<double>) const;
 
@@ -143,7 +195,9 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
     const auto row = [&](std::vector<T>& field, int j) {
         return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
     };
-    work.stored.resize(3 * up);
+    for (std::vector<T>* rows : {&work.stored, &work.passing}) rows->resize(6 * up);
+    const auto source = [&](int j) { return row(work.passing, j); };
+    const auto crossing = [&](int j) { return row(work.passing, j) + 3 * up; };
     for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]})
         std::fill_n(slope->begin(), 3 * up, T{}); // the rings'
     const auto start = [&](std::size_t axis, int j) {
@@ -157,18 +211,27 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
         const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis)), count = nx + (axis == 0);
         T* flow = row(work.flow[axis], j);
         const T *slope = row(work.slope[axis], j), *before = axis == 0 ? slope - 1 : row(work.slope[axis], j - 1);
-        completeRow(count, &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope, &v[at - step],
-                    &v[at], flow);
+        completeRow(count, &f.share[at], &f.below[at], &f.above[at], &f.ownLower[at], &f.ownUpper[at], before, slope,
+                    &v[at - step], &v[at], flow);
     };
+    const auto store = [&](int j) {
+        if (j < pad.ny) setStoredRow(nx, perTime, &volumes()[pad.at(0, j)], &v[pad.at(0, j)], row(work.stored, j));
+        if (!isComplete()) return;
+        const FilmFaces& f = faces_[1];
+        const std::size_t at = pad.at(0, j);
+        setSource(j, row(work.stored, j), source(j));
+        addPassed(&f.below[at], &f.above[at], source(j - 1), source(j), row(work.flow[1], j), crossing(j));
+    };
+    std::fill_n(source(-1), nx, T{});
     start(1, 0);
+    store(0);
     for (int j = 0; j <= pad.ny; ++j) {
         if (j < pad.ny) {
-            const std::size_t at = pad.at(0, j);
             start(0, j);
             start(1, j + 1);
-            setStoredRow(nx, perTime, &volumes()[at], &v[at], row(work.stored, j));
+            store(j + 1);
             if (isComplete())
-                setSlopes(j, row(work.flow[0], j), row(work.flow[1], j), row(work.flow[1], j + 1), row(work.stored, j),
+                setSlopes(j, row(work.flow[0], j), crossing(j), crossing(j + 1), row(work.stored, j),
                           row(work.slope[0], j), row(work.slope[1], j));
             finish(0, j);
         } else {
@@ -206,30 +269,47 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
         const double drop = v[before] - v[at];
         work.flow[axis][at] = drop;
         if (!isComplete()) return;
-        work.slope[axis][before] -= f.below[at] * drop;
-        work.slope[axis][at] -= f.above[at] * drop;
+        work.slope[axis][before] -= f.share[at] * f.below[at] * drop;
+        work.slope[axis][at] -= f.share[at] * f.above[at] * drop;
         out[before] += f.ownLower[at] * drop;
         out[at] += f.ownUpper[at] * drop;
     });
     for (const std::size_t at : gaps().steppedCells) work.slope[0][at] = work.slope[1][at] = 0.0;
-    if (isComplete())
+    work.stored.assign(v.begin(), v.end());
+    work.passing.assign(v.size(), 0.0);
+    if (isComplete()) {
+        const std::size_t up = pad.stride();
         for (int j = 0; j < pad.ny; ++j)
             for (int i = 0; i < pad.nx; ++i) {
-                const std::size_t at = pad.at(i, j), up = pad.stride();
+                const std::size_t at = pad.at(i, j);
                 const double alongX = work.slope[0][at] * axes()[0].perWidth[static_cast<std::size_t>(i)];
                 const double alongY = work.slope[1][at] * axes()[1].perWidth[static_cast<std::size_t>(j)];
-                work.flow[1][at] += alongX;
-                work.flow[1][at + up] -= alongX;
+                work.slope[0][at] = alongX;
                 work.flow[0][at] += alongY;
                 work.flow[0][at + 1] -= alongY;
-                out[at] -= storagePerTime_ * volumes()[at] * (motionShare()[0] * alongX + motionShare()[1] * alongY);
+                work.stored[at] -= alongX + alongY;
             }
+        // What faces across y pass on.
+        for (int j = 0; j <= pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i) {
+                const std::size_t at = pad.at(i, j);
+                const double crossing = work.slope[0][at] - work.slope[0][at - up];
+                work.flow[1][at] += crossing;
+                work.passing[at - up] += crossing * faces_[1].below[at];
+                work.passing[at] += crossing * faces_[1].above[at];
+            }
+        for (const std::size_t at : gaps().steppedCells) work.passing[at] = 0.0;
+        for (int j = 0; j < pad.ny; ++j)
+            for (int i = 0; i < pad.nx; ++i)
+                work.stored[pad.at(i, j)] +=
+                    work.passing[pad.at(i, j)] * axes()[1].perWidth[static_cast<std::size_t>(j)];
+    }
     forFaces([&](std::size_t axis, std::size_t at, std::size_t before) {
         const FilmFaces& f = faces_[axis];
         out[before] += f.lower[at] * work.flow[axis][at];
         out[at] += f.upper[at] * work.flow[axis][at];
     });
-    for (std::size_t at = 0; at < out.size(); ++at) out[at] += storagePerTime_ * volumes()[at] * v[at];
+    for (std::size_t at = 0; at < out.size(); ++at) out[at] += storagePerTime_ * volumes()[at] * work.stored[at];
     clearRings(out);
     for (auto& slope : work.slope) clearRings(slope);
 }

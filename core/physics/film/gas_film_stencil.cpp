@@ -19,10 +19,11 @@ struct SlopeRow {
 
 /// Linearised faces before a row of cells; those after it are a cell, or a row, further on.
 struct StencilFaces {
-    const double *lower, *upper, *below, *above, *ownLower, *ownUpper;
+    const double *lower, *upper, *share, *below, *above, *ownLower, *ownUpper;
     StencilFaces(const FilmFaces& f, std::size_t at)
         : lower(&f.lower[at]),
           upper(&f.upper[at]),
+          share(&f.share[at]),
           below(&f.below[at]),
           above(&f.above[at]),
           ownLower(&f.ownLower[at]),
@@ -51,15 +52,18 @@ TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFa
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
         const std::size_t e = k + 1, t = k + up; // the faces east and on top
-        const double alongX = x.above[k] - x.below[e], alongY = y.above[k] - y.below[t];
-        const double southWest = x.below[k] * sx.before[k - 1] + y.below[k] * s.before[k];
-        const double south = alongX * sx.before[k] - (y.lower[k] + y.ownLower[k]) + y.below[k] * s.here[k];
-        const double southEast = -x.above[e] * sx.before[e] + y.below[k] * s.after[k];
-        const double west = -(x.lower[k] + x.ownLower[k]) + x.below[k] * sx.here[k - 1] + alongY * h.before[k];
-        const double east = (x.upper[e] + x.ownUpper[e]) - x.above[e] * sx.here[e] + alongY * h.after[k];
-        const double northWest = x.below[k] * sx.after[k - 1] - y.above[t] * n.before[k];
-        const double north = alongX * sx.after[k] + (y.upper[t] + y.ownUpper[t]) - y.above[t] * n.here[k];
-        const double northEast = -x.above[e] * sx.after[e] - y.above[t] * n.after[k];
+        const double xBelow = x.share[k] * x.below[k], xAbove = x.share[e] * x.above[e];
+        const double yBelow = y.share[k] * y.below[k], yAbove = y.share[t] * y.above[t];
+        const double alongX = x.share[k] * x.above[k] - x.share[e] * x.below[e];
+        const double alongY = y.share[k] * y.above[k] - y.share[t] * y.below[t];
+        const double southWest = xBelow * sx.before[k - 1] + yBelow * s.before[k];
+        const double south = alongX * sx.before[k] - (y.lower[k] + y.ownLower[k]) + yBelow * s.here[k];
+        const double southEast = -xAbove * sx.before[e] + yBelow * s.after[k];
+        const double west = -(x.lower[k] + x.ownLower[k]) + xBelow * sx.here[k - 1] + alongY * h.before[k];
+        const double east = (x.upper[e] + x.ownUpper[e]) - xAbove * sx.here[e] + alongY * h.after[k];
+        const double northWest = xBelow * sx.after[k - 1] - yAbove * n.before[k];
+        const double north = alongX * sx.after[k] + (y.upper[t] + y.ownUpper[t]) - yAbove * n.here[k];
+        const double northEast = -xAbove * sx.after[e] - yAbove * n.after[k];
         const double own = (x.lower[e] + x.ownLower[e]) - (x.upper[k] + x.ownUpper[k]) + (y.lower[t] + y.ownLower[t]) -
                            (y.upper[k] + y.ownUpper[k]) + alongX * sx.here[k] + alongY * h.here[k];
         c0[k] = static_cast<float>(southWest);
@@ -76,13 +80,13 @@ TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFa
 }
 
 /// Shares of the storage of a row of cells that the faces before and after them pass on.
-TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, double share, const double* perWidth,
+TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, const double* perWidth, const double* share,
                                        const double* below, const double* above, float* storedBelow, float* storedAbove)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        storedAbove[k] = static_cast<float>(share * perWidth[k] * above[k]);
-        storedBelow[k + step] = static_cast<float>(share * perWidth[k] * below[k + step]);
+        storedAbove[k] = static_cast<float>(perWidth[k] * share[k] * above[k]);
+        storedBelow[k + step] = static_cast<float>(perWidth[k] * share[k + step] * below[k + step]);
     }
 }
 
@@ -111,13 +115,17 @@ void GasFilm::setStencil(FilmStencil& out) const
         const double* perWidth = axis == 0 ? axes()[0].perWidth.data() : out.width.data();
         const std::size_t step = pad.step(static_cast<int>(axis));
         setSlopeRow(nx, pad.step(axis == 0 ? 1 : 0), &across.lower[at], &across.upper[at], perWidth, row);
-        setPassed(nx, step, motionShare()[axis], perWidth, &f.below[at], &f.above[at], &out.storedBelow[axis][at],
+        setPassed(nx, step, perWidth, &f.share[at], &f.below[at], &f.above[at], &out.storedBelow[axis][at],
                   &out.storedAbove[axis][at]);
+        if (axis == 1)
+            setPassed(nx, step, perWidth, out.ones.data(), &f.below[at], &f.above[at], &out.crossBelow[at],
+                      &out.crossAbove[at]);
         // These have no slopes.
         for (std::size_t n = steppedRows_[line]; n < steppedRows_[line + 1]; ++n) {
             const std::size_t cell = gaps().steppedCells[n];
             for (double* part : {row.before, row.here, row.after}) part[cell - at] = 0.0;
             out.storedAbove[axis][cell] = out.storedBelow[axis][cell + step] = 0.0f;
+            if (axis == 1) out.crossAbove[cell] = out.crossBelow[cell + step] = 0.0f;
         }
     };
     std::fill(out.rows.begin(), out.rows.end(), 0.0); // below the first row and beside all of them
