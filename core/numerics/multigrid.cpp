@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <complex>
+#include <type_traits>
 
 #include "core/numerics/vector_clones.h"
 
@@ -37,8 +39,8 @@ TOUCHDOWN_VECTOR_CLONES void setNineRest(std::size_t count, std::size_t up, cons
 }
 
 /// Solves lines along x, `apart` from each other, their right-hand sides in rows a stride apart.
-template <std::size_t lines, typename Real, typename Number>
-void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const Real* west, const Real* east,
+template <std::size_t lines, typename Beside, typename Number>
+void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const Beside* west, const Beside* east,
                 const Number* pivot, const Number* right, Number* v)
 {
     std::array<Number, lines> last{};
@@ -203,14 +205,15 @@ void Multigrid<T>::take(std::span<const T> b)
 template <typename T>
 void Multigrid<T>::solveByFactors()
 {
+    assert(hasFactors_);
     Level& level = levels_.front();
     const PaddedGrid& pad = level.pad;
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
     // A few lines along x, and at once these rows of the lines along y, while they are at hand.
     const auto solve = [&]<std::size_t lines>(int first) {
         const std::size_t from = pad.at(0, first);
-        solveLines<lines>(n, up, up, &factors_.west[from], &factors_.east[from], &factors_.pivot[0][from],
-                          &level.right[from], &level.value[from]);
+        solveLines<lines>(n, up, up, &level.west[from], &level.east[from], &factors_.pivot[0][from], &level.right[from],
+                          &level.value[from]);
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = from + k * up; // below the first row the ring holds zero
             forwardRowAlone(n, up, &factors_.centre[at], &factors_.south[at], &level.value[at]);

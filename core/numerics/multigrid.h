@@ -63,17 +63,20 @@ public:
     void setFinest(const NinePoints& points, std::span<const T> diagonal, bool transposed = false,
                    const NinePoints& stored = {}, T rate = {});
 
-    /// Until the next setOperator, which is to be called before and sets the scale: the factors of solveFactors() and
-    /// halfCycle(), with which full cycles begin, too. `faces` pass on some of what cells store, the diagonal; `flows`
-    /// do not. The first call allocates.
+    /// Until the next setOperator: the factors of solveFactors() and halfCycle(), which need them, with which full
+    /// cycles on more than one level begin, too. `faces` and `diagonal`, not empty, are those of setOperator, which is
+    /// to be called before; the faces pass on some of what cells store, `flows` do not. The first call allocates.
     void setFactors(const std::array<FaceOperator, 2>& faces, const std::array<FaceOperator, 2>& flows,
                     std::span<const T> diagonal);
 
+    /// Allocates what setFinest() and setFactors() need; else their first call does.
+    void reserve();
+
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
-    /// v = approximately A^-1 b by factors: with A = D + X + Y, D what the cells store, X along x, Y along y, v = (D +
-    /// Y)^-1 D (D + X)^-1 b (Beam & Warming 1976). Good where D dominates; a third of the work of a sweep. v has zero
-    /// rings.
+    /// v = approximately A^-1 b by factors: with A = D + X + Y, D what the cells store, or what flows out of them where
+    /// that is more, X along x, Y along y, v = (D + Y)^-1 D (D + X)^-1 b (Beam & Warming 1976). Good where D dominates;
+    /// a third of the work of a sweep. v has zero rings.
     void solveFactors(std::span<const T> b, std::span<T> v);
     /// v = approximately A^-1 b by these factors, then by the coarser levels.
     void halfCycle(std::span<const T> b, std::span<T> v);
@@ -124,8 +127,7 @@ private:
     std::vector<Level> levels_;
     std::vector<CoarseSource> sources_; // of the levels but the finest
     struct Factors {
-        std::vector<Number> west, east;           // of the lines along x
-        std::vector<Number> south, north;         // of those along y, times 1/pivot
+        std::vector<Number> south, north;         // of the lines along y, times 1/pivot
         std::vector<Number> centre;               // D, times 1/pivot
         std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
     };

@@ -71,18 +71,12 @@ inline T inversePivot(T centre, T taken)
 /// as much less in their centres, in proportion to the flows along x and y.
 template <typename T, typename Number>
 TOUCHDOWN_VECTOR_CLONES void setFactorRow(std::size_t count, std::size_t up, double scale, FaceRow faces, FaceRow flows,
-                                          const T* mass, StencilRow<Number, Number> out, Number* alongX, Number* alongY)
+                                          const T* mass, Number* D, Number* alongX, Number* alongY)
 {
     const double *ex = faces.ex, *cx = faces.cx, *ey = faces.ey, *cy = faces.cy;
     const double *fx = flows.ex, *gx = flows.cx, *fy = flows.ey, *gy = flows.cy;
-    Number *west = out.west, *east = out.east, *south = out.south, *north = out.north;
-    Number* D = out.centre;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        east[k] = static_cast<float>(scale * (0.5 * cx[k + 1] - ex[k + 1]));
-        west[k] = static_cast<float>(scale * (-0.5 * cx[k] - ex[k]));
-        north[k] = static_cast<float>(scale * (0.5 * cy[k + up] - ey[k + up]));
-        south[k] = static_cast<float>(scale * (-0.5 * cy[k] - ey[k]));
         const double ownX = scale * ((0.5 * cx[k + 1] + ex[k + 1]) + (ex[k] - 0.5 * cx[k]));
         const double ownY = scale * ((0.5 * cy[k + up] + ey[k + up]) + (ey[k] - 0.5 * cy[k]));
         const double flowX = scale * ((0.5 * gx[k + 1] + fx[k + 1]) + (fx[k] - 0.5 * gx[k]));
@@ -201,27 +195,37 @@ void Multigrid<T>::setFactors(const std::array<FaceOperator, 2>& faces, const st
     const PaddedGrid& pad = levels_.front().pad;
     const std::size_t n = static_cast<std::size_t>(pad.nx), up = pad.stride();
     hasFactors_ = true;
+    const Level& level = levels_.front();
     Factors& f = factors_;
-    if (f.centre.empty())
-        for (auto* field : {&f.west, &f.east, &f.south, &f.north, &f.centre, &f.pivot[0], &f.pivot[1]})
-            field->assign(pad.size(), Number{});
+    reserve();
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
         const auto row = [&](const std::array<FaceOperator, 2>& of) {
             return FaceRow{&of[0].effective[at], &of[0].convection[at], &of[1].effective[at], &of[1].convection[at]};
         };
-        setFactorRow<T>(n, up, scale_, row(faces), row(flows), &diagonal[at],
-                        StencilRow<Number, Number>{&f.west[at], &f.east[at], &f.south[at], &f.north[at], &f.centre[at]},
-                        &f.pivot[0][at], &f.pivot[1][at]);
+        setFactorRow<T>(n, up, scale_, row(faces), row(flows), &diagonal[at], &f.centre[at], &f.pivot[0][at],
+                        &f.pivot[1][at]);
     }
-    factor(pad, f.west, f.east, f.south, f.north, {f.pivot[0], f.pivot[1]}, f.pivot);
+    factor(pad, level.west, level.east, level.south, level.north, {f.pivot[0], f.pivot[1]}, f.pivot);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
         const Number* pivot = &f.pivot[1][at];
         multiplyRow(n, pivot, &f.centre[at], &f.centre[at]);
-        multiplyRow(n, pivot, &f.south[at], &f.south[at]);
-        multiplyRow(n, pivot, &f.north[at], &f.north[at]);
+        multiplyRow(n, pivot, &level.south[at], &f.south[at]);
+        multiplyRow(n, pivot, &level.north[at], &f.north[at]);
     }
+}
+
+template <typename T>
+void Multigrid<T>::reserve()
+{
+    const PaddedGrid& pad = levels_.front().pad;
+    if (!nine_.centre.empty()) return;
+    for (auto& field : nine_.beside) field.assign(pad.size(), Number{});
+    for (auto& row : nine_.own) row.assign(static_cast<std::size_t>(pad.nx), 0.0);
+    for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1], &factors_.south, &factors_.north,
+                        &factors_.centre, &factors_.pivot[0], &factors_.pivot[1]})
+        field->assign(pad.size(), Number{});
 }
 
 template <typename T>
@@ -233,11 +237,8 @@ void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagon
     const std::size_t n = static_cast<std::size_t>(pad.nx);
     const std::ptrdiff_t up = static_cast<std::ptrdiff_t>(pad.stride());
     const std::array<std::ptrdiff_t, 8> offset{-up - 1, -up, -up + 1, -1, 1, up - 1, up, up + 1};
-    if (nine_.centre.empty()) {
-        for (auto& field : nine_.beside) field.assign(pad.size(), Number{});
-        for (auto& row : nine_.own) row.assign(n, 0.0);
-        for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1]}) field->assign(pad.size(), Number{});
-    }
+    reserve();
+    std::ranges::fill(nine_.own[1], 0.0);
     hasNine_ = true;
     const std::span<const T> mass = diagonal.empty() ? std::span<const T>(noMass_) : diagonal;
     for (int j = 0; j < pad.ny; ++j) {
@@ -341,6 +342,7 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
 template void Multigrid<double>::setFinest(const NinePoints&, std::span<const double>, bool, const NinePoints&, double);
 template void Multigrid<std::complex<double>>::setFinest(const NinePoints&, std::span<const std::complex<double>>, bool,
                                                          const NinePoints&, std::complex<double>);
+template void Multigrid<double>::reserve();
 template void Multigrid<double>::setFactors(const std::array<FaceOperator, 2>&, const std::array<FaceOperator, 2>&,
                                             std::span<const double>);
 template void Multigrid<double>::setOperator(const std::array<FaceOperator, 2>&, std::span<const double>);

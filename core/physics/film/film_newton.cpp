@@ -2,6 +2,7 @@
 #include "core/physics/film/film_newton.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "core/physics/film/gas_film.h"
@@ -42,13 +43,13 @@ void FilmLinearSolver::prepare(double shift)
     hasNine_ = false;
     const std::array<FaceOperator, 2> flows{FaceOperator{faces[0].diffusion, faces[0].effective, faces[0].convection},
                                             FaceOperator{faces[1].diffusion, faces[1].effective, faces[1].convection}};
-    const double perTime = film_.storagePerTime();
-    if (perTime == 0.0) {
+    perTime_ = film_.storagePerTime();
+    if (perTime_ == 0.0) {
         multigrid_.setOperator(flows, diagonal_);
         return;
     }
     for (std::size_t axis = 0; axis < 2; ++axis)
-        stencil_.addStored(axis, perTime, film_.volumes(), {faces[axis].effective, faces[axis].convection},
+        stencil_.addStored(axis, perTime_, film_.volumes(), {faces[axis].effective, faces[axis].convection},
                            effective_[axis], convection_[axis]);
     const std::array<FaceOperator, 2> all{FaceOperator{faces[0].diffusion, effective_[0], convection_[0]},
                                           FaceOperator{faces[1].diffusion, effective_[1], convection_[1]}};
@@ -56,17 +57,23 @@ void FilmLinearSolver::prepare(double shift)
     multigrid_.setFactors(all, flows, diagonal_);
 }
 
-void FilmLinearSolver::setNinePoints()
+void FilmLinearSolver::setNinePoints(bool transposed)
 {
     if (hasNine_ || !film_.isComplete()) return;
     hasNine_ = true;
-    const double perTime = film_.storagePerTime();
-    if (perTime == 0.0) {
-        multigrid_.setFinest(stencil_.points(), diagonal_);
+    if (perTime_ == 0.0) {
+        multigrid_.setFinest(stencil_.points(), diagonal_, transposed);
         return;
     }
+    assert(shift_ == 0.0);
     stencil_.setStorage(film_.volumes());
-    multigrid_.setFinest(stencil_.points(), {}, false, stencil_.storagePoints(), perTime);
+    multigrid_.setFinest(stencil_.points(), {}, transposed, stencil_.storagePoints(), perTime_);
+}
+
+void FilmLinearSolver::reserve()
+{
+    stencil_.reserve();
+    multigrid_.reserve();
 }
 
 void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out)
@@ -83,7 +90,7 @@ void FilmLinearSolver::addShift(std::span<const double> v, std::span<double> out
 
 GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double> x, const GmresOptions& options)
 {
-    setNinePoints();
+    setNinePoints(false);
     const auto apply = [this](std::span<const double> v, std::span<double> out) {
         film_.applyJacobian(v, out, work_);
         addShift(v, out);
@@ -111,11 +118,12 @@ void FilmLinearSolver::prepareTransposed()
     multigrid_.setOperator({FaceOperator{faces[0].diffusion, faces[0].effective, convection_[0]},
                             FaceOperator{faces[1].diffusion, faces[1].effective, convection_[1]}},
                            diagonal_);
-    if (!film_.isComplete()) return;
-    hasNine_ = true;
+    hasNine_ = false;
+    perTime_ = film_.storagePerTime();
+    shift_ = 0.0;
     film_.setStencil(stencil_);
-    stencil_.setStorage(film_.volumes());
-    multigrid_.setFinest(stencil_.points(), {}, true, stencil_.storagePoints(), film_.storagePerTime());
+    std::fill(diagonal_.begin(), diagonal_.end(), 0.0);
+    setNinePoints(true);
 }
 
 GmresResult FilmLinearSolver::solveTransposed(std::span<const double> b, std::span<double> x,

@@ -42,12 +42,15 @@ public:
     void prepare(double shift = 0.0);
     /// out = J v to single precision (film_stencil.h), with the film's present storage; padded, zero rings.
     void apply(std::span<const double> v, std::span<double> out);
-    /// v = approximately J^-1 b, padded: by factors along x and y; by these and coarser grids; by a full cycle.
+    /// Allocates what films in time need; else the first calls do.
+    void reserve();
+    /// v = approximately J^-1 b, padded: by factors along x and y; by these and coarser grids, both of a film in time;
+    /// by a full cycle.
     void relax(std::span<const double> b, std::span<double> v) { multigrid_.solveFactors(b, v); }
     void halfCycle(std::span<const double> b, std::span<double> v) { multigrid_.halfCycle(b, v); }
     void cycle(std::span<const double> b, std::span<double> v)
     {
-        setNinePoints();
+        setNinePoints(false);
         multigrid_.precondition(b, v);
     }
     /// x = J^-1 b from the guess x; padded.
@@ -59,7 +62,7 @@ public:
 
 private:
     /// Makes full cycles end with all nine points, where they are needed.
-    void setNinePoints();
+    void setNinePoints(bool transposed);
     void addShift(std::span<const double> v, std::span<double> out) const;
 
     const GasFilm& film_;
@@ -70,6 +73,7 @@ private:
     std::vector<double> diagonal_;
     std::array<std::vector<double>, 2> effective_, convection_; // what multigrid takes
     double shift_ = 0.0;
+    double perTime_ = 0.0; // of the storage, when the linearisation was taken [1/s]
     bool hasNine_ = false;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/film/film_stencil.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include "core/numerics/vector_clones.h"
@@ -88,7 +89,6 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
     for (auto* field : {&crossBelow, &crossAbove}) field->assign(pad.size(), 0.0f);
     rows.assign(12 * pad.stride(), 0.0);
     width.assign(pad.stride(), 0.0);
-    ones.assign(pad.size(), 1.0);
     stored.assign(4 * pad.stride(), 0.0);
 }
 
@@ -127,10 +127,15 @@ void FilmStencil::apply(std::span<const double> v, double rate, std::span<const 
     }
 }
 
-void FilmStencil::setStorage(std::span<const double> volume)
+void FilmStencil::reserve()
 {
     for (auto& field : storedBeside) field.resize(pad.size());
     storedSum.resize(pad.size());
+}
+
+void FilmStencil::setStorage(std::span<const double> volume)
+{
+    reserve();
     const std::size_t up = pad.stride();
     // Of a cell's storage with what faces across y pass on: by those of the cell and its neighbours along y.
     const auto here = [&](std::size_t at) { return volume[at] * (1.0 + crossBelow[at + up] - crossAbove[at]); };

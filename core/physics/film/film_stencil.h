@@ -35,11 +35,12 @@ struct FilmStencil {
     void addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own,
                    std::span<double> effective, std::span<double> convection) const;
 
-    /// For multigrid: J = points() + rate storagePoints(); the latter as of the last setStorage(), which allocates when
-    /// first called.
+    /// For multigrid: J = points() + rate storagePoints(); the latter as of the last setStorage(). reserve() allocates
+    /// what that needs; else its first call does.
     NinePoints points() const;
     NinePoints storagePoints() const;
     void setStorage(std::span<const double> volume);
+    void reserve();
 
     PaddedGrid pad;
     std::array<std::vector<float>, 8> beside; // from south west to north east, row by row; padded [m^3/s]
@@ -52,10 +53,9 @@ struct FilmStencil {
     std::vector<float> storedSum;
 
     // Work space of GasFilm::setStencil.
-    std::vector<double> rows;  // slopes of four rows, by three cells each [m^2/s]
-    std::vector<double> width; // of a row [1/m]
-    std::vector<double> ones;
-    std::vector<double> stored; // V v of three rows, and of one with what faces across y pass on [Pa m^3]
+    std::vector<double> rows;   // slopes of four rows, by three cells each [m^2/s]
+    std::vector<double> width;  // of a row [1/m]
+    std::vector<double> stored; // of apply: V v of three rows, and of one with what faces across y pass on [Pa m^3]
 };
 
 /// Flows through the faces across x and across y, with the slopes and the storage of each cell: padded work space.
@@ -63,7 +63,7 @@ template <typename T>
 struct FaceFlows {
     std::array<std::vector<T>, 2> flow, slope;
     std::vector<T> stored;  // empty: nothing
-    std::vector<T> passing; // what faces across y pass on of it
+    std::vector<T> passing; // per width along y, and flows across y with what the faces there pass on of it
     void resize(std::size_t size)
     {
         for (auto* pair : {&flow, &slope})

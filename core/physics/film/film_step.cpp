@@ -23,6 +23,7 @@ constexpr double bending =
 FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(film), options_(options), linear_(film)
 {
     const std::size_t size = film.pad().size();
+    linear_.reserve();
     for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_})
         field->assign(size, 0.0);
     for (auto* vectors : {&directions_, &images_})

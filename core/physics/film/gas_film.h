@@ -16,7 +16,7 @@
 // and what was passed on: with a = 1 - exp(-i kx), b = 1 - exp(-i ky) of a wave and flows A and B through thin films,
 // cells store S = (1 - a/2)(1 - b/2), and as the net outflow is J = A a (1 - b/2) + B b (1 - a/2), -J/S = -A a/(1 -
 // a/2) - B b/(1 - b/2) is imaginary: the disk carries each wave along, and none grows. Without the product in S
-// oblique ones grow. A cell without an open face keeps its pressure.
+// oblique ones grow. The limiter leaves the first passing as it is. A cell without an open face keeps its pressure.
 #pragma once
 
 #include <array>
@@ -164,8 +164,8 @@ private:
     struct RowWork {
         std::array<std::array<FaceMoments, 2>, 2> moments; // by axis
         std::array<std::vector<double>, 2> flow, slope;    // complete flows
-        std::vector<double> stored;                        // of three rows
-        std::vector<double> source, crossing;
+        std::vector<double> stored;                        // of three rows, without rings
+        std::vector<double> source, crossing;              // see setSource, addPassed
     };
     RowWork rows_;
 };

@@ -195,7 +195,8 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
     const auto row = [&](std::vector<T>& field, int j) {
         return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
     };
-    for (std::vector<T>* rows : {&work.stored, &work.passing}) rows->resize(6 * up);
+    work.stored.resize(3 * up);
+    work.passing.resize(6 * up);
     const auto source = [&](int j) { return row(work.passing, j); };
     const auto crossing = [&](int j) { return row(work.passing, j) + 3 * up; };
     for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]})

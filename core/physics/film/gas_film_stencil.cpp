@@ -80,13 +80,14 @@ TOUCHDOWN_VECTOR_CLONES void setRow(std::size_t count, std::size_t up, StencilFa
 }
 
 /// Shares of the storage of a row of cells that the faces before and after them pass on.
+template <bool limited>
 TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, const double* perWidth, const double* share,
                                        const double* below, const double* above, float* storedBelow, float* storedAbove)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
-        storedAbove[k] = static_cast<float>(perWidth[k] * share[k] * above[k]);
-        storedBelow[k + step] = static_cast<float>(perWidth[k] * share[k + step] * below[k + step]);
+        storedAbove[k] = static_cast<float>(perWidth[k] * (limited ? share[k] : 1.0) * above[k]);
+        storedBelow[k + step] = static_cast<float>(perWidth[k] * (limited ? share[k + step] : 1.0) * below[k + step]);
     }
 }
 
@@ -115,11 +116,11 @@ void GasFilm::setStencil(FilmStencil& out) const
         const double* perWidth = axis == 0 ? axes()[0].perWidth.data() : out.width.data();
         const std::size_t step = pad.step(static_cast<int>(axis));
         setSlopeRow(nx, pad.step(axis == 0 ? 1 : 0), &across.lower[at], &across.upper[at], perWidth, row);
-        setPassed(nx, step, perWidth, &f.share[at], &f.below[at], &f.above[at], &out.storedBelow[axis][at],
-                  &out.storedAbove[axis][at]);
+        setPassed<true>(nx, step, perWidth, &f.share[at], &f.below[at], &f.above[at], &out.storedBelow[axis][at],
+                        &out.storedAbove[axis][at]);
         if (axis == 1)
-            setPassed(nx, step, perWidth, out.ones.data(), &f.below[at], &f.above[at], &out.crossBelow[at],
-                      &out.crossAbove[at]);
+            setPassed<false>(nx, step, perWidth, nullptr, &f.below[at], &f.above[at], &out.crossBelow[at],
+                             &out.crossAbove[at]);
         // These have no slopes.
         for (std::size_t n = steppedRows_[line]; n < steppedRows_[line + 1]; ++n) {
             const std::size_t cell = gaps().steppedCells[n];

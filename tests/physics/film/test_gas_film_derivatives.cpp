@@ -79,6 +79,23 @@ double inner(const std::vector<double>& a, const std::vector<double>& b)
 }
 double norm(const std::vector<double>& a) { return std::sqrt(inner(a, a)); }
 
+/// out += scale times the operator of nine points on v.
+void addPoints(const PaddedGrid& pad, const NinePoints& points, double scale, const std::vector<double>& v,
+               std::vector<double>& out)
+{
+    for (int j = 0; j < pad.ny; ++j)
+        for (int i = 0; i < pad.nx; ++i) {
+            const std::size_t at = pad.at(i, j);
+            double sum = points.sum[at] * v[at];
+            for (int k = 0; k < 8; ++k) {
+                const int place = k < 4 ? k : k + 1;
+                sum += points.beside[static_cast<std::size_t>(k)][at] *
+                       (v[pad.at(i + place % 3 - 1, j + place / 3 - 1)] - v[at]);
+            }
+            out[at] += scale * sum;
+        }
+}
+
 /// Over a disk whose heights differ from cell to cell by up to this [m].
 struct OverDisk : FilmProblem {
     std::vector<double> disk;
@@ -265,8 +282,15 @@ private slots:
             problem.film.setStorage(rate, history);
             problem.film.applyJacobian<double>(v, Jv, work);
             stencil.apply(v, rate, problem.film.volumes(), image);
+            const std::vector<double> applied = image;
             for (std::size_t at = 0; at < image.size(); ++at) image[at] -= Jv[at];
             QVERIFY2(norm(image) < 1e-7 * norm(Jv), qPrintable(QString::number(norm(image) / norm(Jv))));
+            stencil.setStorage(problem.film.volumes());
+            std::vector<double> points(pad.size(), 0.0);
+            addPoints(pad, stencil.points(), 1.0, v, points);
+            addPoints(pad, stencil.storagePoints(), rate, v, points);
+            for (std::size_t at = 0; at < points.size(); ++at) points[at] -= applied[at];
+            QVERIFY2(norm(points) < 1e-6 * norm(Jv), qPrintable(QString::number(norm(points) / norm(Jv))));
         }
     }
 
