@@ -110,6 +110,19 @@ TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, 
     updateEverySecond(count, colour, v, [=](int i) { return v[i] - north[i] * pivot[i] * above[i]; });
 }
 
+/// Every second line along y: `forward` from each row's first cell on, where below the first row the ring holds zero,
+/// then back.
+template <typename Real, typename Number, typename Forward>
+void solveRows(const PaddedGrid& pad, int colour, const Real* north, const Number* pivot, Number* v,
+               const Forward& forward)
+{
+    for (int j = 0; j < pad.ny; ++j) forward(pad.at(0, j));
+    for (int j = pad.ny - 2; j >= 0; --j) {
+        const std::size_t at = pad.at(0, j);
+        backwardRow(pad.nx, colour, pad.stride(), north + at, pivot + at, v + at);
+    }
+}
+
 /// Rows of the lines along y of a factored operator.
 template <typename Number>
 TOUCHDOWN_VECTOR_CLONES void forwardRowAlone(std::size_t count, std::size_t up, const Number* centre,
@@ -249,16 +262,10 @@ template <typename T>
 void Multigrid<T>::sweepY(Level& level, int colour)
 {
     const PaddedGrid& pad = level.pad;
-    const std::size_t up = pad.stride();
-    for (int j = 0; j < pad.ny; ++j) {
-        const std::size_t at = pad.at(0, j); // below the first row the ring holds zero
-        forwardRow(pad.nx, colour, up, &level.west[at], &level.east[at], &level.south[at], &level.pivot[1][at],
-                   &level.right[at], &level.value[at]);
-    }
-    for (int j = pad.ny - 2; j >= 0; --j) {
-        const std::size_t at = pad.at(0, j);
-        backwardRow(pad.nx, colour, up, &level.north[at], &level.pivot[1][at], &level.value[at]);
-    }
+    solveRows(pad, colour, level.north.data(), level.pivot[1].data(), level.value.data(), [&](std::size_t at) {
+        forwardRow(pad.nx, colour, pad.stride(), &level.west[at], &level.east[at], &level.south[at],
+                   &level.pivot[1][at], &level.right[at], &level.value[at]);
+    });
 }
 
 template <typename T>
@@ -291,16 +298,10 @@ void Multigrid<T>::sweepNineY(int colour)
 {
     Level& level = levels_.front();
     const PaddedGrid& pad = level.pad;
-    const std::size_t up = pad.stride();
-    for (int j = 0; j < pad.ny; ++j) {
-        const std::size_t at = pad.at(0, j);
-        forwardNineRow<Number>(pad.nx, colour, up, besideAt(at), &nine_.pivot[1][at], &level.right[at],
+    solveRows(pad, colour, nine_.beside[6].data(), nine_.pivot[1].data(), level.value.data(), [&](std::size_t at) {
+        forwardNineRow<Number>(pad.nx, colour, pad.stride(), besideAt(at), &nine_.pivot[1][at], &level.right[at],
                                &level.value[at]);
-    }
-    for (int j = pad.ny - 2; j >= 0; --j) {
-        const std::size_t at = pad.at(0, j);
-        backwardRow(pad.nx, colour, up, &nine_.beside[6][at], &nine_.pivot[1][at], &level.value[at]);
-    }
+    });
 }
 
 template <typename T>

@@ -70,7 +70,11 @@ public:
                     std::span<const T> diagonal);
 
     /// Allocates what setFinest() and setFactors() need; else their first call does.
-    void reserve();
+    void reserve()
+    {
+        reserveNine();
+        reserveFactors();
+    }
 
     /// v = approximately A^-1 b by one V cycle from zero; padded, zero rings.
     void precondition(std::span<const T> b, std::span<T> v);
@@ -118,6 +122,8 @@ private:
     void sweep(Level& level);
     /// The coefficients of the eight neighbours, from a cell on.
     std::array<const Number*, 8> besideAt(std::size_t at) const;
+    void reserveNine();
+    void reserveFactors();
     void sweepNineX(int colour);
     void sweepNineY(int colour);
     void restrictResidual(const Level& fine, Level& coarse);

@@ -197,7 +197,7 @@ void Multigrid<T>::setFactors(const std::array<FaceOperator, 2>& faces, const st
     hasFactors_ = true;
     const Level& level = levels_.front();
     Factors& f = factors_;
-    reserve();
+    reserveFactors();
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
         const auto row = [&](const std::array<FaceOperator, 2>& of) {
@@ -217,15 +217,20 @@ void Multigrid<T>::setFactors(const std::array<FaceOperator, 2>& faces, const st
 }
 
 template <typename T>
-void Multigrid<T>::reserve()
+void Multigrid<T>::reserveFactors()
+{
+    Factors& f = factors_;
+    for (auto* field : {&f.south, &f.north, &f.centre, &f.pivot[0], &f.pivot[1]})
+        field->resize(levels_.front().pad.size());
+}
+
+template <typename T>
+void Multigrid<T>::reserveNine()
 {
     const PaddedGrid& pad = levels_.front().pad;
-    if (!nine_.centre.empty()) return;
-    for (auto& field : nine_.beside) field.assign(pad.size(), Number{});
-    for (auto& row : nine_.own) row.assign(static_cast<std::size_t>(pad.nx), 0.0);
-    for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1], &factors_.south, &factors_.north,
-                        &factors_.centre, &factors_.pivot[0], &factors_.pivot[1]})
-        field->assign(pad.size(), Number{});
+    for (auto& field : nine_.beside) field.resize(pad.size());
+    for (auto& row : nine_.own) row.resize(static_cast<std::size_t>(pad.nx));
+    for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1]}) field->resize(pad.size());
 }
 
 template <typename T>
@@ -237,7 +242,7 @@ void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagon
     const std::size_t n = static_cast<std::size_t>(pad.nx);
     const std::ptrdiff_t up = static_cast<std::ptrdiff_t>(pad.stride());
     const std::array<std::ptrdiff_t, 8> offset{-up - 1, -up, -up + 1, -1, 1, up - 1, up, up + 1};
-    reserve();
+    reserveNine();
     std::ranges::fill(nine_.own[1], 0.0);
     hasNine_ = true;
     const std::span<const T> mass = diagonal.empty() ? std::span<const T>(noMass_) : diagonal;
@@ -342,7 +347,8 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
 template void Multigrid<double>::setFinest(const NinePoints&, std::span<const double>, bool, const NinePoints&, double);
 template void Multigrid<std::complex<double>>::setFinest(const NinePoints&, std::span<const std::complex<double>>, bool,
                                                          const NinePoints&, std::complex<double>);
-template void Multigrid<double>::reserve();
+template void Multigrid<double>::reserveNine();
+template void Multigrid<double>::reserveFactors();
 template void Multigrid<double>::setFactors(const std::array<FaceOperator, 2>&, const std::array<FaceOperator, 2>&,
                                             std::span<const double>);
 template void Multigrid<double>::setOperator(const std::array<FaceOperator, 2>&, std::span<const double>);

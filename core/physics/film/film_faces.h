@@ -19,8 +19,7 @@ struct FilmFaces {
     std::vector<double> inflow;             // that the upstream cell alone would send [Pa m^3/s]
     std::vector<double> lower, upper;       // the flow's derivatives by the pressures below and above [m^3/s]
     std::vector<double> share, inflowShare; // derivatives of the limited correction by the full one, by the inflow [-]
-    std::vector<double> below,
-        above; // moments: times share, by the slopes; zero unless the scheme is complete flux [m]
+    std::vector<double> below, above;       // moments, not limited; zero unless the scheme is complete flux [m]
     std::vector<double> ownLower, ownUpper; // added to `lower` and `upper` by the change of the correction [m^3/s]
     std::vector<double> diffusion;          // K, for multigrid [m^3/s]
     std::vector<double> effective;          // E >= |convection|/2 [m^3/s]
