@@ -5,6 +5,10 @@
 // the conductance of rarefied air is h^2 (mean free path longer than the gap). So each piece of a path gets its part in
 // proportion to h^2, at most four times the even one. Spread evenly, the flow has errors of several per cent at slanted
 // walls, with opposite signs along x and y.
+//
+// In a row across an edge so steep that one centre is far deeper than the other, the flow across is that of the
+// centre's side of the edge: pieces like the centre's have their even part, the others none. On a rail that is the leak
+// towards its side; what a deep cell passes on along its edge is many times what the rail could take.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -24,6 +28,15 @@ double conduction(double recess)
 
 /// Limit of a narrow deep part, which would take the flow of the whole cell and slow down the solvers' sweeps.
 constexpr double mostShare = 4.0;
+/// Of the gap of a piece against that at the cell's centre, for rows across a steep edge [-].
+constexpr double mostContrast = 3.0;
+
+/// Whether the flow across a cell with this recess at its centre also crosses a piece.
+bool isLike(double piece, double centre)
+{
+    const double ratio = conduction(piece) / conduction(centre);
+    return ratio < mostContrast * mostContrast && ratio * mostContrast * mostContrast > 1.0;
+}
 
 /// Of the half cells along one axis, by cell: their area and their conduction times area.
 struct CellConduction {
@@ -37,7 +50,8 @@ struct CellConduction {
         for (const CutPlace& place : faces.cut) {
             isCut[place.at] = true;
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
-                for (std::uint32_t k = gaps.rows[r].pieces; gaps.rows[r].isFed && k < gaps.rows[r].pieceEnd; ++k) {
+                for (std::uint32_t k = gaps.rows[r].pieces;
+                     gaps.rows[r].feed == Feed::ByGap && k < gaps.rows[r].pieceEnd; ++k) {
                     const GapPiece& piece = gaps.pieces[k];
                     add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent,
                         piece.recess);
@@ -72,8 +86,12 @@ void FilmGaps::setCrossFeed()
         const std::size_t step = pad.step(axis);
         for (const CutPlace& place : faces[static_cast<std::size_t>(axis)].cut)
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r) {
-                if (!rows[r].isFed) continue;
+                if (rows[r].feed == Feed::None) continue;
                 const auto setFeed = [&](GapPiece& piece, std::size_t cell) {
+                    if (rows[r].feed == Feed::ByCentre) {
+                        piece.feed = isLike(piece.recess, centreRecess[cell]) ? piece.extent : 0.0;
+                        return;
+                    }
                     const double share = conduction(piece.recess) * cells.area[cell] / cells.sum[cell];
                     piece.feed = piece.extent * std::min(share, mostShare);
                 };

@@ -40,7 +40,7 @@ struct ForceLanes {
 
 /// The same piece of many rows.
 struct LoadLanes {
-    const double *gap, *mobility, *byProduct, *byGap, *mean, *x, *y, *extent, *speed;
+    const double *gap, *mobility, *byProduct, *byGap, *mean, *x, *y, *extent, *speed, *drift;
     double length, halfWidth; // of the slider [m]
     double least;             // gap [m]
 };
@@ -51,7 +51,7 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const Load
 {
     const double *gap = piece.gap, *G = piece.mobility, *byProduct = piece.byProduct, *byGap = piece.byGap,
                  *mean = piece.mean;
-    const double *x = piece.x, *y = piece.y, *extent = piece.extent, *speed = piece.speed;
+    const double *x = piece.x, *y = piece.y, *extent = piece.extent, *speed = piece.speed, *drift = piece.drift;
     const double length = piece.length, halfWidth = piece.halfWidth;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
@@ -65,7 +65,7 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const Load
         }
         const Number r = (12.0 * viscosity * extent[k]) / (h * h * mobility), hr = h * r;
         if constexpr (layers) {
-            const PathFunctions<Number> f(speed[k] * hr);
+            const PathFunctions<Number> f(speed[k] * hr - drift[k] * r);
             const Number a = path.a.get(k), b = path.b.get(k), alongPiece = r * f.phi;
             path.byEnd.set(k, path.byEnd.get(k) + extent[k] * (a * f.phi));
             path.byFlow.set(k, path.byFlow.get(k) + extent[k] * (b * f.phi + r * f.chi));
@@ -139,7 +139,8 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
             const LoadLanes piece{&work.gap_[in],   &work.mobility_[in], &work.mobilityBy_[in],
                                   &work.byGap_[in], work.mean_.data(),   &x_[from],
                                   &y_[from],        &extent_[from],      &speed_[group.row],
-                                  gaps_->length,    0.5 * gaps_->width,  leastGap_};
+                                  &drift_[from],    gaps_->length,       0.5 * gaps_->width,
+                                  leastGap_};
             if (layers)
                 addPieces<true, Sum>(path, piece, work.open_.data(), rows, viscosity);
             else

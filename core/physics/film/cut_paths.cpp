@@ -33,7 +33,7 @@ struct PathLanes {
 
 /// The same piece of many rows.
 struct PieceLanes {
-    const double *gap, *mobility, *mobilityBy, *x, *y, *extent, *lead, *feed, *speed;
+    const double *gap, *mobility, *mobilityBy, *x, *y, *extent, *lead, *feed, *speed, *drift;
     double length, halfWidth; // of the slider [m]
     double least;             // gap [m]
 };
@@ -57,7 +57,8 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const Piece
                                        std::size_t rows, double viscosity)
 {
     const double *gap = piece.gap, *G = piece.mobility, *by = piece.mobilityBy, *x = piece.x, *y = piece.y;
-    const double *extent = piece.extent, *lead = piece.lead, *feed = piece.feed, *speed = piece.speed;
+    const double *extent = piece.extent, *lead = piece.lead, *feed = piece.feed, *speed = piece.speed,
+                 *drift = piece.drift;
     const double length = piece.length, halfWidth = piece.halfWidth;
 #pragma GCC ivdep
     for (std::size_t k = 0; k < rows; ++k) {
@@ -71,7 +72,7 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const PathLanes<Number> path, const Piece
         }
         const Number r = (12.0 * viscosity * extent[k]) / (h * h * mobility);
         PathIntegral<Number> sum = path.get(k);
-        sum.add(r, speed[k] * h * r, lead[k], feed[k]);
+        sum.add(r, (speed[k] * h - drift[k]) * r, lead[k], feed[k]);
         path.I.set(k, sum.I);
         path.R.set(k, sum.R);
         path.decay.set(k, sum.decay);
@@ -117,7 +118,8 @@ CutPaths::Work::Work(const FilmGaps& gaps)
     path_.resize(6 * Lanes<Dual<4>>::parts * pieces);
 }
 
-CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, double leastGap)
+CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, std::span<const double> cross,
+                   double leastGap)
     : gaps_(&gaps), axis_(axis), leastGap_(leastGap)
 {
     const std::vector<CutPlace>& cut = gaps.faces[axis].cut;
@@ -145,6 +147,8 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
                 extent_.push_back(piece.extent);
                 lead_.push_back(against ? -piece.lead - piece.feed : piece.lead);
                 feed_.push_back(piece.feed);
+                const double along = speed[cut[rows[k].face].at] * piece.own - cross[rows[k].face] * piece.other;
+                drift_.push_back(against ? -along : along);
             }
     }
     for (const Entry& entry : rows) {
@@ -208,8 +212,8 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
             const std::size_t in = n * rows, from = group.piece + in;
             addPieces<Number>(path,
                               {&work.gap_[in], &work.mobility_[in], &work.mobilityBy_[in], &x_[from], &y_[from],
-                               &extent_[from], &lead_[from], &feed_[from], &speed_[group.row], gaps_->length,
-                               0.5 * gaps_->width, leastGap_},
+                               &extent_[from], &lead_[from], &feed_[from], &speed_[group.row], &drift_[from],
+                               gaps_->length, 0.5 * gaps_->width, leastGap_},
                               work.open_.data(), rows, viscosity);
         }
         finish<Number>(path, work.open_.data(), &width_[group.row], &share_[group.row], &direction_[group.row], rows);

@@ -30,9 +30,10 @@ public:
     class Work;
 
     CutPaths() = default;
-    /// `speed`: that of the disk along the axis by face, halved [m/s]; `leastGap` as in FilmSetting; the gaps must
-    /// last.
-    CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, double leastGap);
+    /// `speed`: that of the disk along the axis by face, `cross`: across it by cut face, halved [m/s]; `leastGap` as in
+    /// FilmSetting; the gaps must last.
+    CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, std::span<const double> cross,
+             double leastGap);
 
     /// What each cut face passes at these pressures (padded) above a disk of these heights under the faces, in the
     /// order of FilmGaps: as numbers, with the derivative by the mean pressure along the path (Dual<1>), or with those
@@ -61,8 +62,8 @@ private:
     std::size_t axis_ = 0;
     double leastGap_ = 0.0; // [m]
     std::vector<Group> groups_;
-    std::vector<double> recess_, x_, y_, extent_, lead_, feed_; // by group, piece of the row, row [m]
-    std::vector<std::uint32_t> face_;                           // by row, among the cut ones
+    std::vector<double> recess_, x_, y_, extent_, lead_, feed_, drift_; // by group, piece of the row, row [m]
+    std::vector<std::uint32_t> face_;                                   // by row, among the cut ones
     std::vector<double> speed_, width_, share_, direction_; // by row [m/s], [m], of the face [-], -1: against the axis
     std::vector<double> upstream_, downstream_;             // by row, of the path on either side of the face [m]
 };

@@ -97,6 +97,27 @@ int CutRowArranger::openSide(const SampledFace& face, double shallowGap) const
     return change < 0.0 ? 1 : -1;
 }
 
+bool CutRowArranger::isRidge(const SampledFace& face, double shallowGap) const
+{
+    const FacePath& path = face.path;
+    const double length = path.end - path.start, beyond = 0.5 * reach * length;
+    return std::all_of(rows_.begin() + face.rows, rows_.begin() + face.rowEnd, [&](const SampledRow& row) {
+        sampler_.setMiddleRow({path.axis, path.start - beyond, path.end + beyond, path.face, row.middle, row.middle});
+        bool afterDeep = false;
+        double shallow = 0.0; // length so far [m]
+        for (const GapPiece& piece : sampler_.pieces()) {
+            if (!isDeep(gapOf(piece.recess), shallowGap)) {
+                shallow += piece.extent;
+                continue;
+            }
+            if (afterDeep && shallow > 0.0 && shallow < length) return true;
+            afterDeep = true;
+            shallow = 0.0;
+        }
+        return false;
+    });
+}
+
 void CutRowArranger::give(const SampledFace& face, double shallowGap)
 {
     const auto isRowDeep = [&](std::uint32_t r) { return isDeep(gapOf(rows_[r].recess), shallowGap); };
@@ -123,7 +144,7 @@ void CutRowArranger::give(const SampledFace& face, double shallowGap)
 void CutRowArranger::finish()
 {
     const std::size_t step = gaps_.pad.step(static_cast<int>(axis_));
-    enum class Kind { Sampled, Deep, Shallow };
+    enum class Kind { Sampled, Deep, Middle };
     std::vector<Kind> kinds;
     keptWidth_.assign(rows_.size(), 0.0);
     for (const SampledFace& face : faces_) {
@@ -131,10 +152,12 @@ void CutRowArranger::finish()
         const double a = gapOf(gaps_.centreRecess[face.at - step]), b = gapOf(gaps_.centreRecess[face.at]);
         if (isOutermost(face) || !isDeep(gapOf(face.highest), lowest)) {
             kinds.push_back(Kind::Sampled);
+        } else if (isRidge(face, lowest)) {
+            kinds.push_back(Kind::Middle);
         } else if (isDeep(a, lowest) && isDeep(b, lowest)) {
             kinds.push_back(Kind::Deep);
         } else {
-            kinds.push_back(Kind::Shallow);
+            kinds.push_back(Kind::Middle);
             give(face, std::min(a, b));
         }
     }
@@ -149,11 +172,12 @@ void CutRowArranger::finish()
         } else {
             const SampledFace& face = faces_[n];
             if (kinds[n] == Kind::Sampled)
-                for (std::uint32_t r = face.rows; r < face.rowEnd; ++r) addRow(rows_[r], pieces_, rows_[r].width, true);
+                for (std::uint32_t r = face.rows; r < face.rowEnd; ++r)
+                    addRow(rows_[r], pieces_, rows_[r].width, Feed::ByGap);
             else if (kinds[n] == Kind::Deep)
                 addDeepFace(face);
             else
-                addShallowFace(face);
+                addMiddleRow(face);
             ++n;
         }
         for (; g < given_.size() && given_[g].to == at; ++g) addGiven(given_[g]);
@@ -161,30 +185,32 @@ void CutRowArranger::finish()
     }
 }
 
-void CutRowArranger::addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, bool isFed)
+void CutRowArranger::addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, Feed feed)
 {
     const std::uint32_t first = static_cast<std::uint32_t>(gaps_.pieces.size());
     gaps_.pieces.insert(gaps_.pieces.end(), pieces.begin() + row.pieces, pieces.begin() + row.pieceEnd);
-    gaps_.rows.push_back({width, first, static_cast<std::uint32_t>(gaps_.pieces.size()), isFed});
+    gaps_.rows.push_back({width, first, static_cast<std::uint32_t>(gaps_.pieces.size()), feed});
 }
 
 /// A smooth face, to which parts are given.
 void CutRowArranger::openFace(std::size_t at)
 {
     sampler_.setMiddleRow(pathOf(at));
-    addRow(sampler_.rows().front(), sampler_.pieces(), sampler_.rows().front().width, true);
+    addRow(sampler_.rows().front(), sampler_.pieces(), sampler_.rows().front().width, Feed::ByGap);
 }
 
 /// Both centres are deep: a row that is deep at the face does not end at a shallow place beside a centre, as the air
 /// flows round.
 void CutRowArranger::addDeepFace(const SampledFace& face)
 {
+    const std::size_t step = gaps_.pad.step(static_cast<int>(axis_));
     for (std::uint32_t r = face.rows; r < face.rowEnd; ++r) {
         const double atFace = gapOf(rows_[r].recess);
-        addRow(rows_[r], pieces_, rows_[r].width, true);
+        addRow(rows_[r], pieces_, rows_[r].width, Feed::ByGap);
         const auto open = [&](GapPiece& end) {
-            const bool blocks = isDeep(atFace, gapOf(end.recess));
-            if (blocks) end.recess = rows_[r].recess;
+            const double centre = gapOf(gaps_.centreRecess[end.start < 0.0 ? face.at - step : face.at]);
+            const bool blocks = isDeep(atFace, gapOf(end.recess)) && isDeep(centre, gapOf(end.recess));
+            if (blocks) end.recess = rows_[r].recess, end.own = end.other = 0.0;
             return blocks;
         };
         const GapRow& row = gaps_.rows.back();
@@ -193,19 +219,20 @@ void CutRowArranger::addDeepFace(const SampledFace& face)
     }
 }
 
-void CutRowArranger::addShallowFace(const SampledFace& face)
+void CutRowArranger::addMiddleRow(const SampledFace& face)
 {
     const std::size_t step = gaps_.pad.step(static_cast<int>(axis_));
     const double a = gapOf(gaps_.centreRecess[face.at - step]), b = gapOf(gaps_.centreRecess[face.at]);
     double kept = 0.0;
     for (std::uint32_t r = face.rows; r < face.rowEnd; ++r) {
         if (!(keptWidth_[r] > 0.0)) continue;
-        addRow(rows_[r], pieces_, keptWidth_[r], false);
+        addRow(rows_[r], pieces_, keptWidth_[r], Feed::None);
         kept += keptWidth_[r];
     }
     sampler_.setMiddleRow(face.path);
     const SampledRow& middle = sampler_.rows().front();
-    addRow(middle, sampler_.pieces(), middle.width - kept, !isDeep(std::max(a, b), std::min(a, b)));
+    addRow(middle, sampler_.pieces(), middle.width - kept,
+           isDeep(std::max(a, b), std::min(a, b)) ? Feed::ByCentre : Feed::ByGap);
 }
 
 void CutRowArranger::addGiven(const Given& given)
@@ -217,9 +244,9 @@ void CutRowArranger::addGiven(const Given& given)
         gaps_.pieces.push_back({to - from, given.recess, axis_ == 0 ? along : given.middle,
                                 axis_ == 0 ? given.middle : along, from - path.face});
     }
-    gaps_.rows.push_back({given.width, first, static_cast<std::uint32_t>(gaps_.pieces.size()), false});
+    gaps_.rows.push_back({given.width, first, static_cast<std::uint32_t>(gaps_.pieces.size()), Feed::None});
     sampler_.setMiddleRow(pathOf(given.from));
-    addRow(sampler_.rows().front(), sampler_.pieces(), -given.width, false);
+    addRow(sampler_.rows().front(), sampler_.pieces(), -given.width, Feed::None);
 }
 
 } // namespace touchdown

@@ -128,7 +128,7 @@ void FilmGaps::setCutCells(const CutRowArranger& sampled)
             const std::uint32_t last = static_cast<std::uint32_t>(pieces.size());
             cutCells.push_back(
                 {at, static_cast<std::uint32_t>(rows.size()), static_cast<std::uint32_t>(rows.size()) + 1});
-            rows.push_back({1.0, first, last, false});
+            rows.push_back({1.0, first, last, Feed::None});
             double volume = 0.0, area = 0.0;
             for (std::uint32_t k = first; k < last; ++k) {
                 volume += pieces[k].extent * pieces[k].recess;

@@ -30,6 +30,7 @@ struct GapPiece {
     double recess;                 // [m]
     double x, y;                   // where it was taken [m]
     double start;                  // of a path's piece, from the face [m]; none lies on both sides
+    double own = 0.0, other = 0.0; // of a wall, less for convection: own speed, other's [m]
     double lead = 0.0, feed = 0.0; // of the flow across: between face and start, along the piece; as lengths [m]
 };
 
@@ -38,10 +39,12 @@ struct CutPlace {
     std::size_t at;             // padded index
     std::uint32_t rows, rowEnd; // in `rows`
 };
+/// How a row takes part in the flow across (cross_feed.cpp).
+enum class Feed { None, ByGap, ByCentre };
 struct GapRow {
     double width;                   // [m]; below zero where the row already counts at another face
     std::uint32_t pieces, pieceEnd; // in `pieces`
-    bool isFed;                     // takes part in the flow across (cross_feed.cpp)
+    Feed feed;
 };
 
 struct FilmGaps {

@@ -55,8 +55,16 @@ FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double 
     for (int j = 0; j <= pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i)
             axes_[1].speed[pad.at(i, j)] = 0.5 * velocity(grid.centreX(i), grid.y[static_cast<std::size_t>(j)]).y;
-    for (std::size_t axis = 0; axis < 2; ++axis)
-        axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed, leastGap_);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        std::vector<double> cross; // of the disk across the paths of cut faces, halved [m/s]
+        for (const CutPlace& place : gaps_.faces[axis].cut) {
+            const std::size_t i = static_cast<std::size_t>(pad.column(place.at)),
+                              j = static_cast<std::size_t>(pad.row(place.at));
+            cross.push_back(axis == 0 ? 0.5 * velocity(grid.x[i], grid.centreY(pad.row(place.at))).y
+                                      : 0.5 * velocity(grid.centreX(pad.column(place.at)), grid.y[j]).x);
+        }
+        axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed, cross, leastGap_);
+    }
     const Velocity v = velocity(0.5 * gaps_.length, 0.5 * gaps_.width);
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};

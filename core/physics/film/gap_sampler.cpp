@@ -17,6 +17,12 @@ constexpr double alikeShare = 0.15, alikeRange = 0.5e-9;
 /// Rows count as one where their pieces are alike and those' lengths differ by less than this of the path [-].
 constexpr double alikeLength = 0.05;
 
+/// A slope along a path is resolved where its gaps differ by less than the one ratio, and so sharp that the pressure
+/// changes across it alone where by more than the other [-].
+constexpr double resolvedRatio = 3.0, sharpRatio = 6.0;
+/// Slopes below this belong to forms and ramps [-].
+constexpr double steepSlope = 0.05;
+
 constexpr double largest = std::numeric_limits<double>::infinity();
 
 /// A gap as it may be in flight [m].
@@ -31,15 +37,15 @@ bool areAlike(double lowest, double highest)
 /// Into how many parts a slope between two recesses is divided, so that the gap changes little from one to the next.
 int slopeParts(double a, double b)
 {
-    const double whole = gap(std::max(a, b)) / gap(std::min(a, b)) - 1.0;
-    return whole < 0.02 ? 1 : std::clamp(static_cast<int>(std::ceil(2.0 * whole)), 2, 4);
+    const double ratio = gap(std::max(a, b)) / gap(std::min(a, b));
+    return ratio < 1.02 ? 1 : std::max(2, static_cast<int>(std::ceil(2.0 * std::log2(ratio))));
 }
 
 /// Position and recess between those of two pieces, and twice their variance over the gap taken off.
 void moveTo(GapPiece& a, const GapPiece& b, double share)
 {
     const double difference = b.recess - a.recess;
-    for (double GapPiece::*member : {&GapPiece::recess, &GapPiece::x, &GapPiece::y})
+    for (double GapPiece::*member : {&GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::own, &GapPiece::other})
         a.*member += share * (b.*member - a.*member);
     a.recess -= 2.0 * share * (1.0 - share) * difference * difference / gap(a.recess);
 }
@@ -159,15 +165,44 @@ void GapSampler::addPieces(const FacePath& path, double across)
         highest_ = std::max({highest_, low, high});
         // A slope is followed by samples.
         const int count = slopeParts(low, high);
+        // From end to end, and by equal ratios of the gap.
+        const double first = low - (high - low) * (0.02 / 0.96), last = high + (high - low) * (0.02 / 0.96);
+        const double ratio = gap(last) / gap(first);
+        double begin = 0.0;
         for (int k = 0; k < count; ++k) {
-            const double share = (k + 0.5) / count, along = from + share * length;
-            const double recess = low + (share - 0.02) / 0.96 * (high - low);
-            samples_.push_back({length / count, recess, axis == 0 ? along : across, axis == 0 ? across : along,
-                                from - face + k * length / count});
+            const double stop = k + 1 == count || std::abs(ratio - 1.0) < 0.01
+                                    ? (k + 1.0) / count
+                                    : (std::pow(ratio, (k + 1.0) / count) - 1.0) / (ratio - 1.0);
+            const double along = from + 0.5 * (begin + stop) * length, difference = (stop - begin) * (last - first);
+            double recess = first + 0.5 * (begin + stop) * (last - first);
+            recess -= difference * difference / (6.0 * gap(recess));
+            samples_.push_back({(stop - begin) * length, recess, axis == 0 ? along : across, axis == 0 ? across : along,
+                                from - face + begin * length});
+            constexpr double beside = 5e-9; // [m]
+            const double slope = (last - first) / length,
+                         aside = (at(axis, along, across + beside) - at(axis, along, across - beside)) / (2.0 * beside);
+            const double square = slope * slope + aside * aside;
+            if (square > steepSlope * steepSlope && std::abs(slope) > 0.0) {
+                samples_.back().own = aside * aside / square;
+                samples_.back().other = slope * aside / square;
+            }
+            begin = stop;
         }
         from = to;
     }
     means_.push_back(sum / (end - start));
+    // What a wall convects less (path_flow.h): (m_a - n_a m_n)(c - c_s), with m_n = m_a n_a + m_b n_b.
+    double shallowest = largest, deepest = -largest;
+    for (const GapPiece& sample : samples_) {
+        shallowest = std::min(shallowest, sample.recess);
+        deepest = std::max(deepest, sample.recess);
+    }
+    const double within =
+        std::clamp((gap(deepest) / gap(shallowest) - resolvedRatio) / (sharpRatio - resolvedRatio), 0.0, 1.0);
+    for (GapPiece& sample : samples_) {
+        sample.own *= within * (sample.recess - shallowest);
+        sample.other *= within * (sample.recess - shallowest);
+    }
     joinSamples();
 }
 
@@ -233,8 +268,8 @@ void GapSampler::joinRows(double pathLength)
         for (std::uint32_t r = 0; r < count; ++r) {
             const GapPiece& part = pieces_[r * depth + k];
             const double share = rows_[r].width / width;
-            for (double GapPiece::*member :
-                 {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y, &GapPiece::start})
+            for (double GapPiece::*member : {&GapPiece::extent, &GapPiece::recess, &GapPiece::x, &GapPiece::y,
+                                             &GapPiece::start, &GapPiece::own, &GapPiece::other})
                 piece.*member += share * part.*member;
             square += share * part.recess * part.recess;
         }

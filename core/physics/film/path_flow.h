@@ -12,6 +12,11 @@
 // flux scheme: ten Thije Boonkkamp & Anthonissen 2011). It is second order at any Peclet number, with the exact
 // boundary layers of exponential fitting.
 //
+// Across a slanted wall the pressure depends on the distance n along the normal alone: with F_n = c m_n p - D dp/dn
+// constant (m the disk's direction), the flow along the path is n_a F_n + (m_a - n_a m_n) c p, which changes with c.
+// With F its value at the shallow end (c there c_s), dp/dx = ((c - (m_a - n_a m_n)(c - c_s)) p - F)/D along the path: a
+// wall convects less than its gap, and the rise of pressure across it is that along the normal.
+//
 // With r = length/D and q = c r of a piece: phi = E_0(q), xi = E_1(q), chi = phi - xi (DecayMoments).
 #pragma once
 
@@ -72,6 +77,16 @@ inline DecayMoments decayMoments(double z)
 
 inline constexpr double closedGap = 1e-12; // a gap below this passes no air [m]
 
+/// The same for any z: a wall may convect against the disk's motion along the path.
+inline DecayMoments signedDecayMoments(double z)
+{
+    const DecayMoments m = decayMoments(std::abs(z));
+    const double growth = z < 0.0 ? 1.0 / m.decay : 1.0;
+    const bool grows = z < 0.0;
+    return {grows ? growth : m.decay, growth * m.e0, growth * (grows ? m.e0 - m.e1 : m.e1),
+            growth * (grows ? m.e0 - 2.0 * m.e1 + m.e2 : m.e2)};
+}
+
 /// For q >= 0, with exp(-q).
 template <typename Number>
 struct PathFunctions {
@@ -79,7 +94,7 @@ struct PathFunctions {
 
     explicit PathFunctions(const Number& q)
     {
-        const DecayMoments m = decayMoments(valueOf(q));
+        const DecayMoments m = signedDecayMoments(valueOf(q));
         if constexpr (std::is_same_v<Number, double>) {
             decay = m.decay;
             phi = m.e0;
