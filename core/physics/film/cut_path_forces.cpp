@@ -65,7 +65,8 @@ TOUCHDOWN_VECTOR_CLONES void addPieces(const ForceLanes<Number> path, const Load
         }
         const Number r = (12.0 * viscosity * extent[k]) / (h * h * mobility), hr = h * r;
         if constexpr (layers) {
-            const PathFunctions<Number> f(speed[k] * hr - drift[k] * r);
+            const Number q = speed[k] * hr - drift[k] * r;
+            const PathFunctions<Number> f(q, signedDecayMoments(valueOf(q)));
             const Number a = path.a.get(k), b = path.b.get(k), alongPiece = r * f.phi;
             path.byEnd.set(k, path.byEnd.get(k) + extent[k] * (a * f.phi));
             path.byFlow.set(k, path.byFlow.get(k) + extent[k] * (b * f.phi + r * f.chi));

@@ -30,7 +30,8 @@ struct GapPiece {
     double recess;                 // [m]
     double x, y;                   // where it was taken [m]
     double start;                  // of a path's piece, from the face [m]; none lies on both sides
-    double own = 0.0, other = 0.0; // of a wall, less for convection: own speed, other's [m]
+    double own = 0.0, other = 0.0; // what a slanted wall's gap lacks for convection: with the disk's speed along the
+                                   // path, less `own`, with that across it, more by `other` (path_flow.h) [m]
     double lead = 0.0, feed = 0.0; // of the flow across: between face and start, along the piece; as lengths [m]
 };
 
@@ -39,7 +40,8 @@ struct CutPlace {
     std::size_t at;             // padded index
     std::uint32_t rows, rowEnd; // in `rows`
 };
-/// How a row takes part in the flow across (cross_feed.cpp).
+/// How a row shares in the flow across: not, in proportion to h^2, or as far as it is like the centres
+/// (cross_feed.cpp).
 enum class Feed { None, ByGap, ByCentre };
 struct GapRow {
     double width;                   // [m]; below zero where the row already counts at another face

@@ -182,7 +182,7 @@ void GapSampler::addPieces(const FacePath& path, double across)
             const double slope = (last - first) / length,
                          aside = (at(axis, along, across + beside) - at(axis, along, across - beside)) / (2.0 * beside);
             const double square = slope * slope + aside * aside;
-            if (square > steepSlope * steepSlope && std::abs(slope) > 0.0) {
+            if (square > steepSlope * steepSlope && slope != 0.0) {
                 samples_.back().own = aside * aside / square;
                 samples_.back().other = slope * aside / square;
             }
@@ -191,7 +191,7 @@ void GapSampler::addPieces(const FacePath& path, double across)
         from = to;
     }
     means_.push_back(sum / (end - start));
-    // What a wall convects less (path_flow.h): (m_a - n_a m_n)(c - c_s), with m_n = m_a n_a + m_b n_b.
+    // (m_a - n_a m_n)(c - c_s) of path_flow.h: m_a (1 - n_a^2) - m_b n_a n_b times the rise above the shallow end.
     double shallowest = largest, deepest = -largest;
     for (const GapPiece& sample : samples_) {
         shallowest = std::min(shallowest, sample.recess);

@@ -75,26 +75,27 @@ inline DecayMoments decayMoments(double z)
     return m;
 }
 
-inline constexpr double closedGap = 1e-12; // a gap below this passes no air [m]
-
-/// The same for any z: a wall may convect against the disk's motion along the path.
+/// The same for any z, also without branches.
 inline DecayMoments signedDecayMoments(double z)
 {
     const DecayMoments m = decayMoments(std::abs(z));
-    const double growth = z < 0.0 ? 1.0 / m.decay : 1.0;
     const bool grows = z < 0.0;
+    const double growth = grows ? 1.0 / m.decay : 1.0;
     return {grows ? growth : m.decay, growth * m.e0, growth * (grows ? m.e0 - m.e1 : m.e1),
             growth * (grows ? m.e0 - 2.0 * m.e1 + m.e2 : m.e2)};
 }
 
-/// For q >= 0, with exp(-q).
+inline constexpr double closedGap = 1e-12; // a gap below this passes no air [m]
+
+/// Of a piece's q, with exp(-q).
 template <typename Number>
 struct PathFunctions {
     Number decay, phi, chi, xi;
 
-    explicit PathFunctions(const Number& q)
+    /// q >= 0; a wall may also convect against the disk's motion along the path: then with signedDecayMoments(q).
+    explicit PathFunctions(const Number& q) : PathFunctions(q, decayMoments(valueOf(q))) {}
+    PathFunctions(const Number& q, const DecayMoments& m)
     {
-        const DecayMoments m = signedDecayMoments(valueOf(q));
         if constexpr (std::is_same_v<Number, double>) {
             decay = m.decay;
             phi = m.e0;
@@ -120,7 +121,7 @@ struct PathIntegral {
     /// the start of the piece from the face and `feed` its length; else as in GapPiece [m].
     void add(const Number& r, const Number& q, double lead, double feed)
     {
-        const PathFunctions<Number> f(q);
+        const PathFunctions<Number> f(q, signedDecayMoments(valueOf(q)));
         I = I + decay * (r * f.phi);
         R = R + r;
         const Number part = decay * (r * (lead * f.phi + feed * f.xi));

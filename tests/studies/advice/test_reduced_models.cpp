@@ -60,7 +60,8 @@ void TestReducedModels::theCaseOfARestInContact()
 {
     Case c = openCase("advise_snap").value;
     c.film.nodes = {33, 33};
-    c.suspension.preload *= 1.2; // at less, on this grid, a fast mode grows from rounding
+    // From a rest at many preloads, 1.0 times among them, runs jump by up to 30 pm at some step; why is not known.
+    c.suspension.preload *= 1.2;
     const CandidateOutcome outcome = solveReduced(candidateOf(CandidateKind::ContactRest, c), 0.6e-9, {});
     QVERIFY2(outcome.answers(), outcome.problem.c_str());
     const Case rest = readBack(c, *outcome.found);
