@@ -109,11 +109,15 @@ private:
         }
         return profile;
     }
+    /// Half of the sliders have walls that all begin at the recess of the pads, as those of real ones often do: their
+    /// shelves and pockets then have a narrow ridge along each edge.
     void drawWalls()
     {
         pocket_ = shelf_ + depth(0.2e-6, 0.5e-6);
+        const bool ridges = chance(0.5);
         surface_.walls = {wall(0.0, surface_.baseRecess, uniform(0.0, 0.15)),
-                          wall(shelf_, surface_.baseRecess, uniform(0.0, 0.15)), wall(pocket_, shelf_, 1.0)};
+                          wall(ridges ? 0.0 : shelf_, surface_.baseRecess, uniform(0.0, 0.15)),
+                          ridges ? wall(0.0, surface_.baseRecess, uniform(0.0, 0.15)) : wall(pocket_, shelf_, 1.0)};
     }
 
     /// A polygon in shares of length and width, each corner moved by up to `jitter`.

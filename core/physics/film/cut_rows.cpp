@@ -2,6 +2,8 @@
 #include "core/physics/film/cut_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <utility>
 
 namespace touchdown {
@@ -12,6 +14,8 @@ namespace {
 constexpr double meanLift = 60e-9;
 /// A gap is deep beside another that it exceeds so many times [-].
 constexpr double contrast = 3.0;
+/// The same of the parts on both sides of a ridge [-].
+constexpr double ridgeContrast = 2.0;
 /// Deep parts count at most so many faces away.
 constexpr int reach = 4;
 
@@ -97,24 +101,30 @@ int CutRowArranger::openSide(const SampledFace& face, double shallowGap) const
     return change < 0.0 ? 1 : -1;
 }
 
-bool CutRowArranger::isRidge(const SampledFace& face, double shallowGap) const
+bool CutRowArranger::meetsRidge(const FacePath& path, double from, double to) const
+{
+    sampler_.setMiddleRow(path);
+    double deepest = 0.0, ridge = std::numeric_limits<double>::infinity(); // so far, and of a part after a deep one
+    for (const GapPiece& piece : sampler_.pieces()) {
+        const double start = path.face + piece.start, gap = gapOf(piece.recess);
+        if (start >= to || start + piece.extent <= from) continue;
+        if (gap > ridgeContrast * ridge) return true;
+        if (deepest > ridgeContrast * gap) ridge = std::min(ridge, gap);
+        deepest = std::max(deepest, gap);
+    }
+    return false;
+}
+
+bool CutRowArranger::isParted(const SampledFace& face, bool areDeep) const
 {
     const FacePath& path = face.path;
-    const double length = path.end - path.start, beyond = 0.5 * reach * length;
-    return std::all_of(rows_.begin() + face.rows, rows_.begin() + face.rowEnd, [&](const SampledRow& row) {
-        sampler_.setMiddleRow({path.axis, path.start - beyond, path.end + beyond, path.face, row.middle, row.middle});
-        bool afterDeep = false;
-        double shallow = 0.0; // length so far [m]
-        for (const GapPiece& piece : sampler_.pieces()) {
-            if (!isDeep(gapOf(piece.recess), shallowGap)) {
-                shallow += piece.extent;
-                continue;
-            }
-            if (afterDeep && shallow > 0.0 && shallow < length) return true;
-            afterDeep = true;
-            shallow = 0.0;
-        }
-        return false;
+    if (meetsRidge(path, path.start, path.end)) return true;
+    if (!areDeep) return false;
+    const double middle = 0.5 * (path.low + path.high);
+    const double first = rows_[face.rows].middle, last = rows_[face.rowEnd - 1].middle;
+    return std::ranges::any_of(std::array{path.start, path.end}, [&](double line) {
+        const FacePath across{1 - path.axis, path.low, path.high, middle, line, line};
+        return meetsRidge(across, first, middle) || meetsRidge(across, middle, last);
     });
 }
 
@@ -150,11 +160,12 @@ void CutRowArranger::finish()
     for (const SampledFace& face : faces_) {
         const double lowest = gapOf(face.lowest);
         const double a = gapOf(gaps_.centreRecess[face.at - step]), b = gapOf(gaps_.centreRecess[face.at]);
+        const bool areDeep = isDeep(a, lowest) && isDeep(b, lowest);
         if (isOutermost(face) || !isDeep(gapOf(face.highest), lowest)) {
             kinds.push_back(Kind::Sampled);
-        } else if (isRidge(face, lowest)) {
+        } else if (isParted(face, areDeep)) {
             kinds.push_back(Kind::Middle);
-        } else if (isDeep(a, lowest) && isDeep(b, lowest)) {
+        } else if (areDeep) {
             kinds.push_back(Kind::Deep);
         } else {
             kinds.push_back(Kind::Middle);

@@ -9,10 +9,10 @@
 //           shallow centre belong to deep cells beside it: they count at the nearest face in the line whose centres are
 //           both deep, less the row through the centres that already stands for them.
 //
-// Where a path meets a ridge, a shallow part narrower than it with deep ones on both sides, no air flows round. Then
-// too the row through both centres stands for the whole face: a slanted ridge lies in exactly one path of each line,
-// and no row of a face passes it by where it enters the next path. What the faces along x and y pass through it adds
-// up.
+// A ridge is a shallow part between two deeper ones; no air flows round it. Where one stands between the centres, or
+// between a deep centre and the start of a row, the row through both centres stands for the whole face too: a slanted
+// ridge lies in exactly one path of each line, and no row of a face passes it by where it enters the next path. What
+// the faces along x and y pass through it adds up.
 //
 // Rows that were merely parallel would close a channel that runs slantwise by half a cell on either side, as each of
 // them enters a rail before it reaches the next centre, though the air flows round.
@@ -67,9 +67,10 @@ private:
     std::optional<std::size_t> receiver(const SampledFace& face, int direction, double shallowGap) const;
     /// Divides a face with a shallow centre into the row through the centres and parts for other faces.
     void give(const SampledFace& face, double shallowGap);
-    /// Whether all rows of a face meet a ridge, within reach beyond the path: a part as shallow as this gap [m],
-    /// shorter than the path, with deep ones on both sides.
-    bool isRidge(const SampledFace& face, double shallowGap) const;
+    /// Whether a ridge stands between two places along a path [m].
+    bool meetsRidge(const FacePath& path, double from, double to) const;
+    /// Whether one stands between the centres or, where both are deep, between a centre and the start of a row.
+    bool isParted(const SampledFace& face, bool areDeep) const;
     void openFace(std::size_t at);
     void addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, Feed feed);
     void addDeepFace(const SampledFace& face);
