@@ -14,7 +14,7 @@ namespace {
 constexpr double meanLift = 60e-9;
 /// A gap is deep beside another that it exceeds so many times [-].
 constexpr double contrast = 3.0;
-/// The same of the parts on both sides of a ridge [-].
+/// The gaps on both sides of a ridge exceed its own so many times; shelves of 0.1 um have ridges too [-].
 constexpr double ridgeContrast = 2.0;
 /// Deep parts count at most so many faces away.
 constexpr int reach = 4;
@@ -68,20 +68,20 @@ std::optional<std::size_t> CutRowArranger::receiver(const SampledFace& face, int
                       aside = gaps_.pad.step(1 - static_cast<int>(axis_));
     const int here = axis_ == 0 ? gaps_.pad.row(face.at) : gaps_.pad.column(face.at);
     const int count = axis_ == 0 ? gaps_.pad.ny : gaps_.pad.nx;
-    const auto isOpen = [&](std::size_t at) {
-        const auto next = std::lower_bound(faces_.begin(), faces_.end(), at,
-                                           [](const SampledFace& f, std::size_t place) { return f.at < place; });
-        if (next == faces_.end() || next->at != at) return false;
-        return std::all_of(rows_.begin() + next->rows, rows_.begin() + next->rowEnd,
-                           [&](const SampledRow& row) { return isDeep(gapOf(row.recess), shallowGap); });
-    };
     for (int k = 1; k <= reach && here + k * direction >= 0 && here + k * direction < count; ++k) {
         const std::size_t distance = static_cast<std::size_t>(k) * aside;
         const std::size_t at = direction < 0 ? face.at - distance : face.at + distance;
+        const auto next = std::lower_bound(faces_.begin(), faces_.end(), at,
+                                           [](const SampledFace& f, std::size_t place) { return f.at < place; });
+        const bool isSampled = next != faces_.end() && next->at == at;
+        if (isSampled && parted_[static_cast<std::size_t>(next - faces_.begin())]) break;
         if (isDeep(gapOf(gaps_.centreRecess[at - step]), shallowGap) &&
             isDeep(gapOf(gaps_.centreRecess[at]), shallowGap))
             return at;
-        if (!isOpen(at)) break;
+        const bool isOpen =
+            isSampled && std::all_of(rows_.begin() + next->rows, rows_.begin() + next->rowEnd,
+                                     [&](const SampledRow& row) { return isDeep(gapOf(row.recess), shallowGap); });
+        if (!isOpen) break;
     }
     return std::nullopt;
 }
@@ -103,8 +103,8 @@ int CutRowArranger::openSide(const SampledFace& face, double shallowGap) const
 
 bool CutRowArranger::meetsRidge(const FacePath& path, double from, double to) const
 {
-    sampler_.setMiddleRow(path);
-    double deepest = 0.0, ridge = std::numeric_limits<double>::infinity(); // so far, and of a part after a deep one
+    double deepest = 0.0;                                   // so far
+    double ridge = std::numeric_limits<double>::infinity(); // the shallowest after one that is so much deeper
     for (const GapPiece& piece : sampler_.pieces()) {
         const double start = path.face + piece.start, gap = gapOf(piece.recess);
         if (start >= to || start + piece.extent <= from) continue;
@@ -118,12 +118,14 @@ bool CutRowArranger::meetsRidge(const FacePath& path, double from, double to) co
 bool CutRowArranger::isParted(const SampledFace& face, bool areDeep) const
 {
     const FacePath& path = face.path;
+    sampler_.setMiddleRow(path);
     if (meetsRidge(path, path.start, path.end)) return true;
     if (!areDeep) return false;
     const double middle = 0.5 * (path.low + path.high);
     const double first = rows_[face.rows].middle, last = rows_[face.rowEnd - 1].middle;
     return std::ranges::any_of(std::array{path.start, path.end}, [&](double line) {
         const FacePath across{1 - path.axis, path.low, path.high, middle, line, line};
+        sampler_.setMiddleRow(across);
         return meetsRidge(across, first, middle) || meetsRidge(across, middle, last);
     });
 }
@@ -159,19 +161,17 @@ void CutRowArranger::finish()
     keptWidth_.assign(rows_.size(), 0.0);
     for (const SampledFace& face : faces_) {
         const double lowest = gapOf(face.lowest);
-        const double a = gapOf(gaps_.centreRecess[face.at - step]), b = gapOf(gaps_.centreRecess[face.at]);
-        const bool areDeep = isDeep(a, lowest) && isDeep(b, lowest);
-        if (isOutermost(face) || !isDeep(gapOf(face.highest), lowest)) {
-            kinds.push_back(Kind::Sampled);
-        } else if (isParted(face, areDeep)) {
-            kinds.push_back(Kind::Middle);
-        } else if (areDeep) {
-            kinds.push_back(Kind::Deep);
-        } else {
-            kinds.push_back(Kind::Middle);
-            give(face, std::min(a, b));
-        }
+        const bool areDeep = isDeep(gapOf(gaps_.centreRecess[face.at - step]), lowest) &&
+                             isDeep(gapOf(gaps_.centreRecess[face.at]), lowest);
+        const bool isPlain = isOutermost(face) || !isDeep(gapOf(face.highest), lowest);
+        parted_.push_back(!isPlain && isParted(face, areDeep));
+        kinds.push_back(isPlain ? Kind::Sampled : areDeep && !parted_.back() ? Kind::Deep : Kind::Middle);
     }
+    gaps_.partedFaces += static_cast<std::size_t>(std::ranges::count(parted_, true));
+    for (std::size_t n = 0; n < faces_.size(); ++n)
+        if (kinds[n] == Kind::Middle && !parted_[n])
+            give(faces_[n],
+                 std::min(gapOf(gaps_.centreRecess[faces_[n].at - step]), gapOf(gaps_.centreRecess[faces_[n].at])));
     std::stable_sort(given_.begin(), given_.end(), [](const Given& a, const Given& b) { return a.to < b.to; });
     std::size_t n = 0, g = 0;
     while (n < faces_.size() || g < given_.size()) {

@@ -9,10 +9,10 @@
 //           shallow centre belong to deep cells beside it: they count at the nearest face in the line whose centres are
 //           both deep, less the row through the centres that already stands for them.
 //
-// A ridge is a shallow part between two deeper ones; no air flows round it. Where one stands between the centres, or
-// between a deep centre and the start of a row, the row through both centres stands for the whole face too: a slanted
-// ridge lies in exactly one path of each line, and no row of a face passes it by where it enters the next path. What
-// the faces along x and y pass through it adds up.
+// A ridge is a shallow part between two deeper ones. Air flows over it, hardly round it. It parts a face if it stands
+// between the two centres, or, where both are deep, between a centre and the end of some row, which then lies beyond
+// the ridge. For a parted face, too, the row through the centres stands for the whole face. So a slanted ridge lies in
+// exactly one path of each line, and what the faces along x and y pass through it adds up.
 //
 // Rows that were merely parallel would close a channel that runs slantwise by half a cell on either side, as each of
 // them enters a rail before it reaches the next centre, though the air flows round.
@@ -63,13 +63,13 @@ private:
     /// where the edge stands so square to the paths that none within reach is.
     int openSide(const SampledFace& face, double shallowGap) const;
     /// The nearest face in the line, in this direction (-1, 1), whose centres are both deep beside this gap [m] and to
-    /// which the faces between are open over their whole width.
+    /// which the faces between are open over their whole width; none beyond a parted face.
     std::optional<std::size_t> receiver(const SampledFace& face, int direction, double shallowGap) const;
     /// Divides a face with a shallow centre into the row through the centres and parts for other faces.
     void give(const SampledFace& face, double shallowGap);
-    /// Whether a ridge stands between two places along a path [m].
+    /// Whether a ridge stands between two places along the path that was sampled last [m].
     bool meetsRidge(const FacePath& path, double from, double to) const;
-    /// Whether one stands between the centres or, where both are deep, between a centre and the start of a row.
+    /// Whether a ridge parts the face.
     bool isParted(const SampledFace& face, bool areDeep) const;
     void openFace(std::size_t at);
     void addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, Feed feed);
@@ -83,6 +83,7 @@ private:
     std::vector<SampledFace> faces_;
     std::vector<SampledRow> rows_;
     std::vector<GapPiece> pieces_;
+    std::vector<bool> parted_;      // by face: a ridge parts its centres or rows
     std::vector<double> keptWidth_; // by row: what stays at its own face [m]
     std::vector<Given> given_;
 };

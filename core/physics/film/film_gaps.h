@@ -70,6 +70,7 @@ struct FilmGaps {
     std::vector<double> centreRecess; // at the centres of the cells, padded [m]
     std::vector<double> meanRecess;   // of each cell, padded [m]
     std::vector<CutPlace> cutCells;
+    std::size_t partedFaces = 0;           // of the cut ones, those that ridges part (cut_rows.h)
     std::vector<std::size_t> steppedCells; // cut cells in which a vertical step stands, padded indices
     std::vector<GapRow> rows;
     std::vector<GapPiece> pieces;

@@ -12,7 +12,15 @@ namespace touchdown {
 
 namespace {
 
-constexpr double edgeShare = 0.035; // of what crossed cells carry [-]
+/// Of what crossed cells carry, and more by the part of the cut faces that ridges part: what leaks through ridges moves
+/// the pressure of whole rails [-].
+constexpr double edgeShare = 0.035, perParted = 0.25;
+
+double shareOfEdges(const FilmGaps& gaps)
+{
+    const double cut = static_cast<double>(gaps.faces[0].cut.size() + gaps.faces[1].cut.size());
+    return edgeShare + perParted * static_cast<double>(gaps.partedFaces) / std::max(1.0, cut);
+}
 
 /// What crossed cells carry, those on either side of a face with rows (cut_rows.h): sums of |p - p0| area, and of these
 /// times their arms about the slider's centre [N], [N m].
@@ -45,7 +53,7 @@ DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::
         const double before = coarser.size() > 1 ? std::abs(value(coarser[0]) - value(coarser[1])) : 0.0;
         return std::max({0.5 * last, 0.125 * before, least});
     };
-    Vector3 edges = edgeShare * edgeForces(level);
+    Vector3 edges = shareOfEdges(level.gaps) * edgeForces(level);
     Matrix3 resisting = stiffness.value_or(Matrix3::Identity());
     if (c.degreesOfFreedom == 2) {
         // The roll is held.

@@ -18,8 +18,9 @@ constexpr double pitch = 140e-6;   // along the motion [rad]
 constexpr double spacing = 4e-9;   // at the slider's trailing edge [m]
 constexpr double halfSide = 60e-6; // of a square rail in its middle [m]
 
-/// A square rail, turned by an angle [rad] about the middle of the slider. A wall of this width leads 1.5 um down, a
-/// gentler one to 6 um. A shelf instead of the pad, with a pad on it, has a narrow ridge along its edges.
+/// A square rail, turned by an angle [rad] about the middle of the slider. Its wall falls by 1.5 um over this width,
+/// then to 6 um over another 6 um. A rail of this recess above 0 is a shelf with a pad on it: as the wall begins at
+/// recess 0, a narrow ridge runs along its edges.
 AirBearingSurface turnedSurface(double angle, double wall, double shelf)
 {
     AirBearingSurface surface;
@@ -52,8 +53,10 @@ class TestCutRows : public QObject {
     Q_OBJECT
 
 private slots:
-    /// A turned rail on coarse grids across the motion, against a fine grid along its edges: there motion and pitch are
-    /// turned instead. The mean error of three grids with cells near 5 um.
+    /// A turned rail on coarse grids along the motion, against a fine grid along its edges: there motion, pitch and
+    /// roll are turned instead. The mean error of three grids with cells near 5 um is below 1 %. With the flow along a
+    /// path taken for constant through slanted walls, and rows that pass a ridge by in the next path, it was -1.0,
+    /// -0.7, 2.5, 3.2, 2.5 and 1.0 %.
     void turnedRails_data()
     {
         QTest::addColumn<double>("angle"); // [deg]
