@@ -92,7 +92,7 @@ template <typename Number>
 struct PathFunctions {
     Number decay, phi, chi, xi;
 
-    /// q >= 0; a wall may also convect against the disk's motion along the path: then with signedDecayMoments(q).
+    /// For q >= 0. At a slanted wall q may be below zero: then with signedDecayMoments(q).
     explicit PathFunctions(const Number& q) : PathFunctions(q, decayMoments(valueOf(q))) {}
     PathFunctions(const Number& q, const DecayMoments& m)
     {

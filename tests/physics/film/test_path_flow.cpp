@@ -109,6 +109,28 @@ private slots:
         QCOMPARE(none.decay, 1.0);
     }
 
+    /// Against Simpson's rule, on either side of zero.
+    void signedMoments()
+    {
+        for (const double q : {-30.0, -3.0, -0.2, -0.1, -1e-3, 0.0, 1e-3, 0.2, 3.0, 30.0}) {
+            constexpr int parts = 4000;
+            std::array<long double, 3> sums{};
+            for (int i = 0; i <= parts; ++i) {
+                const long double s = static_cast<long double>(i) / parts;
+                const long double weight = i == 0 || i == parts ? 1.0L : i % 2 == 1 ? 4.0L : 2.0L;
+                const long double value = weight / (3.0L * parts) * std::exp(-q * s);
+                sums[0] += value;
+                sums[1] += value * s;
+                sums[2] += value * s * s;
+            }
+            const DecayMoments m = signedDecayMoments(q);
+            const std::array found{m.e0, m.e1, m.e2};
+            for (std::size_t k = 0; k < 3; ++k)
+                QVERIFY2(std::abs(found[k] / sums[k] - 1.0L) < 1e-9L, qPrintable(QString("%1 %2").arg(q).arg(k)));
+            QVERIFY(std::abs(m.decay / std::exp(-q) - 1.0) < 1e-13);
+        }
+    }
+
     /// One gap, constant flow: F = c (p1 e - p2)/(e - 1), e = exp(c L/D).
     void oneGapIsExponentialFitting()
     {
