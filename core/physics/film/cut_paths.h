@@ -63,7 +63,7 @@ private:
     double leastGap_ = 0.0; // [m]
     std::vector<Group> groups_;
     std::vector<double> recess_, x_, y_, extent_, lead_, feed_; // by group, piece of the row, row [m]
-    std::vector<double> drift_;       // the same order: what walls convect less, times speed [m^2/s]
+    std::vector<double> drift_;       // the same order: by how much less walls convect, gap times speed [m^2/s]
     std::vector<std::uint32_t> face_; // by row, among the cut ones
     std::vector<double> speed_, width_, share_, direction_; // by row [m/s], [m], of the face [-], -1: against the axis
     std::vector<double> upstream_, downstream_;             // by row, of the path on either side of the face [m]

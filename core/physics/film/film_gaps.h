@@ -30,8 +30,8 @@ struct GapPiece {
     double recess;                 // [m]
     double x, y;                   // where it was taken [m]
     double start;                  // of a path's piece, from the face [m]; none lies on both sides
-    double own = 0.0, other = 0.0; // what a slanted wall's gap lacks for convection: with the disk's speed along the
-                                   // path, less `own`, with that across it, more by `other` (path_flow.h) [m]
+    double own = 0.0, other = 0.0; // at a slanted wall, the disk's speed along the path convects with the gap less
+                                   // `own`, its speed across the path with `other` (path_flow.h) [m]
     double lead = 0.0, feed = 0.0; // of the flow across: between face and start, along the piece; as lengths [m]
 };
 

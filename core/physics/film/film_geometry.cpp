@@ -58,10 +58,9 @@ FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double 
     for (std::size_t axis = 0; axis < 2; ++axis) {
         std::vector<double> cross; // of the disk across the paths of cut faces, halved [m/s]
         for (const CutPlace& place : gaps_.faces[axis].cut) {
-            const std::size_t i = static_cast<std::size_t>(pad.column(place.at)),
-                              j = static_cast<std::size_t>(pad.row(place.at));
-            cross.push_back(axis == 0 ? 0.5 * velocity(grid.x[i], grid.centreY(pad.row(place.at))).y
-                                      : 0.5 * velocity(grid.centreX(pad.column(place.at)), grid.y[j]).x);
+            const int i = pad.column(place.at), j = pad.row(place.at);
+            cross.push_back(axis == 0 ? 0.5 * velocity(grid.x[static_cast<std::size_t>(i)], grid.centreY(j)).y
+                                      : 0.5 * velocity(grid.centreX(i), grid.y[static_cast<std::size_t>(j)]).x);
         }
         axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed, cross, leastGap_);
     }

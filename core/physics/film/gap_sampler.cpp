@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "core/physics/slider/recess.h"
 
@@ -177,21 +178,12 @@ void GapSampler::addPieces(const FacePath& path, double across)
             double recess = first + 0.5 * (begin + stop) * (last - first);
             recess -= difference * difference / (6.0 * gap(recess));
             samples_.push_back({(stop - begin) * length, recess, axis == 0 ? along : across, axis == 0 ? across : along,
-                                from - face + begin * length});
-            constexpr double beside = 5e-9; // [m]
-            const double slope = (last - first) / length,
-                         aside = (at(axis, along, across + beside) - at(axis, along, across - beside)) / (2.0 * beside);
-            const double square = slope * slope + aside * aside;
-            if (square > steepSlope * steepSlope && slope != 0.0) {
-                samples_.back().own = aside * aside / square;
-                samples_.back().other = slope * aside / square;
-            }
+                                from - face + begin * length, (last - first) / length});
             begin = stop;
         }
         from = to;
     }
     means_.push_back(sum / (end - start));
-    // (m_a - n_a m_n)(c - c_s) of path_flow.h: m_a (1 - n_a^2) - m_b n_a n_b times the rise above the shallow end.
     double shallowest = largest, deepest = -largest;
     for (const GapPiece& sample : samples_) {
         shallowest = std::min(shallowest, sample.recess);
@@ -200,8 +192,18 @@ void GapSampler::addPieces(const FacePath& path, double across)
     const double within =
         std::clamp((gap(deepest) / gap(shallowest) - resolvedRatio) / (sharpRatio - resolvedRatio), 0.0, 1.0);
     for (GapPiece& sample : samples_) {
-        sample.own *= within * (sample.recess - shallowest);
-        sample.other *= within * (sample.recess - shallowest);
+        constexpr double beside = 5e-9;                      // [m]
+        const double slope = std::exchange(sample.own, 0.0); // along the path [-]
+        if (within == 0.0 || slope == 0.0) continue;
+        const double along = axis == 0 ? sample.x : sample.y;
+        const double aside = (at(axis, along, across + beside) - at(axis, along, across - beside)) / (2.0 * beside);
+        const double square = slope * slope + aside * aside;
+        if (!(square > steepSlope * steepSlope)) continue;
+        // (m_a - n_a m_n)(c - c_s) of path_flow.h: (m_a (1 - n_a^2) - m_b n_a n_b) times the rise above the shallow
+        // end.
+        const double rise = within * (sample.recess - shallowest);
+        sample.own = aside * aside / square * rise;
+        sample.other = slope * aside / square * rise;
     }
     joinSamples();
 }

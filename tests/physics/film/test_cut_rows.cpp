@@ -15,7 +15,7 @@ namespace test_cut_rows {
 
 constexpr double size = 0.3e-3;    // of a square slider [m]
 constexpr double pitch = 140e-6;   // along the motion [rad]
-constexpr double spacing = 4e-9;   // at the slider's trailing edge [m]
+constexpr double height = 4e-9;    // nominal, at the trailing edge [m]
 constexpr double halfSide = 60e-6; // of a square rail in its middle [m]
 
 /// A square rail, turned by an angle [rad] about the middle of the slider. Its wall falls by 1.5 um over this width,
@@ -75,13 +75,13 @@ private slots:
         QFETCH(const double, wall);
         QFETCH(const double, shelf);
         const double turn = angle * M_PI / 180.0;
-        const Attitude turnedToo{spacing + 0.5 * pitch * size * (1.0 - std::cos(turn)), pitch * std::cos(turn),
+        const Attitude turnedToo{height + 0.5 * pitch * size * (1.0 - std::cos(turn)), pitch * std::cos(turn),
                                  -pitch * std::sin(turn)};
         const double limit = load(turnedSurface(0.0, wall, shelf), 480, turn, turnedToo);
         double mean = 0.0; // [%]
         for (const int cells : {58, 61, 64})
             mean +=
-                100.0 / 3.0 * (load(turnedSurface(turn, wall, shelf), cells, 0.0, {spacing, pitch, 0.0}) / limit - 1.0);
+                100.0 / 3.0 * (load(turnedSurface(turn, wall, shelf), cells, 0.0, {height, pitch, 0.0}) / limit - 1.0);
         QVERIFY2(std::abs(mean) < 1.0, qPrintable(QString::number(mean)));
     }
 };
