@@ -73,6 +73,7 @@ private:
     bool isParted(const SampledFace& face, bool areDeep) const;
     void openFace(std::size_t at);
     void addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, Feed feed);
+    void addSampledFace(const SampledFace& face);
     void addDeepFace(const SampledFace& face);
     void addMiddleRow(const SampledFace& face);
     void addGiven(const Given& given);

@@ -307,10 +307,14 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
         const double tolerance = std::clamp(0.1 * std::sqrt(size), 1e-4, 0.01);
         for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
         std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
+        const double forcing = std::max(tolerance, std::min(0.1, 0.1 * options.filmTolerance / result.residual));
         result.solves += newton_.linear()
-                             .solve(right_, filmStep_, {.tolerance = tolerance, .maximumIterations = 80, .goOn = goOn})
+                             .solve(right_, filmStep_, {.tolerance = forcing, .maximumIterations = 80, .goOn = goOn})
                              .iterations;
-        solveColumns(tolerance, result, goOn);
+        // For a last small step the columns of the step before are exact enough.
+        const bool isLast =
+            result.iterations > 0 && size <= 10.0 * std::min(options.filmTolerance, options.loadTolerance);
+        if (!isLast) solveColumns(tolerance, result, goOn);
         if (result.cancelled) return result;
         const Vector3 film = balanceProduct(filmStep_);
         const Vector3 change = attitudeStep(imbalance_ + film, 0.0);
@@ -325,11 +329,12 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     return result;
 }
 
-Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn)
+Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, double tolerance,
+                                  const std::function<bool()>& goOn)
 {
     linearise(p, film_.attitude());
     AttitudeSolution count;
-    solveColumns(1e-7, count, goOn);
+    solveColumns(tolerance, count, goOn);
     Matrix3 result = Matrix3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) {

@@ -70,16 +70,12 @@ public:
                            const AttitudeMonitor& monitor = {});
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
-    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves the three films to 1e-7; where `goOn`
-    /// returns false the result is invalid.
-    Matrix3 stiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
-    {
-        return stiffness(p, 0.0, goOn);
-    }
-    /// The same with the torques of the shear, as in the balance.
+    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]; `tolerance` is that of the three films.
+    Matrix3 stiffness(std::span<const double> p, double tolerance = 1e-7) { return stiffness(p, 0.0, tolerance, {}); }
+    /// The same with the torques of the shear, as in the balance; where `goOn` returns false the result is invalid.
     Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
     {
-        return stiffness(p, load_.shearArm, goOn);
+        return stiffness(p, load_.shearArm, 1e-7, goOn);
     }
 
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
@@ -100,7 +96,7 @@ private:
     double linearise(std::span<const double> p, const Attitude& attitude);
     void solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn = {});
     Matrix3 balanceSlopes() const;
-    Matrix3 stiffness(std::span<const double> p, double shearArm, const std::function<bool()>& goOn);
+    Matrix3 stiffness(std::span<const double> p, double shearArm, double tolerance, const std::function<bool()>& goOn);
     Vector3 attitudeStep(const Vector3& right, double leading) const;
     double stepShare(const Attitude& attitude, const Vector3& step) const;
     /// Of recess 0, the highest above the disk's mean plane [m].
