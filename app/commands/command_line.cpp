@@ -19,6 +19,7 @@
 #include "app/commands/steady_command.h"
 #include "app/commands/study_command.h"
 #include "app/terminal/console.h"
+#include "app/terminal/freed_memory.h"
 #include "app/terminal/mistaken_words.h"
 #include "core/formats/words.h"
 #include "core/studies/study_plan.h"
@@ -244,6 +245,7 @@ int commandLine(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    touchdown::keepFreedMemory();
     try {
         return touchdown::commandLine(argc, argv);
     } catch (const std::exception& error) {

@@ -28,6 +28,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/terminal/freed_memory.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
@@ -156,6 +157,7 @@ void benchmark(const std::string& name, const Case& c, int repeats)
 
 int main(int argc, char** argv)
 {
+    touchdown::keepFreedMemory();
     std::string only;
     bool sweep = false;
     bool write = false;

@@ -115,10 +115,19 @@ bool CutRowArranger::meetsRidge(const FacePath& path, double from, double to) co
     return false;
 }
 
+SampledRow CutRowArranger::keptMiddleRow(const FacePath& path)
+{
+    sampler_.setMiddleRow(path);
+    SampledRow row = sampler_.rows().front();
+    row.pieces = static_cast<std::uint32_t>(pieces_.size());
+    pieces_.insert(pieces_.end(), sampler_.pieces().begin(), sampler_.pieces().end());
+    row.pieceEnd = static_cast<std::uint32_t>(pieces_.size());
+    return row;
+}
+
 bool CutRowArranger::isParted(const SampledFace& face, bool areDeep) const
 {
     const FacePath& path = face.path;
-    sampler_.setMiddleRow(path);
     if (meetsRidge(path, path.start, path.end)) return true;
     if (!areDeep) return false;
     const double middle = 0.5 * (path.low + path.high);
@@ -130,8 +139,9 @@ bool CutRowArranger::isParted(const SampledFace& face, bool areDeep) const
     });
 }
 
-void CutRowArranger::give(const SampledFace& face, double shallowGap)
+void CutRowArranger::give(std::size_t n, double shallowGap)
 {
+    const SampledFace& face = faces_[n];
     const auto isRowDeep = [&](std::uint32_t r) { return isDeep(gapOf(rows_[r].recess), shallowGap); };
     std::uint32_t deepBelow = face.rows, deepAbove = face.rowEnd; // the deep rows at the ends of the face
     while (deepBelow < face.rowEnd && isRowDeep(deepBelow)) ++deepBelow;
@@ -147,7 +157,7 @@ void CutRowArranger::give(const SampledFace& face, double shallowGap)
         if (!isRowDeep(r)) continue;
         const std::optional<std::size_t> to = r < deepBelow ? below : r >= deepAbove ? above : std::nullopt;
         if (to)
-            given_.push_back({*to, face.at, rows_[r].width, rows_[r].middle, rows_[r].recess});
+            given_.push_back({*to, n, rows_[r].width, rows_[r].middle, rows_[r].recess});
         else if (!whole)
             keptWidth_[r] = rows_[r].width;
     }
@@ -164,14 +174,14 @@ void CutRowArranger::finish()
         const bool areDeep = isDeep(gapOf(gaps_.centreRecess[face.at - step]), lowest) &&
                              isDeep(gapOf(gaps_.centreRecess[face.at]), lowest);
         const bool isPlain = isOutermost(face) || !isDeep(gapOf(face.highest), lowest);
+        middleRows_.push_back(isPlain ? SampledRow{} : keptMiddleRow(face.path));
         parted_.push_back(!isPlain && isParted(face, areDeep));
         kinds.push_back(isPlain ? Kind::Sampled : areDeep && !parted_.back() ? Kind::Deep : Kind::Middle);
     }
     gaps_.partedFaces += static_cast<std::size_t>(std::ranges::count(parted_, true));
     for (std::size_t n = 0; n < faces_.size(); ++n)
         if (kinds[n] == Kind::Middle && !parted_[n])
-            give(faces_[n],
-                 std::min(gapOf(gaps_.centreRecess[faces_[n].at - step]), gapOf(gaps_.centreRecess[faces_[n].at])));
+            give(n, std::min(gapOf(gaps_.centreRecess[faces_[n].at - step]), gapOf(gaps_.centreRecess[faces_[n].at])));
     std::stable_sort(given_.begin(), given_.end(), [](const Given& a, const Given& b) { return a.to < b.to; });
     std::size_t n = 0, g = 0;
     while (n < faces_.size() || g < given_.size()) {
@@ -187,7 +197,7 @@ void CutRowArranger::finish()
             else if (kinds[n] == Kind::Deep)
                 addDeepFace(face);
             else
-                addMiddleRow(face);
+                addMiddleRow(n);
             ++n;
         }
         for (; g < given_.size() && given_[g].to == at; ++g) addGiven(given_[g]);
@@ -238,8 +248,9 @@ void CutRowArranger::addDeepFace(const SampledFace& face)
     }
 }
 
-void CutRowArranger::addMiddleRow(const SampledFace& face)
+void CutRowArranger::addMiddleRow(std::size_t n)
 {
+    const SampledFace& face = faces_[n];
     const std::size_t step = gaps_.pad.step(static_cast<int>(axis_));
     const double a = gapOf(gaps_.centreRecess[face.at - step]), b = gapOf(gaps_.centreRecess[face.at]);
     double kept = 0.0;
@@ -248,9 +259,7 @@ void CutRowArranger::addMiddleRow(const SampledFace& face)
         addRow(rows_[r], pieces_, keptWidth_[r], Feed::None);
         kept += keptWidth_[r];
     }
-    sampler_.setMiddleRow(face.path);
-    const SampledRow& middle = sampler_.rows().front();
-    addRow(middle, sampler_.pieces(), middle.width - kept,
+    addRow(middleRows_[n], pieces_, middleRows_[n].width - kept,
            isDeep(std::max(a, b), std::min(a, b)) ? Feed::ByCentre : Feed::ByGap);
 }
 
@@ -264,8 +273,7 @@ void CutRowArranger::addGiven(const Given& given)
                                 axis_ == 0 ? given.middle : along, from - path.face});
     }
     gaps_.rows.push_back({given.width, first, static_cast<std::uint32_t>(gaps_.pieces.size()), Feed::None});
-    sampler_.setMiddleRow(pathOf(given.from));
-    addRow(sampler_.rows().front(), sampler_.pieces(), -given.width, Feed::None);
+    addRow(middleRows_[given.from], pieces_, -given.width, Feed::None);
 }
 
 } // namespace touchdown

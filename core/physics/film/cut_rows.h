@@ -53,7 +53,8 @@ public:
 private:
     /// A deep part of a face that counts at another one.
     struct Given {
-        std::size_t to, from; // faces, padded index
+        std::size_t to;       // face, padded index
+        std::size_t from;     // face, in faces_
         double width, middle; // across the face [m]
         double recess;        // at the face [m]
     };
@@ -65,17 +66,19 @@ private:
     /// The nearest face in the line, in this direction (-1, 1), whose centres are both deep beside this gap [m] and to
     /// which the faces between are open over their whole width; none beyond a parted face.
     std::optional<std::size_t> receiver(const SampledFace& face, int direction, double shallowGap) const;
-    /// Divides a face with a shallow centre into the row through the centres and parts for other faces.
-    void give(const SampledFace& face, double shallowGap);
+    /// Divides face n, which has a shallow centre, into the row through the centres and parts for other faces.
+    void give(std::size_t n, double shallowGap);
+    /// The row through the middle of a face, its pieces added to pieces_.
+    SampledRow keptMiddleRow(const FacePath& path);
     /// Whether a ridge stands between two places along the path that was sampled last [m].
     bool meetsRidge(const FacePath& path, double from, double to) const;
-    /// Whether a ridge parts the face.
+    /// Whether a ridge parts the face whose middle row was sampled last.
     bool isParted(const SampledFace& face, bool areDeep) const;
     void openFace(std::size_t at);
     void addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, Feed feed);
     void addSampledFace(const SampledFace& face);
     void addDeepFace(const SampledFace& face);
-    void addMiddleRow(const SampledFace& face);
+    void addMiddleRow(std::size_t n);
     void addGiven(const Given& given);
 
     FilmGaps& gaps_;
@@ -84,8 +87,9 @@ private:
     std::vector<SampledFace> faces_;
     std::vector<SampledRow> rows_;
     std::vector<GapPiece> pieces_;
-    std::vector<bool> parted_;      // by face: a ridge parts its centres or rows
-    std::vector<double> keptWidth_; // by row: what stays at its own face [m]
+    std::vector<SampledRow> middleRows_; // by face, where an edge with a contrast meets it
+    std::vector<bool> parted_;           // by face: a ridge parts its centres or rows
+    std::vector<double> keptWidth_;      // by row: what stays at its own face [m]
     std::vector<Given> given_;
 };
 

@@ -178,7 +178,7 @@ void GapSampler::addPieces(const FacePath& path, double across)
             double recess = first + 0.5 * (begin + stop) * (last - first);
             recess -= difference * difference / (6.0 * gap(recess));
             samples_.push_back({(stop - begin) * length, recess, axis == 0 ? along : across, axis == 0 ? across : along,
-                                from - face + begin * length, (last - first) / length});
+                                from - face + begin * length, (last - first) / length, 0.0, from + 0.5 * length});
             begin = stop;
         }
         from = to;
@@ -191,12 +191,15 @@ void GapSampler::addPieces(const FacePath& path, double across)
     }
     const double within =
         std::clamp((gap(deepest) / gap(shallowest) - resolvedRatio) / (sharpRatio - resolvedRatio), 0.0, 1.0);
+    double known = largest, aside = 0.0; // slope across the path, from where it is known [m], [-]
     for (GapPiece& sample : samples_) {
         constexpr double beside = 5e-9;                      // [m]
         const double slope = std::exchange(sample.own, 0.0); // along the path [-]
+        const double along = std::exchange(sample.lead, 0.0);
         if (within == 0.0 || slope == 0.0) continue;
-        const double along = axis == 0 ? sample.x : sample.y;
-        const double aside = (at(axis, along, across + beside) - at(axis, along, across - beside)) / (2.0 * beside);
+        if (along != known)
+            aside = (at(axis, along, across + beside) - at(axis, along, across - beside)) / (2.0 * beside);
+        known = along;
         const double square = slope * slope + aside * aside;
         if (!(square > steepSlope * steepSlope)) continue;
         // (m_a - n_a m_n)(c - c_s) of path_flow.h: (m_a (1 - n_a^2) - m_b n_a n_b) times the rise above the shallow

@@ -109,6 +109,7 @@ Vector3 FlyingAttitude::balanceProduct(std::span<const double> v) const
 
 void FlyingAttitude::solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn)
 {
+    hasResponses_ = true;
     for (std::size_t k = 0; k < 3 && !count.cancelled; ++k)
         count.solves +=
             newton_.linear()
@@ -329,12 +330,27 @@ AttitudeSolution FlyingAttitude::solve(std::span<double> p, Attitude& attitude, 
     return result;
 }
 
-Matrix3 FlyingAttitude::stiffness(std::span<const double> p, double shearArm, double tolerance,
-                                  const std::function<bool()>& goOn)
+void FlyingAttitude::solveColumnsAt(std::span<const double> p, double tolerance, const std::function<bool()>& goOn)
 {
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(tolerance, count, goOn);
+}
+
+Matrix3 FlyingAttitude::stiffness(std::span<const double> p)
+{
+    solveColumnsAt(p, 1e-7);
+    return currentStiffness(0.0);
+}
+
+Matrix3 FlyingAttitude::roughStiffness(std::span<const double> p)
+{
+    if (!hasResponses_) solveColumnsAt(p, 1e-3);
+    return currentStiffness(0.0);
+}
+
+Matrix3 FlyingAttitude::currentStiffness(double shearArm) const
+{
     Matrix3 result = Matrix3::Zero();
     for (std::size_t k = 0; k < 3; ++k)
         for (std::size_t m = 0; m < 3; ++m) {

@@ -70,12 +70,16 @@ public:
                            const AttitudeMonitor& monitor = {});
 
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
-    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]; `tolerance` is that of the three films.
-    Matrix3 stiffness(std::span<const double> p, double tolerance = 1e-7) { return stiffness(p, 0.0, tolerance, {}); }
-    /// The same with the torques of the shear, as in the balance; where `goOn` returns false the result is invalid.
+    /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves three films to 1e-7.
+    Matrix3 stiffness(std::span<const double> p);
+    /// The same within some per cent, from the three films of the last step to the solution, if it took a step.
+    Matrix3 roughStiffness(std::span<const double> p);
+    /// The stiffness with the torques of the shear, as in the balance; where `goOn` returns false the result is
+    /// invalid.
     Matrix3 balanceStiffness(std::span<const double> p, const std::function<bool()>& goOn = {})
     {
-        return stiffness(p, load_.shearArm, 1e-7, goOn);
+        solveColumnsAt(p, 1e-7, goOn);
+        return currentStiffness(load_.shearArm);
     }
 
     /// d(attitude)/d(parameter) = -(adjoint . dR/dparameter + balance . dG/dparameter), prepared once.
@@ -96,7 +100,9 @@ private:
     double linearise(std::span<const double> p, const Attitude& attitude);
     void solveColumns(double tolerance, AttitudeSolution& count, const std::function<bool()>& goOn = {});
     Matrix3 balanceSlopes() const;
-    Matrix3 stiffness(std::span<const double> p, double shearArm, double tolerance, const std::function<bool()>& goOn);
+    void solveColumnsAt(std::span<const double> p, double tolerance, const std::function<bool()>& goOn = {});
+    /// From the last linearisation and the last columns.
+    Matrix3 currentStiffness(double shearArm) const;
     Vector3 attitudeStep(const Vector3& right, double leading) const;
     double stepShare(const Attitude& attitude, const Vector3& step) const;
     /// Of recess 0, the highest above the disk's mean plane [m].
@@ -119,6 +125,7 @@ private:
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;
     Vector3 imbalance_ = Vector3::Zero();
+    bool hasResponses_ = false;
 };
 
 } // namespace touchdown

@@ -103,7 +103,7 @@ private:
     }
 
     /// Coarse grids are only as exact as what they are good for.
-    static constexpr double coarseTolerance = 1e-4, forError = 1e-3; // of a stiffness from which an error follows
+    static constexpr double coarseTolerance = 1e-4;
     double tolerance(bool finest, double own) const
     {
         // With an accuracy asked for, any grid after the second may be the last.
@@ -116,7 +116,7 @@ private:
     {
         if (!(case_.film.accuracy > 0.0) || coarse_.size() < 2) return false;
         std::optional<Matrix3> stiffness;
-        if (!case_.steady.fixedAttitude) stiffness = level_->flying.stiffness(level_->pressure, forError);
+        if (!case_.steady.fixedAttitude) stiffness = level_->flying.roughStiffness(level_->pressure);
         const GridState state = summary();
         const DiscretisationError error = gridError(case_, *level_, stiffness, state, coarse_);
         // Where the parts above and below ambient pressure nearly cancel, their size is what counts.
@@ -256,7 +256,8 @@ private:
                                               level.gaps.lift(attitude_, point.x, point.y));
         std::optional<Matrix3> stiffness; // the error follows from it, too
         if (converged && (case_.steady.stiffness || (!coarse_.empty() && !case_.steady.fixedAttitude)))
-            stiffness = level.flying.stiffness(level.pressure, case_.steady.stiffness ? 1e-7 : forError);
+            stiffness = case_.steady.stiffness ? level.flying.stiffness(level.pressure)
+                                               : level.flying.roughStiffness(level.pressure);
         if (case_.steady.stiffness) result_.stiffness = stiffness;
         if (!coarse_.empty()) result_.discretisationError = gridError(case_, level, stiffness, summary(), coarse_);
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
