@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Generalised minimal residuals (Saad & Schultz 1986) with preconditioning from the right, restarted unless it
-// stagnates; for real and complex unknowns. The preconditioned vectors are kept (Saad 1993). Entries of the vectors
-// that are no unknowns, as the rings of padded arrays, must stay zero.
+// Generalised minimal residuals (Saad & Schultz 1986) with preconditioning from the right, restarted as long as
+// the iterations allowed may do; for real and complex unknowns. The preconditioned vectors are kept (Saad 1993).
+// Entries of the vectors that are no unknowns, as the rings of padded arrays, must stay zero.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,6 @@
 #include <complex>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -63,8 +62,9 @@ public:
             return result;
         }
         const bool guess = std::any_of(x.begin(), x.end(), [](const T& value) { return value != T{}; });
-        bool first = !guess, stopped = false;
-        for (double last = std::numeric_limits<double>::infinity();;) {
+        bool first = !guess, stopped = false, isWholeCycle = false;
+        double last = 0.0; // residual before the last cycle
+        while (true) {
             const std::span<T> v0 = basis(0);
             if (first)
                 std::copy(b.begin(), b.end(), v0.begin());
@@ -78,12 +78,14 @@ public:
             result.converged = result.residual <= options.tolerance;
             if (result.converged || stopped || result.iterations >= options.maximumIterations || !std::isfinite(start))
                 return result;
-            // A whole cycle was of little use, and so would the next ones be.
-            if (start > 0.5 * last) return result;
+            // At the rate of the last cycle the iterations left would not do.
+            const int cyclesLeft = (options.maximumIterations - result.iterations + restart_ - 1) / restart_;
+            if (isWholeCycle && start * std::pow(start / last, cyclesLeft) > options.tolerance * scale) return result;
             last = start;
             for (T& value : v0) value *= 1.0 / start;
             const std::size_t used = expand(apply, precondition, start, scale, options, result, stopped);
             combine(used, x);
+            isWholeCycle = used == static_cast<std::size_t>(restart_);
             if (used == 0) return result;
         }
     }

@@ -110,9 +110,26 @@ private slots:
             QVERIFY(!result.converged);
             QCOMPARE(asked, last);
             QCOMPARE(result.iterations, last);
-            solve<double>(gmres, a, identity, b, limited, {.tolerance = 1e-10, .maximumIterations = last});
+            solve<double>(gmres, a, identity, b, limited,
+                          {.tolerance = 0.5 * result.residual, .maximumIterations = last});
             QVERIFY(stopped == limited);
         }
+    }
+
+    /// A shift of the unknowns in a circle: no step before the last one comes nearer, so that restarts never would.
+    void givesUp()
+    {
+        constexpr int n = 30;
+        Matrix<double> a = Matrix<double>::Zero(n, n);
+        for (int i = 0; i < n; ++i) a((i + 1) % n, i) = 1.0;
+        const Matrix<double> identity = Matrix<double>::Identity(n, n);
+        Vector<double> b = Vector<double>::Zero(n), x = b;
+        b[0] = 1.0;
+        Gmres<double> restarted(n, 5), whole(n, n);
+        const GmresResult result = solve<double>(restarted, a, identity, b, x, {.maximumIterations = 400});
+        QVERIFY(!result.converged && result.residual == 1.0);
+        QCOMPARE(result.iterations, 5);
+        QVERIFY(solve<double>(whole, a, identity, b, x, {.maximumIterations = 400}).converged);
     }
 
     /// The residual after k steps is the least of b - A y, y in the k-dimensional Krylov space: found here by least

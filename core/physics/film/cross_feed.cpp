@@ -3,7 +3,9 @@
 // Where the flow across a path enters or leaves it. The complete flux scheme needs the change of the flow along a path
 // and knows the net flow across of whole cells. In a cell with an edge or a wall that flow prefers the deep side, as
 // the conductance of rarefied air is h^2 (mean free path longer than the gap). So each piece of a path gets its part in
-// proportion to h^2, at most four times the even one. Spread evenly, the flow has errors of several per cent at slanted
+// proportion to h^2, at most four times the even one. The parts of a cell add up to its area: the corrections at its
+// two faces then never exceed what crosses it. If they do, nothing binds the cell's pressure to that flow, and Newton's
+// method runs in circles. Spread evenly, the flow has errors of several per cent at slanted
 // walls, with opposite signs along x and y.
 //
 // In a row across an edge so steep that one centre is far deeper than the other, the flow across is that of the
@@ -38,7 +40,8 @@ bool isLike(double piece, double centre)
     return ratio < mostContrast * mostContrast && ratio * mostContrast * mostContrast > 1.0;
 }
 
-/// Of the half cells along one axis, by cell: their area and their conduction times area.
+/// By cell, of the rows along one axis that share by their gap: their area and their conduction times area. A half
+/// whose face is smooth is not among them: it has its even part.
 struct CellConduction {
     std::vector<double> area, sum; // [m^2], [m^4]
 
@@ -46,9 +49,7 @@ struct CellConduction {
     {
         const FilmGaps::Faces& faces = gaps.faces[static_cast<std::size_t>(axis)];
         const std::size_t step = gaps.pad.step(axis);
-        std::vector<bool> isCut(gaps.pad.size(), false);
-        for (const CutPlace& place : faces.cut) {
-            isCut[place.at] = true;
+        for (const CutPlace& place : faces.cut)
             for (std::uint32_t r = place.rows; r < place.rowEnd; ++r)
                 for (std::uint32_t k = gaps.rows[r].pieces;
                      gaps.rows[r].feed == Feed::ByGap && k < gaps.rows[r].pieceEnd; ++k) {
@@ -56,11 +57,6 @@ struct CellConduction {
                     add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent,
                         piece.recess);
                 }
-        }
-        for (const CutPlace& place : faces.cut) {
-            if (!isCut[place.at - step]) addSmoothHalf(gaps, place.at - step, faces.recess[place.at - step]);
-            if (!isCut[place.at + step]) addSmoothHalf(gaps, place.at, faces.recess[place.at + step]);
-        }
     }
 
 private:
@@ -68,12 +64,6 @@ private:
     {
         area[cell] += part;
         sum[cell] += part * conduction(recess);
-    }
-    void addSmoothHalf(const FilmGaps& gaps, std::size_t cell, double recess)
-    {
-        const int i = gaps.pad.column(cell), j = gaps.pad.row(cell);
-        if (i < 0 || j < 0 || i >= gaps.pad.nx || j >= gaps.pad.ny) return;
-        add(cell, 0.5 * gaps.grid.widthX(i) * gaps.grid.widthY(j), recess);
     }
 };
 

@@ -193,7 +193,8 @@ void CutRowArranger::finish()
         } else {
             const SampledFace& face = faces_[n];
             if (kinds[n] == Kind::Sampled)
-                addSampledFace(face);
+                for (std::uint32_t r = face.rows; r < face.rowEnd; ++r)
+                    addRow(rows_[r], pieces_, rows_[r].width, Feed::ByGap);
             else if (kinds[n] == Kind::Deep)
                 addDeepFace(face);
             else
@@ -210,15 +211,6 @@ void CutRowArranger::addRow(const SampledRow& row, const std::vector<GapPiece>& 
     const std::uint32_t first = static_cast<std::uint32_t>(gaps_.pieces.size());
     gaps_.pieces.insert(gaps_.pieces.end(), pieces.begin() + row.pieces, pieces.begin() + row.pieceEnd);
     gaps_.rows.push_back({width, first, static_cast<std::uint32_t>(gaps_.pieces.size()), feed});
-}
-
-/// Of an outermost face, or one with a gentle edge. Where the edge is steep the flow across has no part in the rows:
-/// the deep ones would take all that crosses a cell whose centre is shallow.
-void CutRowArranger::addSampledFace(const SampledFace& face)
-{
-    const bool isSteep = isDeep(gapOf(face.highest), gapOf(face.lowest));
-    for (std::uint32_t r = face.rows; r < face.rowEnd; ++r)
-        addRow(rows_[r], pieces_, rows_[r].width, isSteep ? Feed::None : Feed::ByGap);
 }
 
 /// A smooth face, to which parts are given.

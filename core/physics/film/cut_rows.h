@@ -76,7 +76,6 @@ private:
     bool isParted(const SampledFace& face, bool areDeep) const;
     void openFace(std::size_t at);
     void addRow(const SampledRow& row, const std::vector<GapPiece>& pieces, double width, Feed feed);
-    void addSampledFace(const SampledFace& face);
     void addDeepFace(const SampledFace& face);
     void addMiddleRow(std::size_t n);
     void addGiven(const Given& given);

@@ -177,6 +177,7 @@ void GapSampler::addPieces(const FacePath& path, double across)
             const double along = from + 0.5 * (begin + stop) * length, difference = (stop - begin) * (last - first);
             double recess = first + 0.5 * (begin + stop) * (last - first);
             recess -= difference * difference / (6.0 * gap(recess));
+            // In `own` the slope along the path, in `lead` the middle between the breaks, until the slopes are sampled.
             samples_.push_back({(stop - begin) * length, recess, axis == 0 ? along : across, axis == 0 ? across : along,
                                 from - face + begin * length, (last - first) / length, 0.0, from + 0.5 * length});
             begin = stop;

@@ -213,6 +213,7 @@ AttitudeSolution FlyingAttitude::approach(std::span<double> p, Attitude& attitud
                                           const AttitudeMonitor& monitor)
 {
     AttitudeSolution result;
+    hasResponses_ = false;
     std::fill(filmStep_.begin(), filmStep_.end(), 0.0);
     // Rails that dip into the disk are lifted out of it first: there is no balance of film alone down there.
     constexpr double clear = 5e-9; // [m]

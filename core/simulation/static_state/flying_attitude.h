@@ -72,7 +72,8 @@ public:
     /// -d(load)/da with the film following, load = force, pitch and roll torque of the pressure alone, at the solution;
     /// rows by load, columns by attitude [N/m, N/rad; N m/m, N m/rad]. Solves three films to 1e-7.
     Matrix3 stiffness(std::span<const double> p);
-    /// The same within some per cent, from the three films of the last step to the solution, if it took a step.
+    /// The same within some per cent, at the p and attitude of the last search: from the three films of its last steps,
+    /// or solved where it took none.
     Matrix3 roughStiffness(std::span<const double> p);
     /// The stiffness with the torques of the shear, as in the balance; where `goOn` returns false the result is
     /// invalid.

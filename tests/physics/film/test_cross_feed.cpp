@@ -36,15 +36,15 @@ double load(int nx, int ny)
     return problem.solve().converged ? problem.load() : 0.0;
 }
 
-/// A rail whose slanted edge, with a wall of 1 um, runs through the middle of the slider's side 0 (leading), 1
-/// (trailing), 2 or 3 (inner, outer) [deg].
-AirBearingSurface railAtSide(int which, double angle)
+/// A rail whose slanted edge, with a wall of 1 um, runs across the slider's side 0 (leading), 1 (trailing), 2 or 3
+/// (inner, outer) [deg], [m].
+AirBearingSurface railAtSide(int which, double angle, double recess, double base)
 {
     AirBearingSurface surface;
-    surface.baseRecess = 1.65e-6;
-    surface.walls.push_back({.distance = {-0.1e-6, 0.9e-6}, .recess = {0.0, 1.65e-6}});
+    surface.baseRecess = base;
+    surface.walls.push_back({.distance = {-0.1e-6, 0.9e-6}, .recess = {std::min(recess, 0.05e-6), base}});
     const double c = std::cos(angle * M_PI / 180.0), s = std::sin(angle * M_PI / 180.0);
-    Rail rail{.points = {}, .recess = {0.18e-6}};
+    Rail rail{.points = {}, .recess = {recess}};
     for (const auto& [along, aside] : {std::pair{-1.0, 0.0}, {0.7, 0.0}, {0.7, 0.3}, {-1.0, 0.3}}) {
         double x = side * (along * c - aside * s), y = side * (0.4 + along * s + aside * c);
         if (which % 2 == 1) x = side - x;
@@ -59,8 +59,8 @@ class TestCrossFeed : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Across a steep edge pieces have their even part or none. In each other cell both of whose halves are cut, the
-    /// parts add up to the whole, or to less where one would be more than four times its even share.
+    /// Across a steep edge pieces have their even part or none. In each other cell the parts of the halves that are cut
+    /// add up to those halves, or to less where one would be more than four times its even share.
     void partsAddUpToTheCell()
     {
         const FilmGaps gaps(Recess(slantedWall(), side, side), uniformGrid(side, side, 37, 41));
@@ -89,20 +89,20 @@ private slots:
             int whole = 0;
             const double cell = side * side / (37 * 41);
             for (std::size_t at = 0; at < feed.size(); ++at) {
-                if (!(std::abs(area[at] - cell) < 1e-9 * cell)) continue;
-                QVERIFY(feed[at] < (1.0 + 1e-9) * cell);
+                if (area[at] == 0.0) continue;
+                QVERIFY(feed[at] < (1.0 + 1e-9) * area[at]);
                 if (full[at]) continue;
                 ++whole;
-                QVERIFY(std::abs(feed[at] - cell) < 1e-12 * cell);
+                QVERIFY(std::abs(feed[at] - area[at]) < 1e-12 * cell);
             }
             QVERIFY2(whole > 60, qPrintable(QString::number(whole)));
         }
     }
 
     /// A step at 41 um, a rail 0.1 um behind a base of 0.3 um. The cell from 40 to 50 um has its centre at 45 um: its
-    /// lower half has 1 um of base and 4 of rail, its upper half, which is smooth, 5 of rail. With lifts of 20 nm the
-    /// conduction is 0.32^2 = 0.1024 against 0.12^2 = 0.0144, its mean (1*0.1024 + 9*0.0144)/10 = 0.0232: the base has
-    /// its most, four times its even share, the rail less than two thirds.
+    /// lower half has 1 um of base and 4 of rail, its upper half is smooth. With lifts of 20 nm the conduction is
+    /// 0.32^2 = 0.1024 against 0.12^2 = 0.0144, its mean in the lower half (1*0.1024 + 4*0.0144)/5 = 0.032: the base
+    /// has 3.2 times its even share, the rail less than half of it.
     void deepSideTakesTheFlow()
     {
         AirBearingSurface surface;
@@ -119,22 +119,22 @@ private slots:
         const GapPiece *before = &gaps.pieces[row.pieces], *base = before + 1, *rail = before + 2;
         const auto close = [](double a, double b) { return std::abs(a - b) < 1e-12; };
         QVERIFY(close(before->feed, 5e-6) && close(before->lead, -5e-6));
-        QVERIFY(close(base->feed, 4.0 * 1e-6) && base->lead == 0.0);
-        QVERIFY(close(rail->feed, 4e-6 * 0.0144 / 0.0232) && close(rail->lead, base->feed));
+        QVERIFY(close(base->feed, 3.2e-6) && base->lead == 0.0);
+        QVERIFY(close(rail->feed, 4e-6 * 0.0144 / 0.032) && close(rail->lead, base->feed));
     }
 
-    /// The correction at a cell's two faces takes a part of what leaves it across; if it took all, nothing would bind
-    /// the cell's pressure to that flow, and Newton's method would run in circles. Here a part of 0.30 is left, where a
-    /// slanted edge crosses the slider's own and the cells there are four times as long as wide; with a share for the
-    /// deep rows of the outermost faces it was -0.13.
+    /// The corrections at a cell's two faces take a part of what leaves it across, never all of it. Where a smooth half
+    /// of a cell counted with its gap, but had its even part, they took up to 1.2 times as much, and Newton's method
+    /// did not converge on some sliders.
     void cellsKeepWhatCrossesThem()
     {
         double least = 1.0;
         for (const int which : {0, 1, 2, 3})
             for (const double angle : {20.0, 45.0, 70.0})
-                for (const int n : {40, 54, 68}) {
+                for (const auto& [recess, base] : {std::pair{0.0, 0.1e-6}, {0.05e-6, 0.25e-6}, {0.18e-6, 1.65e-6}}) {
+                    constexpr int n = 54;
                     const bool alongX = which < 2;
-                    FilmProblem problem(railAtSide(which, angle), side, side,
+                    FilmProblem problem(railAtSide(which, angle, recess, base), side, side,
                                         uniformGrid(side, side, alongX ? n : 4 * n, alongX ? 4 * n : n),
                                         {.air = {}, .slip = {}, .disk = uniformMotion(15.0, 0.1)}, {9e-9, 45e-6, 0.0});
                     std::vector<double> residual(problem.p.size());
@@ -150,17 +150,17 @@ private slots:
                                 least = std::min(least, 1.0 - (f.above[at] - f.below[at + pad.step(axis)]) / width);
                             }
                 }
-        QVERIFY2(least > 0.2, qPrintable(QString::number(least)));
+        QVERIFY2(least > 0.05, qPrintable(QString::number(least)));
     }
 
     /// Of a slanted wall no direction is more in need of cells than another: twice as many along x or along y change
-    /// the load by less than 0.4 %. Evenly spread, the flow across makes that 1.0 % up and 1.1 % down.
+    /// the load by less than 0.5 %. Evenly spread, the flow across makes that 1.0 % up and 1.1 % down.
     void slantedWallIsIsotropic()
     {
         const double square = load(96, 96), alongX = load(192, 96), alongY = load(96, 192);
         QVERIFY(square > 0.0);
-        QVERIFY2(std::abs(alongX / square - 1.0) < 4e-3, qPrintable(QString::number(alongX / square - 1.0)));
-        QVERIFY2(std::abs(alongY / square - 1.0) < 4e-3, qPrintable(QString::number(alongY / square - 1.0)));
+        QVERIFY2(std::abs(alongX / square - 1.0) < 5e-3, qPrintable(QString::number(alongX / square - 1.0)));
+        QVERIFY2(std::abs(alongY / square - 1.0) < 5e-3, qPrintable(QString::number(alongY / square - 1.0)));
     }
 };
 
