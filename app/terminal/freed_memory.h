@@ -14,8 +14,8 @@ namespace touchdown {
 inline void keepFreedMemory()
 {
 #ifdef __GLIBC__
-    mallopt(M_MMAP_THRESHOLD, 32 << 20);
-    mallopt(M_TRIM_THRESHOLD, 1 << 30);
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most that glibc takes [B]
+    mallopt(M_TRIM_THRESHOLD, 1 << 30);  // [B]
 #endif
 }
 

@@ -5,8 +5,8 @@
 // the conductance of rarefied air is h^2 (mean free path longer than the gap). So each piece of a path gets its part in
 // proportion to h^2, at most four times the even one. The parts of a cell add up to its area: the corrections at its
 // two faces then never exceed what crosses it. If they do, nothing binds the cell's pressure to that flow, and Newton's
-// method runs in circles. Spread evenly, the flow has errors of several per cent at slanted
-// walls, with opposite signs along x and y.
+// method runs in circles. Spread evenly, the flow has errors of several per cent at slanted walls, with opposite signs
+// along x and y.
 //
 // In a row across an edge so steep that one centre is far deeper than the other, the flow across is that of the
 // centre's side of the edge: pieces like the centre's have their even part, the others none. On a rail that is the leak
@@ -54,16 +54,11 @@ struct CellConduction {
                 for (std::uint32_t k = gaps.rows[r].pieces;
                      gaps.rows[r].feed == Feed::ByGap && k < gaps.rows[r].pieceEnd; ++k) {
                     const GapPiece& piece = gaps.pieces[k];
-                    add(piece.start < 0.0 ? place.at - step : place.at, gaps.rows[r].width * piece.extent,
-                        piece.recess);
+                    const std::size_t cell = piece.start < 0.0 ? place.at - step : place.at;
+                    const double part = gaps.rows[r].width * piece.extent; // [m^2]
+                    area[cell] += part;
+                    sum[cell] += part * conduction(piece.recess);
                 }
-    }
-
-private:
-    void add(std::size_t cell, double part, double recess)
-    {
-        area[cell] += part;
-        sum[cell] += part * conduction(recess);
     }
 };
 
