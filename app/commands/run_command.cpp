@@ -94,7 +94,8 @@ Json fitJson(const std::optional<CharacteristicFit>& fit)
             {"initial_contact_force", jsonNumber(p.initialContactForce)},
             {"touch_down", jsonNumber(p.touchDown)},
             {"take_off", jsonNumber(p.takeOff)},
-            {"take_off_shape", p.takeOffShape == TakeOffShape::Constant ? "constant" : "linear"},
+            {"take_off_shape", name(p.takeOffShape)},
+            {"cycle_work", jsonNumber(fit->cycleWork)},
             {"contact_error", errorJson(fit->contact)},
             {"adhesion_error", errorJson(fit->adhesion)},
             {"describes", fit->describes},
@@ -125,6 +126,7 @@ std::string fitText(const CharacteristicFit& fit)
                                                          displayed(p.initialContactForce, "mN", 4));
     text += reportRow("fitted k_c", displayed(p.contactStiffness, "N/m", 4));
     text += reportRow("fitted d_s, d_e", displayed(p.touchDown, "nm", 4) + ", " + displayed(p.takeOff, "nm", 4));
+    text += reportRow("fitted shape", std::string(name(p.takeOffShape)) + ", W " + displayed(fit.cycleWork, "pJ", 4));
     return text + reportRow("fit", fit.message);
 }
 
@@ -161,6 +163,15 @@ std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
 
 std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
 
+/// Without those of the case, which were told before the run.
+std::string warningRows(const Case& c, const std::vector<std::string>& warnings)
+{
+    std::string text;
+    const std::size_t told = caseWarnings(c).size();
+    for (std::size_t i = 0; i + told < warnings.size(); ++i) text += reportRow("warning", warnings[i]);
+    return text;
+}
+
 /// Report of a contact run: approach and retraction of a pad.
 std::string contactText(const Case& c, const Summary& summary)
 {
@@ -173,7 +184,7 @@ std::string contactText(const Case& c, const Summary& summary)
         reportRow("steps", std::to_string(summary.steps) + ", " + std::to_string(summary.evaluations) + " iterations");
     text += reportRow("solver time", solverTime(summary.solverSeconds));
     if (!c.about.assumed.empty()) text += reportRow("assumed", c.about.assumed);
-    for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
+    text += warningRows(c, summary.warnings);
     return text;
 }
 
@@ -240,7 +251,7 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
                                    summary.integrator);
     text += reportRow("solver time", solverTime(summary.solverSeconds));
     if (summary.stepCheck) text += reportRow("step check", summary.stepCheck->message);
-    for (const std::string& warning : summary.warnings) text += reportRow("warning", warning);
+    text += warningRows(c, summary.warnings);
     return text;
 }
 

@@ -60,15 +60,15 @@ struct SliderCase {
 
 /// The lumped air bearing of Ono & Yamane: two springs, two dashpots.
 struct SpringsCase {
-    double frontStiffness = 5.0e5;   // k_f0 [N/m]
-    double rearStiffness = 1.35e6;   // k_r0 [N/m]
-    double frontDistance = 0.500e-3; // d_f [m], mass centre to front pressure centre
-    double rearDistance = 0.575e-3;  // d_r [m], mass centre to rear pressure centre
+    double frontStiffness = 1.93e5;  // k_f0 [N/m]
+    double rearStiffness = 1.48e6;   // k_r0 [N/m]
+    double frontDistance = 0.550e-3; // d_f [m], mass centre to front pressure centre
+    double rearDistance = 0.545e-3;  // d_r [m], mass centre to rear pressure centre
     double frontDampingRatio = 0.01; // xi_f [-]
     double rearDampingRatio = 0.01;  // xi_r [-]
     double cutoff = 0.3e-9;          // d_1 [m]
     double flyingHeight = 7e-9;      // FH of the static state, at the contact pad [m]
-    double pitch = 90e-6;            // theta_0 of the static state [rad]
+    double pitch = 90.6e-6;          // theta_0 of the static state [rad]
     PotentialBelowCutoff potential = PotentialBelowCutoff::Held;
 };
 

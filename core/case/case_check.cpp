@@ -171,4 +171,11 @@ std::vector<CaseProblem> checkCombinations(const Case& c)
     return problems;
 }
 
+std::vector<CaseProblem> caseWarnings(const Case& c)
+{
+    std::vector<CaseProblem> warnings;
+    if (c.contact == ContactKind::OnoYamane) warnOfCreatedEnergy(c.onoYamane, warnings);
+    return warnings;
+}
+
 } // namespace touchdown

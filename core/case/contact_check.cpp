@@ -157,6 +157,22 @@ void checkCharacteristic(const OnoYamane& parameters, Problems& problems)
                             {"ono_yamane.touch_down"}});
 }
 
+void warnOfCreatedEnergy(const OnoYamane& parameters, Problems& warnings)
+{
+    const double work = OnoYamaneLaw(parameters).cycleWork();
+    // A loop without area ends a few roundings of its parts away from zero.
+    const double parts = parameters.meniscusForce * (parameters.takeOff - parameters.touchDown);
+    if (work >= -1e-12 * parts || parameters.takeOff <= parameters.touchDown) return;
+    warnings.push_back(
+        {"ono_yamane.meniscus_force",
+         "W = " + fewDigits(work, "pJ") +
+             " is negative: each touch-down and take-off gives this energy to the slider, as no real contact does, so "
+             "that it can bounce for ever; W is zero at f_m = " +
+             fewDigits(meniscusForceForWork(parameters, 0.0), "mN"),
+         {"ono_yamane.contact_stiffness", "ono_yamane.initial_contact_force", "ono_yamane.touch_down",
+          "ono_yamane.take_off", "ono_yamane.take_off_shape"}});
+}
+
 void checkContact(const Case& c, Problems& problems)
 {
     if (c.approach.closest >= c.approach.start)

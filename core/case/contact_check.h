@@ -19,5 +19,7 @@ void checkFilmContact(const Case& c, std::vector<CaseProblem>& problems);
 
 /// d_e >= d_s, wherever the simplified characteristic is used.
 void checkCharacteristic(const OnoYamane& parameters, std::vector<CaseProblem>& problems);
+/// W < 0 (core/physics/contact/ono_yamane.h).
+void warnOfCreatedEnergy(const OnoYamane& parameters, std::vector<CaseProblem>& warnings);
 
 } // namespace touchdown

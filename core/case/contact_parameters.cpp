@@ -34,9 +34,12 @@ std::vector<Parameter> contactParameters()
                at(&Case::onoYamane, &OnoYamane::padDistance), withSprings,
                "Distance from the mass centre back to the contact pad, where the flying height is measured.",
                "assumed: Table II of the paper is lost; the paper's d_h is a signed coordinate"),
-        choice("ono_yamane.take_off_shape", "take-off shape", {"constant", "linear"},
+        choice("ono_yamane.take_off_shape", "take-off shape", {takeOffShapeNames.begin(), takeOffShapeNames.end()},
                at(&Case::onoYamane, &OnoYamane::takeOffShape), withOnoYamane,
-               "Adhesion between d_s and d_e on the take-off branch: constant at f_m, or linear to zero at d_e.",
+               "Forces between d_s and d_e on the take-off branch: constant = F_m stays -f_m, F_cr falls along k_c; "
+               "linear = F_m falls to zero at d_e, F_cr along k_c; both-linear = both fall linearly to zero at d_e. "
+               "The shape and the five parameters decide how much energy a touch-down and take-off takes out of the "
+               "slider.",
                "assumed: a reading of the paper's Fig. 3, for which it gives no equation"),
     };
 }

@@ -98,4 +98,7 @@ struct CaseProblem {
 };
 std::vector<CaseProblem> checkCombinations(const Case& c);
 
+/// What a case may have, but what its user may not know of: a contact that creates energy.
+std::vector<CaseProblem> caseWarnings(const Case& c);
+
 } // namespace touchdown

@@ -217,7 +217,10 @@ private:
             document_.problems.push_back(problem.in(document_.name, lineOf(problem.key, toml)));
         }
         const Case& c = document_.value;
-        if (!usesSliderSurface(c) || !document_.valid()) return;
+        if (!document_.valid()) return;
+        for (const CaseProblem& warning : caseWarnings(c))
+            document_.warnings.push_back(warning.in(document_.name, lineOf(warning.key, toml)));
+        if (!usesSliderSurface(c)) return;
         for (const auto& [key, sentence] : surfaceWarnings(c.surface, c.slider.length, c.slider.width))
             document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
     }

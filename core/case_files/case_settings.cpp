@@ -45,8 +45,9 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
 void applySettings(CaseDocument& document, const std::vector<std::string>& settings)
 {
     // A setting may remove a contradiction of the file, or make one.
-    std::erase_if(document.problems, [](const InputProblem& problem) {
-        return problem.kind == ProblemKind::Combination || problem.kind == ProblemKind::MeasuredDisk;
+    const auto isCombination = [](const InputProblem& problem) { return problem.kind == ProblemKind::Combination; };
+    std::erase_if(document.problems, [&](const InputProblem& problem) {
+        return isCombination(problem) || problem.kind == ProblemKind::MeasuredDisk;
     });
     const bool readable = document.valid();
     for (const std::string& setting : settings)
@@ -54,6 +55,9 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
         document.problems.push_back(problem.in(document.name));
+    std::erase_if(document.warnings, isCombination);
+    for (const CaseProblem& warning : caseWarnings(document.value))
+        document.warnings.push_back(warning.in(document.name));
     if (document.valid())
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     // A value without effect in the file may have one now; a setting may have none.

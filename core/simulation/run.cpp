@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run.h"
 
+#include <algorithm>
+
 #include "core/case/contact_patches.h"
 #include "core/case/disk_setup.h"
 #include "core/case/parameters.h"
@@ -45,6 +47,25 @@ std::vector<RecordedFields> recordedFields(const Case& c)
     return sets;
 }
 
+namespace {
+
+/// What the characteristic does to the energy: W, and what its touch-downs brought. Their F_cr begins at f_c0, not at
+/// zero, so that each adds the elastic energy of f_c0 that the slider did no work for.
+void addCharacteristicFigures(const OnoYamane& parameters, Summary& summary)
+{
+    const OnoYamaneLaw law(parameters);
+    const auto touchDowns = std::ranges::count(
+        summary.events, switchName(ContactRegion::Apart, ContactRegion::Pressed), &RunEvent::name);
+    const double each = law.storedEnergy(ContactRegion::Pressed, parameters.touchDown);
+    summary.figures.push_back(
+        {{"cycle_work", "J", "pJ", "Work W that a touch-down and take-off takes out of the slider"}, law.cycleWork()});
+    summary.figures.push_back({{"touch_downs", "1", "1", "Touch-downs"}, static_cast<double>(touchDowns)});
+    summary.figures.push_back({{"touch_down_energy", "J", "pJ", "Elastic energy that the touch-downs brought"},
+                               static_cast<double>(touchDowns) * each});
+}
+
+} // namespace
+
 Summary run(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
     if (const std::string reason = reasonNotToRun(c); !reason.empty()) {
@@ -71,6 +92,8 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         break;
     }
     summary.model = toText(c, *findParameter("model"));
+    if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
+    for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.key + ": " + warning.message);
     return summary;
 }
 

@@ -101,6 +101,7 @@ void CaseEdits::apply(const State& state)
 {
     state_ = state;
     problems_ = checkCombinations(state_.value);
+    warnings_ = caseWarnings(state_.value);
     emit edited();
 }
 

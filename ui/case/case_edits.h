@@ -50,6 +50,7 @@ public:
     const BadEntry* badEntry(const Parameter& parameter) const;
     /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
+    const std::vector<CaseProblem>& warnings() const { return warnings_; }
     /// Why the case cannot be run, in a sentence; empty when it can.
     QString reasonNotToRun() const;
 
@@ -69,6 +70,7 @@ private:
     Case opened_;
     State state_;
     std::vector<CaseProblem> problems_;
+    std::vector<CaseProblem> warnings_;
     QUndoStack undo_;
 };
 

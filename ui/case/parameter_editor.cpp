@@ -177,6 +177,9 @@ void ParameterEditor::show(const CaseEdits& edits)
     QString reason = bad ? bad->reason : QString();
     for (const CaseProblem& problem : edits.combinationProblems())
         if (!bad && problem.key == parameter_.key) reason = sentence(problem.message);
+    wrong_ = !reason.isEmpty();
+    for (const CaseProblem& warning : edits.warnings())
+        if (!wrong_ && warning.key == parameter_.key) reason = sentence(warning.message);
     reason_->setText(reason);
     reason_->setVisible(!reason.isEmpty());
 
@@ -240,11 +243,11 @@ void ParameterEditor::commitLine()
 void ParameterEditor::colour()
 {
     const MeaningColours colours = meaningColours(palette());
-    const bool bad = !reason_->isHidden();
+    const bool bad = wrong_;
     setTextColour(label_, bad ? colours.failure : changed_ ? colours.change : QColor());
     setTextColour(unit_, colours.muted);
     setTextColour(assumed_, colours.warning);
-    setTextColour(reason_, colours.failure);
+    setTextColour(reason_, bad ? colours.failure : colours.warning);
     QFont font = label_->font();
     if (font.bold() != changed_) {
         font.setBold(changed_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One parameter as a row: label and symbol, editor, unit, marks for "assumed" and "changed", and the reason below when
-// an entry cannot be taken. Built from the description of the parameter alone.
+// an entry cannot be taken, or a warning. Built from the description of the parameter alone.
 #pragma once
 
 #include <QCheckBox>
@@ -63,6 +63,7 @@ private:
     QLabel* reason_;
     QString shown_; // text last put into line_
     bool changed_ = false;
+    bool wrong_ = false; // the entry cannot be taken; else `reason_` warns
 };
 
 } // namespace touchdown

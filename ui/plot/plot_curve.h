@@ -8,6 +8,8 @@
 #include "ui/plot/plot_theme.h"
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <QString>
 
@@ -40,6 +42,13 @@ struct PointMark {
     double x = 0.0;
     double y = 0.0;
     QString label; // "152.4 kHz"
+    CurveStyle style;
+};
+
+/// A shaded area behind the curves, with its label inside: the work of a cycle.
+struct ShadedArea {
+    std::vector<std::pair<double, double>> outline; // x, y
+    QString label;                                  // "W = 7.5 pJ"
     CurveStyle style;
 };
 

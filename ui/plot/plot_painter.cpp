@@ -30,6 +30,7 @@ void PlotPainter::paintBehind(QPainter& painter) const
         painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
     }
     paintReferenceLines(painter);
+    paintShadedAreas(painter);
 }
 
 void PlotPainter::paintAbove(QPainter& painter) const
@@ -153,6 +154,29 @@ void PlotPainter::paintSelection(QPainter& painter, const QRectF& box) const
     painter.setBrush(fill);
     painter.drawRect(box.intersected(area_));
     painter.setBrush(Qt::NoBrush);
+}
+
+void PlotPainter::paintShadedAreas(QPainter& painter) const
+{
+    painter.save();
+    painter.setClipRect(area_);
+    painter.setPen(Qt::NoPen);
+    painter.setFont(frame_.numberFont);
+    const QFontMetricsF metrics(frame_.numberFont);
+    for (const ShadedArea& shaded : plot_.shadedAreas()) {
+        QPolygonF outline;
+        for (const auto& [x, y] : shaded.outline)
+            outline << QPointF(frame_.across(plot_.xAxis().position(x)), frame_.up(plot_.yAxis().position(y)));
+        QColor fill = theme_.colour(shaded.style);
+        fill.setAlphaF(0.18F);
+        painter.setBrush(fill);
+        painter.drawPolygon(outline);
+        QRectF box(0.0, 0.0, metrics.horizontalAdvance(shaded.label) + 4.0, metrics.height());
+        box.moveCenter(outline.boundingRect().center());
+        if (area_.contains(box)) paintLabel(painter, box, shaded.label, theme_.text);
+        painter.setPen(Qt::NoPen);
+    }
+    painter.restore();
 }
 
 void PlotPainter::paintReferenceLines(QPainter& painter) const

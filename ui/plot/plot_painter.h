@@ -22,6 +22,7 @@ public:
 
 private:
     void paintHeader(QPainter& painter) const;
+    void paintShadedAreas(QPainter& painter) const;
     void paintReferenceLines(QPainter& painter) const;
     void paintReferenceLabels(QPainter& painter) const;
     void paintEventMarks(QPainter& painter) const;

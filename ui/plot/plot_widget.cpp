@@ -123,6 +123,12 @@ void PlotWidget::setPointMarks(std::vector<PointMark> marks)
     canvas_->repaintAll();
 }
 
+void PlotWidget::setShadedAreas(std::vector<ShadedArea> areas)
+{
+    shadedAreas_ = std::move(areas);
+    canvas_->repaintAll();
+}
+
 void PlotWidget::dataChanged()
 {
     stale_ = true;

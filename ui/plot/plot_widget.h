@@ -63,9 +63,11 @@ public:
     void setReferenceLines(std::vector<ReferenceLine> lines);
     void setEventMarks(std::vector<EventMark> marks);
     void setPointMarks(std::vector<PointMark> marks);
+    void setShadedAreas(std::vector<ShadedArea> areas);
     const std::vector<ReferenceLine>& referenceLines() const { return referenceLines_; }
     const std::vector<EventMark>& eventMarks() const { return eventMarks_; }
     const std::vector<PointMark>& pointMarks() const { return pointMarks_; }
+    const std::vector<ShadedArea>& shadedAreas() const { return shadedAreas_; }
 
     /// The data behind the curves or what is shown of them changed: refresh soon.
     void dataChanged();
@@ -147,6 +149,7 @@ private:
     std::vector<ReferenceLine> referenceLines_;
     std::vector<EventMark> eventMarks_;
     std::vector<PointMark> pointMarks_;
+    std::vector<ShadedArea> shadedAreas_;
     std::array<std::optional<double>, 2> cursors_;
     bool cursorPinned_ = false;
     std::optional<PlotRange> timeWindow_;

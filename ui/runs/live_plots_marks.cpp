@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/formats/units.h"
+#include "core/numerics/interval.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
 #include "ui/runs/run_record.h"
@@ -19,6 +20,24 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t mostMarks = 2000; // more are closer than a pixel
+
+/// What encloses W: between d_s and d_e the net force on the way up, and none on the way down.
+ShadedArea cycleArea(const OnoYamane& parameters)
+{
+    const OnoYamaneLaw law(parameters);
+    ShadedArea area;
+    area.style.colour = 6; // ink, as the marks of events
+    area.label = QStringLiteral("W = %1").arg(QString::fromStdString(fewDigits(law.cycleWork(), "pJ")));
+    area.outline.emplace_back(parameters.touchDown, 0.0);
+    for (const ContactRegion region : {ContactRegion::Lifting, ContactRegion::Bridged}) {
+        const Interval way = law.interval(region);
+        for (const double d : {way.lower, way.upper})
+            if (way.lower < way.upper)
+                area.outline.emplace_back(d, law.contactForce(region, d) + law.adhesionForce(region, d));
+    }
+    area.outline.emplace_back(parameters.takeOff, 0.0);
+    return area;
+}
 
 } // namespace
 
@@ -51,6 +70,9 @@ void LivePlots::updateMarks()
     for (const Entry& entry : entries_) entry.plot->setEventMarks(marks);
     PlotWidget* forces = plot(QStringLiteral("force_separation"));
     forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
+    std::vector<ShadedArea> areas;
+    if (run && run->value.contact == ContactKind::OnoYamane) areas.push_back(cycleArea(run->value.onoYamane));
+    forces->setShadedAreas(std::move(areas));
     // A slider falls from heights without contact forces.
     const bool falls = run && run->value.model == ModelKind::Springs && run->value.contact == ContactKind::OnoYamane;
     forces->setMostX(falls ? std::optional(2.0 * run->value.onoYamane.takeOff) : std::nullopt);

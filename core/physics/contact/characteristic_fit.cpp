@@ -106,6 +106,7 @@ ContactRegion regionAt(const OnoYamaneLaw& law, const OnoYamane& p, bool inwards
 
 struct Errors {
     CharacteristicError contact, adhesion;
+    double meanSquare() const { return contact.rms * contact.rms + adhesion.rms * adhesion.rms; }
 };
 
 Errors compare(const MultiAsperityCurve& curve, const OnoYamane& p, const Scales& scales)
@@ -227,15 +228,19 @@ CharacteristicFit fitCharacteristic(const MultiAsperity& model, double start, do
     p.takeOff = std::max(p.touchDown, turningPlace(model, curve.takeOffs, curve.away, scales.adhesion, closest));
     fitContact(curve, p);
     Errors best;
-    for (const TakeOffShape shape : {TakeOffShape::Constant, TakeOffShape::Linear}) {
-        OnoYamane trial = p;
+    const OnoYamane found = p;
+    for (const TakeOffShape shape : {TakeOffShape::Constant, TakeOffShape::Linear, TakeOffShape::BothLinear}) {
+        OnoYamane trial = found;
         trial.takeOffShape = shape;
+        if (trial.takeOff > trial.touchDown) trial.meniscusForce = meniscusForceForWork(trial, curve.work);
         const Errors errors = compare(curve, trial, scales);
-        if (shape == TakeOffShape::Constant || errors.adhesion.rms < best.adhesion.rms) {
+        if (shape == TakeOffShape::Constant || errors.meanSquare() < best.meanSquare()) {
             best = errors;
-            p.takeOffShape = shape;
+            p = trial;
         }
     }
+    fit.cycleWork = curve.work;
+    fit.lostInJumps = curve.lostInJumps;
     fit.contact = best.contact;
     fit.adhesion = best.adhesion;
     judge(fit, model, curve, scales);

@@ -5,9 +5,10 @@
 //
 //   d_s, d_e    where the menisci form and break: at the jump with the largest change of F_m, or, without a jump,
 //               where F_m passes half its largest value
-//   f_m         the largest adhesion
 //   k_c, f_c0   least squares of F_cr over d <= d_s, both ways
-//   shape       F_m between d_s and d_e constant or linear, whichever fits better
+//   f_m         so that a cycle takes the same work out of the slider as the model's loop; without hysteresis
+//               (d_e = d_s) the largest adhesion
+//   shape       the one whose F_cr and F_m fit best, by the mean square of their errors
 //
 // The characteristic describes the model if nowhere on the way, jumps included, the error of F_m exceeds a tenth of
 // the largest adhesion, or the error of F_cr a tenth of the largest contact force.

@@ -256,6 +256,19 @@ std::optional<MultiAsperityJump> MultiAsperity::nextJump(const MultiAsperityStat
     return jump;
 }
 
+double MultiAsperity::lostIn(const MultiAsperityJump& jump) const
+{
+    // Out of balance by F_c - k_b (s - d), which is k_b (d - d(s)). Midpoint rule.
+    constexpr int pieces = 400;
+    const double from = jump.from.separation;
+    const double width = (jump.to.separation - from) / pieces;
+    const Path path{*this, jump.from, width < 0.0 ? PadMotion::Towards : PadMotion::Away};
+    double lost = 0.0;
+    for (int i = 0; i < pieces; ++i)
+        lost += bulkStiffness_ * (jump.padSeparation - path.padSeparation(from + (i + 0.5) * width)) * width;
+    return lost;
+}
+
 MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, double closest, int points)
 {
     assert(start > closest && points > 1);
@@ -277,6 +290,7 @@ MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, 
                 state = jump->to;
                 add(jump->padSeparation);
                 jumps.push_back(*jump);
+                curve.lostInJumps += model.lostIn(*jump);
             }
             state = model.advance(state, d);
             add(d);

@@ -70,6 +70,8 @@ public:
     double stiffness(const MultiAsperityState& state, PadMotion motion) const;
     /// The first jump ahead, if there is one before all summits are wetted or dry.
     std::optional<MultiAsperityJump> nextJump(const MultiAsperityState& state, PadMotion motion) const;
+    /// Energy lost in a jump: the pad rests, and what the forces on the surface do beyond the work of the bulk [J].
+    double lostIn(const MultiAsperityJump& jump) const;
 
     const AsperityContact& asperities() const { return contact_; }
     double padArea() const { return area_; }                // A [m^2]
@@ -106,8 +108,8 @@ struct MultiAsperityPoint {
 struct MultiAsperityCurve {
     std::vector<MultiAsperityPoint> towards, away;
     std::vector<MultiAsperityJump> touchDowns, takeOffs;
-    /// Work lost on the way in and out: the area of the loop F_c(d) [J].
-    double work = 0.0;
+    /// Work lost on the way in and out: the area of the loop F_c(d) [J]; the jumps' part of it.
+    double work = 0.0, lostInJumps = 0.0;
 };
 
 MultiAsperityCurve multiAsperityCurve(const MultiAsperity& model, double start, double closest, int points = 401);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <tuple>
 
 #include "core/numerics/interval.h"
 
@@ -17,18 +18,21 @@ OnoYamaneLaw::OnoYamaneLaw(const OnoYamane& parameters)
     const double fc0 = parameters.initialContactForce;
     const double fm = parameters.meniscusForce;
 
+    const bool bothFall = parameters.takeOffShape == TakeOffShape::BothLinear;
     // F_cr reaches zero at d_s + f_c0/k_c, unless the take-off height comes first.
-    release_ = fc0 <= 0.0 ? ds : kc > 0.0 ? std::min(de, ds + fc0 / kc) : de;
+    release_ = fc0 <= 0.0 ? ds : kc > 0.0 && !bothFall ? std::min(de, ds + fc0 / kc) : de;
 
     Row pressed{{fc0 + kc * ds, -kc}, {-fm, 0.0}, -std::numeric_limits<double>::infinity(), ds, Pressed, Lifting};
     Row lifting{{fc0 + kc * ds, -kc}, {-fm, 0.0}, ds, release_, Pressed, Bridged};
     Row bridged{{}, {-fm, 0.0}, release_, de, Lifting, Apart};
     const Row apart{{}, {}, ds, std::numeric_limits<double>::infinity(), Pressed, Apart};
 
-    if (parameters.takeOffShape == TakeOffShape::Linear && de > ds) {
-        for (Row* row : {&lifting, &bridged}) { // F_m = -f_m (d_e - d)/(d_e - d_s)
-            row->adhesion = {-fm * de / (de - ds), fm / (de - ds)};
-        }
+    if (parameters.takeOffShape != TakeOffShape::Constant && de > ds) {
+        const auto falling = [&](double force) { // force (d_e - d)/(d_e - d_s)
+            return AffineForce{force * de / (de - ds), -force / (de - ds)};
+        };
+        for (Row* row : {&lifting, &bridged}) row->adhesion = falling(-fm);
+        if (bothFall) lifting.contact = falling(fc0);
     }
     // Regions of no width are stepped over.
     if (release_ >= de) lifting.above = Apart;
@@ -39,13 +43,41 @@ OnoYamaneLaw::OnoYamaneLaw(const OnoYamane& parameters)
     rows_ = {apart, pressed, lifting, bridged};
 }
 
+namespace {
+
+/// Of an affine force over a way [J].
+double work(const AffineForce& force, double from, double to) { return force.at(0.5 * (from + to)) * (to - from); }
+
+} // namespace
+
 double OnoYamaneLaw::storedEnergy(ContactRegion region, double d) const
 {
-    if (region != ContactRegion::Pressed && region != ContactRegion::Lifting) return 0.0;
-    const double force = contactForce(region, d);
-    const double end = contactForce(region, release_);
-    // F_cr is affine, so the work up to its release is the mean force times the way.
-    return 0.5 * (force + end) * (release_ - d);
+    using enum ContactRegion;
+    if (region != Pressed && region != Lifting) return 0.0;
+    const double touchDown = row(Pressed).upper;
+    if (region == Lifting) return work(row(Lifting).contact, d, release_);
+    return work(row(Pressed).contact, d, touchDown) + work(row(Lifting).contact, touchDown, release_);
+}
+
+double OnoYamaneLaw::cycleWork() const
+{
+    using enum ContactRegion;
+    double given = 0.0; // to the slider on its way up
+    for (const auto& [region, from, to] : {std::tuple{Lifting, row(Pressed).upper, release_},
+                                           std::tuple{Bridged, release_, row(Bridged).upper}})
+        given += work(row(region).contact, from, to) + work(row(region).adhesion, from, to);
+    return -given;
+}
+
+double meniscusForceForWork(const OnoYamane& parameters, double work)
+{
+    auto workOf = [trial = parameters](double meniscusForce) mutable {
+        trial.meniscusForce = meniscusForce;
+        return OnoYamaneLaw(trial).cycleWork();
+    };
+    const double without = workOf(0.0);
+    const double each = workOf(1.0) - without; // W is affine in f_m
+    return std::max(0.0, (work - without) / each);
 }
 
 Interval OnoYamaneLaw::interval(ContactRegion region) const { return {row(region).lower, row(region).upper}; }

@@ -6,10 +6,19 @@
 //
 //   branch        d >= d_e            d_s < d < d_e                             d <= d_s
 //   touch-down    F_cr = F_m = 0      F_cr = F_m = 0                            F_cr = f_c0 + k_c (d_s - d), F_m = -f_m
-//   take-off      (touch-down)        F_cr = max(0, f_c0 + k_c (d_s - d)),      as touch-down
-//                                     F_m = -f_m, or linear to 0 at d_e
+//   take-off      (touch-down)        by the take-off shape                     as touch-down
 //
-// The shape on the take-off branch is a reading of Fig. 3; the paper gives no equation for it.
+//   take-off shape    F_cr on the take-off branch             F_m there
+//   constant          max(0, f_c0 + k_c (d_s - d))            -f_m
+//   linear            max(0, f_c0 + k_c (d_s - d))            linear from -f_m at d_s to 0 at d_e
+//   both-linear       linear from f_c0 at d_s to 0 at d_e     linear from -f_m at d_s to 0 at d_e
+//
+// The shape is a reading of Fig. 3; the paper gives no equation for it.
+//
+// A cycle of touch-down and take-off takes the work W = -integral of F_cr + F_m from d_s to d_e out of the slider, as the
+// pad meets no force on its way down to d_s. Below d_s both ways are the same. With W < 0 each cycle gives energy to the
+// slider: such a law can keep it bouncing for ever, and no real contact does that.
+//
 // d >= d_e selects the touch-down branch, d <= d_s the take-off branch; between them the branch is kept.
 //
 // Inside one region F_cr and F_m are affine in d: the law is a table of four rows, and smooth within a region.
@@ -26,18 +35,22 @@ namespace touchdown {
 
 struct Interval;
 
-enum class TakeOffShape : std::uint8_t { Constant, Linear };
+enum class TakeOffShape : std::uint8_t { Constant, Linear, BothLinear };
+
+/// "constant", "linear", "both-linear".
+inline constexpr std::array<std::string_view, 3> takeOffShapeNames{"constant", "linear", "both-linear"};
+constexpr std::string_view name(TakeOffShape shape) { return takeOffShapeNames[static_cast<std::size_t>(shape)]; }
 enum class ContactBranch : std::uint8_t { TouchDown, TakeOff };
 
 /// The five parameters, the friction coefficient and the position of the pad.
 struct OnoYamane {
-    double meniscusForce = 10e-3;      // f_m  [N], largest adhesion, >= 0
+    double meniscusForce = 10.7e-3;    // f_m  [N], largest adhesion, >= 0
     double contactStiffness = 5.0e6;   // k_c  [N/m], >= 0
     double initialContactForce = 5e-3; // f_c0 [N], >= 0
     double touchDown = 3e-9;           // d_s  [m]
     double takeOff = 5e-9;             // d_e  [m], >= d_s
-    double friction = 0.3;             // mu   [-], >= 0
-    double padDistance = 0.600e-3;     // d_h  [m], mass centre to contact pad, positive towards the trailing edge
+    double friction = 0.8;             // mu   [-], >= 0
+    double padDistance = 0.575e-3;     // d_h  [m], mass centre to contact pad, positive towards the trailing edge
     TakeOffShape takeOffShape = TakeOffShape::Constant;
 };
 
@@ -52,6 +65,8 @@ struct CharacteristicFit {
     OnoYamane parameters;         // friction and padDistance as they came
     CharacteristicError contact;  // of F_cr, against its largest value on the way
     CharacteristicError adhesion; // of F_m, against the largest adhesion
+    double cycleWork = 0.0;       // of the other model's loop, kept by the parameters where d_e > d_s [J]
+    double lostInJumps = 0.0;     // the part of it that the other model loses in its jumps [J]
     bool describes = false;
     std::string message; // a sentence: how well, or what the five parameters cannot say of this model
 };
@@ -89,6 +104,8 @@ public:
     double adhesionForce(ContactRegion region, double d) const { return row(region).adhesion.at(d); }
     /// Elastic energy of the pressed asperities: the work of F_cr on lifting [J].
     double storedEnergy(ContactRegion region, double d) const;
+    /// W, see above [J].
+    double cycleWork() const;
 
     /// The separations between which the region's law holds [m].
     Interval interval(ContactRegion region) const;
@@ -121,5 +138,8 @@ private:
     std::array<Row, 4> rows_;
     double release_; // [m], where F_cr ends on the take-off branch
 };
+
+/// The f_m with which W is `work` [J], all else equal [N]; 0 where none is that small. Needs takeOff > touchDown.
+double meniscusForceForWork(const OnoYamane& parameters, double work);
 
 } // namespace touchdown

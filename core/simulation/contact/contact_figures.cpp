@@ -5,8 +5,20 @@
 
 namespace touchdown {
 
+void ContactFigures::follow(double separation, double force)
+{
+    if (lastSeparation_) loopWork_ -= 0.5 * (lastForce_ + force) * (separation - *lastSeparation_);
+    lastSeparation_ = separation;
+    lastForce_ = force;
+}
+
 void ContactFigures::add(const ContactForces& forces, bool away)
 {
+    follow(forces.separation, forces.net());
+    if (jumps_.size() > jumpsBefore_) lostInJumps_ += loopWork_ - workBefore_ - (forces.energy - energyBefore_);
+    jumpsBefore_ = jumps_.size();
+    workBefore_ = loopWork_;
+    energyBefore_ = forces.energy;
     largestContact_ = std::max(largestContact_, forces.contact);
     if (!closest_ || forces.separation < closest_->separation) closest_ = forces;
     if (away && forces.net() < strongestPull_.value_or(0.0)) {
@@ -18,6 +30,8 @@ void ContactFigures::add(const ContactForces& forces, bool away)
 void ContactFigures::addJump(const ContactJump& jump)
 {
     jumps_.push_back(jump);
+    follow(jump.before, jump.forceBefore);
+    follow(jump.after, jump.forceAfter);
     // The force just before a pull-off lies between two samples.
     const bool away = jump.after > jump.before;
     if (away && jump.forceBefore < strongestPull_.value_or(0.0)) {
@@ -26,7 +40,8 @@ void ContactFigures::addJump(const ContactJump& jump)
     }
 }
 
-std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatistics>& surface) const
+std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatistics>& surface,
+                                               const std::optional<CharacteristicFit>& fit) const
 {
     std::vector<RunFigure> list;
     const auto add = [&](const char* name, const char* unit, const char* displayUnit, const char* longName,
@@ -47,6 +62,10 @@ std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatis
                 add("snap_in_separation", "m", "nm", "Separation of the first jump on the way in", jump.before);
             break;
         }
+    if (case_.contact != ContactKind::OnoYamane) // whose W is known without a run
+        add("loop_work", "J", "pJ", "Work that the way in and out takes", fit ? fit->cycleWork : loopWork_);
+    if (fit || !jumps_.empty())
+        add("lost_in_jumps", "J", "pJ", "The part of it that is lost in jumps", fit ? fit->lostInJumps : lostInJumps_);
     if (closest_ && (case_.contact != ContactKind::OnoYamane))
         add("closest_contact_area", "m^2", "um^2", "Real area of contact at the closest approach", closest_->area);
     if (surface) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Figures of an approach and retraction curve: pull-off force, jumps, statistics of the surface.
+// Figures of an approach and retraction curve: pull-off force, jumps, work of the loop, statistics of the surface.
 #pragma once
 
 #include <optional>
@@ -18,7 +18,9 @@ public:
 
     void add(const ContactForces& forces, bool away);
     void addJump(const ContactJump& jump);
-    std::vector<RunFigure> figures(const std::optional<SurfaceStatistics>& surface) const;
+    /// With the loop of the full multi-asperity model where it was fitted.
+    std::vector<RunFigure> figures(const std::optional<SurfaceStatistics>& surface,
+                                   const std::optional<CharacteristicFit>& fit = {}) const;
 
 private:
     const Case& case_;
@@ -26,6 +28,13 @@ private:
     double largestContact_ = 0.0;                           // [N]
     std::optional<double> strongestPull_, strongestPullAt_; // net force on the way out [N], [m]
     std::vector<ContactJump> jumps_;
+    void follow(double separation, double force);
+    std::optional<double> lastSeparation_; // [m]
+    double lastForce_ = 0.0;               // net [N]
+    double loopWork_ = 0.0;                // done on the contact so far, by the trapezoidal rule [J]
+    double lostInJumps_ = 0.0;             // [J]
+    double workBefore_ = 0.0, energyBefore_ = 0.0; // at the last state without a jump [J]
+    std::size_t jumpsBefore_ = 0;
 };
 
 } // namespace touchdown

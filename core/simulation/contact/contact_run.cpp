@@ -75,8 +75,8 @@ public:
         summary.evaluations = iterations_;
         // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
         const bool stopped = end_.status == RunStatus::Cancelled;
-        summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics());
         summary.fit = model_->fit();
+        summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics(), summary.fit);
         summary.warnings = model_->remarks();
         if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
         if (end_.completed() && isTouching() && !startsInContact_)

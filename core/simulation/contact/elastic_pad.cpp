@@ -88,6 +88,7 @@ void ElasticPad::solve(Part& part, double separation, double time)
     // Where nothing flows, a gap below zero is what the solver's tolerance left.
     forces_.minimumGap = std::min(forces_.minimumGap, case_.elastic.hardness > 0.0 ? least : std::max(least, 0.0));
     for (const double p : part.contact.adhesion()) forces_.adhesion += p * cell;
+    if (part.contact.adheres()) forces_.energy += part.contact.energy();
     jumped_ = jumped_ || summary.jumped;
 }
 
