@@ -32,15 +32,15 @@ private slots:
             "d_e = 2 nm must be at least ono_yamane.touch_down (d_s = 3 nm)");
         row("take-off at touch-down", {"ono_yamane.take_off=3 nm"}, "", "");
         row("take-off below touch-down without contact", {"contact=none", "ono_yamane.take_off=2 nm"}, "", "");
-        // z_r0 = 7 nm + (0.6 - 0.575) mm * 90 urad = 9.25 nm, z_f0 = 7 nm + 1.1 mm * 90 urad = 106 nm.
-        row("static rear spacing below the cutoff", {"springs.cutoff=9.26 nm"}, "springs.flying_height",
-            "the static spacing at the rear air bearing spring is 9.25 nm, which must be greater than springs.cutoff "
-            "(d_1 = 9.26 nm)");
-        row("static rear spacing above the cutoff", {"springs.cutoff=9.24 nm"}, "", "");
-        row("no rear spring", {"springs.cutoff=9.26 nm", "springs.rear_stiffness=0 N/m"}, "", "");
-        // 7 nm - 1.1 mm * 10 urad = -4 nm.
+        // z_r0 = 7 nm + (0.575 - 0.545) mm * 90.6 urad = 9.718 nm, z_f0 = 7 nm + 1.125 mm * 90.6 urad = 108.9 nm.
+        row("static rear spacing below the cutoff", {"springs.cutoff=9.72 nm"}, "springs.flying_height",
+            "the static spacing at the rear air bearing spring is 9.718 nm, which must be greater than springs.cutoff "
+            "(d_1 = 9.72 nm)");
+        row("static rear spacing above the cutoff", {"springs.cutoff=9.71 nm"}, "", "");
+        row("no rear spring", {"springs.cutoff=9.72 nm", "springs.rear_stiffness=0 N/m"}, "", "");
+        // 7 nm - 1.125 mm * 10 urad = -4.25 nm.
         row("static front spacing below the cutoff", {"springs.pitch=-10 urad"}, "springs.flying_height",
-            "the static spacing at the front air bearing spring is -4 nm");
+            "the static spacing at the front air bearing spring is -4.25 nm");
         row("start below the cutoff", {"initial.flying_height=0.3 nm"}, "initial.flying_height",
             "the initial spacing at the front air bearing spring is 0.3 nm, which must be greater than springs.cutoff "
             "(d_1 = 0.3 nm)");
@@ -62,7 +62,7 @@ private slots:
             "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"");
         row("a film with roll held", {"model=film", "contact=none"}, "", "");
         row("springs that a film does not have",
-            film + QStringList{"springs.cutoff=9.26 nm", "run.integrator=rk4", "run.step=3 ms"}, "", "");
+            film + QStringList{"springs.cutoff=9.72 nm", "run.integrator=rk4", "run.step=3 ms"}, "", "");
         row("a spectrum of a film from the end on", film + QStringList{"spectrum.start=2 ms"}, "spectrum.start",
             "must be less than run.duration (2 ms)");
         row("a fixed step of a film longer than the run", film + QStringList{"run.steps=fixed", "run.step=3 ms"},

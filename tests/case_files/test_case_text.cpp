@@ -154,7 +154,7 @@ private slots:
     void aBadValueIsPutRightByTheDefault()
     {
         QCOMPARE(updateCaseText("[springs]\npitch = '7 kg'\n", Case{}),
-                 std::string("[springs]\npitch = \"90 urad\"\n"));
+                 std::string("[springs]\npitch = \"90.6 urad\"\n"));
     }
     void aTextThatIsNoTomlIsReplaced()
     {

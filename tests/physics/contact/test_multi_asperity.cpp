@@ -197,6 +197,21 @@ private slots:
         QVERIFY(curve.work > 0.0);
     }
 
+    /// Menisci that break where they formed lose nothing on a smooth way: the loop is lost in its jumps.
+    void withoutPlayTheLoopIsLostInJumps()
+    {
+        Setting s;
+        s.meniscus.breakingLength = s.meniscus.filmThickness;
+        s.pair.diskModulus = 1e9; // soft, so that it jumps
+        const MultiAsperity model = s.model();
+        const auto curve = multiAsperityCurve(model, model.reach(), s.asperities.planeHeight - 1e-9, 4001);
+        QCOMPARE(curve.touchDowns.size(), std::size_t(1));
+        QCOMPARE(curve.takeOffs.size(), std::size_t(1));
+        QVERIFY(curve.work > 0.0);
+        QVERIFY2(near(curve.lostInJumps, curve.work, 1e-3 * curve.work),
+                 qPrintable(QString("%1 %2").arg(curve.lostInJumps).arg(curve.work)));
+    }
+
     /// The stiffness is the force's change over a small move, on either side where they differ: on the way in menisci
     /// gather, on turning back nothing breaks.
     void stiffnessIsTheForcesSlope()

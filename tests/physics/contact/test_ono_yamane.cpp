@@ -3,6 +3,8 @@
 #include "core/physics/contact/ono_yamane.h"
 
 #include <cmath>
+#include <random>
+#include <string>
 
 #include <QTest>
 
@@ -15,6 +17,15 @@ namespace test_ono_yamane {
 using enum ContactRegion;
 
 bool near(double a, double b, double tolerance = 1e-15) { return std::abs(a - b) <= tolerance; }
+
+/// Those of Figs. 5 to 8 with f_m = 10 mN and d_e = 5 nm.
+OnoYamane paperValues(TakeOffShape shape = TakeOffShape::Constant)
+{
+    OnoYamane p;
+    p.meniscusForce = 10e-3;
+    p.takeOffShape = shape;
+    return p;
+}
 
 /// Follows the separation from place to place, as a quasi-static cycle does.
 ContactRegion follow(const OnoYamaneLaw& law, ContactRegion region, double to)
@@ -55,7 +66,7 @@ private slots:
     }
     void touchDownAndTakeOff()
     {
-        static const OnoYamaneLaw law{OnoYamane{}};
+        static const OnoYamaneLaw law{paperValues()};
         static const std::array<double, 9> way{4.5e-9, 3.01e-9, 2e-9, 3.5e-9, 4.5e-9, 3.5e-9, 4.9e-9, 5.01e-9, 3.5e-9};
         QFETCH(double, d);
         QFETCH(int, region);
@@ -79,7 +90,7 @@ private slots:
     /// Linear shape: F_m = -f_m (d_e - d)/(d_e - d_s); at 3.5 nm -7.5 mN, continuous at both ends.
     void linearTakeOffShape()
     {
-        OnoYamane parameters;
+        OnoYamane parameters = paperValues();
         parameters.takeOffShape = TakeOffShape::Linear;
         const OnoYamaneLaw law(parameters);
         QVERIFY(near(law.adhesionForce(Lifting, 3.5e-9), -7.5e-3));
@@ -88,39 +99,83 @@ private slots:
         QVERIFY(near(law.adhesionForce(Pressed, 1e-9), -10e-3));
     }
 
-    /// The work around a touch-down and take-off: adhesion takes f_m (d_e - d_s), the step of F_cr at touch-down gives
-    /// f_c0^2/(2 k_c). Quasi-static, by the midpoint rule, which is exact for a piecewise affine force.
-    void loopArea()
+    /// F_cr = f_c0 (d_e - d)/(d_e - d_s): at 4 nm half of 5 mN, and F_m half of -10 mN.
+    void bothLinearTakeOffShape()
     {
-        const OnoYamaneLaw law{OnoYamane{}};
-        double work = 0.0;
-        ContactRegion region = Apart;
-        const double step = 1e-13;
-        const auto move = [&](double from, double to) {
-            const double direction = to > from ? 1.0 : -1.0;
-            const auto count = static_cast<int>(std::lround(std::abs(to - from) / step));
-            for (int i = 0; i < count; ++i) {
-                const double middle = from + direction * (i + 0.5) * step;
-                region = follow(law, region, middle);
-                work += direction * step * (law.contactForce(region, middle) + law.adhesionForce(region, middle));
-            }
-        };
-        move(6e-9, 2e-9);
-        move(2e-9, 6e-9);
-        QVERIFY(near(work, -10e-3 * 2e-9 + 5e-3 * 5e-3 / (2 * 5e6), 1e-16));
-        QCOMPARE(region, Apart);
+        const OnoYamaneLaw law(paperValues(TakeOffShape::BothLinear));
+        QVERIFY(near(law.contactForce(Lifting, 4e-9), 2.5e-3));
+        QVERIFY(near(law.adhesionForce(Lifting, 4e-9), -5e-3));
+        QVERIFY(near(law.contactForce(Lifting, 5e-9), 0.0));
+        QVERIFY(near(law.contactForce(Pressed, 2e-9), 10e-3));
+        QCOMPARE(law.beyond(Lifting, true), Apart);
+        // 10 mN falling to 5 mN over 1 nm, then to zero over 2 nm.
+        QVERIFY(near(law.storedEnergy(Pressed, 2e-9), 7.5e-12 + 5e-12, 1e-25));
+    }
+
+    /// W against the formulas, where F_cr ends before d_e.
+    void workOfACycle()
+    {
+        const double loop = 10e-3 * 2e-9, brought = 5e-3 * 5e-3 / (2 * 5e6);
+        const auto work = [](TakeOffShape shape) { return OnoYamaneLaw(paperValues(shape)).cycleWork(); };
+        QVERIFY(near(work(TakeOffShape::Constant), loop - brought, 1e-25));
+        QVERIFY(near(work(TakeOffShape::Linear), 0.5 * loop - brought, 1e-25));
+        QVERIFY(near(work(TakeOffShape::BothLinear), 0.5 * (10e-3 - 5e-3) * 2e-9, 1e-25));
+    }
+
+    /// W against the forces added up along the way down and up, by the midpoint rule, which is exact for a piecewise
+    /// affine force but for the pieces that hold a corner. 200 laws of each shape, drawn at random.
+    void workOfACycleAddsUp_data()
+    {
+        QTest::addColumn<int>("shape");
+        for (const TakeOffShape shape : {TakeOffShape::Constant, TakeOffShape::Linear, TakeOffShape::BothLinear})
+            QTest::newRow(std::string(name(shape)).c_str()) << int(shape);
+    }
+    void workOfACycleAddsUp()
+    {
+        QFETCH(int, shape);
+        std::mt19937 random(18);
+        const auto draw = [&](double from, double to) { return std::uniform_real_distribution(from, to)(random); };
+        int negative = 0;
+        for (int i = 0; i < 200; ++i) {
+            OnoYamane p = paperValues(TakeOffShape(shape));
+            p.meniscusForce = draw(0.0, 20e-3);
+            p.contactStiffness = draw(0.5e6, 2e7);
+            p.initialContactForce = draw(0.0, 15e-3);
+            p.takeOff = p.touchDown + draw(0.1e-9, 6e-9);
+            const OnoYamaneLaw law(p);
+            double work = 0.0;
+            ContactRegion region = Apart;
+            const double top = p.takeOff + 0.5e-9, bottom = p.touchDown - 0.5e-9;
+            constexpr int pieces = 20000;
+            const double step = (top - bottom) / pieces;
+            for (const double direction : {-1.0, 1.0})
+                for (int k = 0; k < pieces; ++k) {
+                    const double d = direction < 0.0 ? top - (k + 0.5) * step : bottom + (k + 0.5) * step;
+                    region = follow(law, region, d);
+                    work -= direction * step * (law.contactForce(region, d) + law.adhesionForce(region, d));
+                }
+            QCOMPARE(region, Apart);
+            const double scale = p.meniscusForce + p.initialContactForce + p.contactStiffness * 1e-9;
+            QVERIFY2(near(work, law.cycleWork(), 4.0 * step * scale), qPrintable(QString::number(i)));
+            // The f_m that is found for a work gives it.
+            OnoYamane other = p;
+            other.meniscusForce = meniscusForceForWork(p, 3e-11);
+            QVERIFY(near(OnoYamaneLaw(other).cycleWork(), 3e-11, 1e-23));
+            negative += law.cycleWork() < 0.0;
+        }
+        QVERIFY(negative > 10 && negative < 190);
     }
 
     /// What F_cr would still do on lifting: at 2 nm, 10 mN falling to zero over 2 nm: 1e-11 J.
     void storedEnergy()
     {
-        const OnoYamaneLaw law{OnoYamane{}};
+        const OnoYamaneLaw law{paperValues()};
         QVERIFY(near(law.storedEnergy(Pressed, 2e-9), 1e-11, 1e-25));
         QVERIFY(near(law.storedEnergy(Lifting, 3.5e-9), 0.5 * 2.5e-3 * 0.5e-9, 1e-25));
         QCOMPARE(law.storedEnergy(Bridged, 4.5e-9), 0.0);
         QCOMPARE(law.storedEnergy(Apart, 2.0e-9), 0.0);
         // Let go at d_e = 3.5 nm with 2.5 mN left: (10 + 2.5)/2 mN over 1.5 nm.
-        OnoYamane early;
+        OnoYamane early = paperValues();
         early.takeOff = 3.5e-9;
         QVERIFY(near(OnoYamaneLaw(early).storedEnergy(Pressed, 2e-9), 9.375e-12, 1e-25));
     }
@@ -147,7 +202,7 @@ private slots:
         QFETCH(double, stiffness);
         QFETCH(int, abovePressed);
         QFETCH(int, aboveLifting);
-        OnoYamane parameters;
+        OnoYamane parameters = paperValues();
         parameters.takeOff = takeOff;
         parameters.initialContactForce = initialForce;
         parameters.contactStiffness = stiffness;
@@ -162,7 +217,7 @@ private slots:
 
     void branches()
     {
-        const OnoYamaneLaw law{OnoYamane{}};
+        const OnoYamaneLaw law{paperValues()};
         QCOMPARE(law.region(ContactBranch::TouchDown, 4e-9), Apart);
         QCOMPARE(law.region(ContactBranch::TakeOff, 4.2e-9), Bridged);
         QCOMPARE(law.region(ContactBranch::TakeOff, 3.2e-9), Lifting);

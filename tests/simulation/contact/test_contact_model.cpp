@@ -81,7 +81,7 @@ private slots:
         QCOMPARE(model->switchesUntil(2e-9).front().separation, 3e-9);
         model->move(2e-9, 0.0);
         QVERIFY(model->switchesUntil(1e-9).empty());
-        QVERIFY(std::abs(model->move(4.5e-9, 0.0).net() + 10e-3) < 1e-15);
+        QVERIFY(std::abs(model->move(4.5e-9, 0.0).net() + 10.7e-3) < 1e-15);
         QCOMPARE(model->switchesUntil(5.5e-9).front().name, std::string("take-off"));
         QCOMPARE(model->move(5.5e-9, 0.0).net(), 0.0);
         QVERIFY(model->switchesUntil(4e-9).empty());

@@ -292,6 +292,15 @@ private slots:
         QVERIFY(std::ranges::all_of(trace.column("adhesion_force"), [](double force) { return force <= 0.0; }));
         QVERIFY(trace.summary.warnings.empty());
     }
+    /// Elastic contact with adhesion loses energy in its jumps alone: the area of the loop, from the forces, is what
+    /// the jumps lose, from the energies.
+    void theLoopIsLostInJumps()
+    {
+        const Summary summary = run(sample("contact_adhesion"));
+        const double loop = figure(summary, "loop_work");
+        QVERIFY(loop > 0.1e-12);
+        QVERIFY(std::abs(figure(summary, "lost_in_jumps") / loop - 1.0) < 2e-3);
+    }
     /// With a Tabor number of (R dgamma^2/(E*^2 z_0^3))^(1/3) = 0.22 the sphere keeps its shape: it neither snaps nor
     /// jumps, and its pull is near 2 pi R dgamma, less what it yields.
     void stiffSphereDoesNotSnap()

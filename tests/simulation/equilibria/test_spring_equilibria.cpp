@@ -55,14 +55,14 @@ private slots:
         QTest::addColumn<double>("staticHeight");
         QTest::addColumn<double>("flyingHeight"); // [nm]
         QTest::addColumn<double>("pitch");        // [urad]; 0: not known
-        // The end states that runs of the default case converge to, whatever the method.
-        QTest::newRow("flying") << 10e-3 << 5e-9 << 0.3e-9 << 7e-9 << 7.0 << 90.0;
-        QTest::newRow("meniscus force 50 mN") << 50e-3 << 5e-9 << 0.3e-9 << 7e-9 << 1.5929 << 95.613;
-        QTest::newRow("take-off height 8 nm") << 10e-3 << 8e-9 << 0.3e-9 << 7e-9 << 3.8369 << 93.203;
-        QTest::newRow("take-off height 8 nm, lost early") << 10e-3 << 8e-9 << 3e-9 << 7e-9 << 3.8369 << 93.203;
-        QTest::newRow("50 mN, rear spring lost") << 50e-3 << 5e-9 << 3e-9 << 7e-9 << -5.607 << 98.13;
-        QTest::newRow("Table III, 4 nm") << 10e-3 << 5e-9 << 3e-9 << 4e-9 << 2.633 << 0.0;
-        QTest::newRow("Table III, 3 nm") << 10e-3 << 5e-9 << 3e-9 << 3e-9 << 2.310 << 0.0;
+        // The balances of the default case, solved by SciPy's fsolve.
+        QTest::newRow("flying") << 10.7e-3 << 5e-9 << 0.3e-9 << 7e-9 << 7.0 << 90.6;
+        QTest::newRow("meniscus force 50 mN") << 50e-3 << 5e-9 << 0.3e-9 << 7e-9 << 1.6018 << 94.172;
+        QTest::newRow("take-off height 8 nm") << 10.7e-3 << 8e-9 << 0.3e-9 << 7e-9 << 3.7994 << 94.171;
+        QTest::newRow("take-off height 8 nm, lost early") << 10.7e-3 << 8e-9 << 3e-9 << 7e-9 << 3.7994 << 94.171;
+        QTest::newRow("50 mN, rear spring lost") << 50e-3 << 5e-9 << 3e-9 << 7e-9 << -5.0363 << 85.686;
+        QTest::newRow("Table III, 4 nm") << 10.7e-3 << 5e-9 << 3e-9 << 4e-9 << 2.6473 << 89.054;
+        QTest::newRow("Table III, 3 nm") << 10.7e-3 << 5e-9 << 3e-9 << 3e-9 << 2.3298 << 87.577;
     }
     void convergedEndStates()
     {

@@ -88,13 +88,13 @@ private slots:
             QVERIFY(implicit.warnings.empty() && std::abs(tailOf(implicit) - 7e-9) < 1e-12);
         }
     }
-    /// An implicit step of 0.5 us on a drop finds no solution where the stiffness turns over; the adaptive method goes
+    /// An implicit step of 0.6 us on a drop finds no solution where the stiffness turns over; the adaptive method goes
     /// through.
     void anImplicitStepWithoutASolution()
     {
         Case c;
         c.run.duration = 0.1e-3;
-        const Summary implicit = runWith(c, IntegratorKind::Newmark, 0.5e-6);
+        const Summary implicit = runWith(c, IntegratorKind::Newmark, 0.6e-6);
         VERIFY_STATUS(implicit, RunStatus::Failed);
         QCOMPARE(implicit.failure, RunFailure::NotConverged);
         VERIFY_STATUS(runWith(c, IntegratorKind::Dopri5), RunStatus::Completed);
@@ -142,14 +142,14 @@ private slots:
         QCOMPARE(adaptive.events.size(), fixed.events.size());
         QVERIFY(std::abs(tailOf(adaptive) - tailOf(fixed)) < 1e-12);
     }
-    /// d_1 = d_s from 50 nm: steps of 10 ns that look for switches in between end in the wrong state, and the run says
+    /// d_1 = d_s from 230 nm: steps of 10 ns that look for switches in between end in the wrong state, and the run says
     /// that half of the step ends elsewhere; any method that locates them ends in the right one.
     void theWrongState()
     {
         Case c = openCase("fig10b_naive_switching").value;
         c.run.duration = 0.5e-3;
         const Summary naive = runWith(c, IntegratorKind::Rk4, 10e-9);
-        QVERIFY(std::abs(tailOf(naive) - 3.84e-9) < 0.05e-9);
+        QVERIFY(std::abs(tailOf(naive) - 3.80e-9) < 0.05e-9);
         QVERIFY(warns(naive, "changes the end state"));
         for (const IntegratorKind kind : {IntegratorKind::Rk4Events, IntegratorKind::Newmark, IntegratorKind::Dopri5}) {
             const Summary located = runWith(c, kind, 10e-9);

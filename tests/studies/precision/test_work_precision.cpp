@@ -185,14 +185,14 @@ private slots:
         QVERIFY(tells(report.findings, "The paper's method, rk4 (10 ns), takes "));
     }
 
-    /// Fig. 14 (b) with a quarter of its damping bounces for so long that even dopri5 at 1e-14 and rk4-events in steps
-    /// of 1 ns part, at 548 us. A tolerance of 1e-13 and steps of 5 ns part no later.
+    /// Fig. 14 (b) with a quarter of its damping and 6 mN bounces for so long that even dopri5 at 1e-14 and rk4-events
+    /// in steps of 1 ns part.
     void trajectoryIsNotDetermined()
     {
         const StudyReport report =
             performed("case = \"fig14b\"\nset = { \"springs.front_damping_ratio\" = 0.0005, "
                       "\"springs.rear_damping_ratio\" = 0.0005, "
-                      "\"run.duration\" = \"0.8 ms\" }\n" +
+                      "\"ono_yamane.meniscus_force\" = \"6 mN\", \"run.duration\" = \"0.8 ms\" }\n" +
                       quick + stepMethod("rk4-events", "[\"10 ns\"]") + references + "[ensemble]\nstarts = 4\n");
         QCOMPARE(report.status, StudyStatus::Completed);
         QVERIFY(tells(report.findings,
@@ -243,9 +243,9 @@ private slots:
         QVERIFY(numberOf(report, "power law", "33", "work") > 0.0);
     }
 
-    /// d_1 = d_s from 50 nm: steps of 10 ns end in contact where the reference flies. No two runs stay together as long
-    /// as is asked here, so that the trajectory counts as not determined; its end is. The wrong one is drawn hollow,
-    /// beside the errors where it has none.
+    /// d_1 = d_s from 230 nm: steps of 10 ns end in contact where the reference flies. No two runs stay together as
+    /// long as is asked here, so that the trajectory counts as not determined; its end is. The wrong one is drawn
+    /// hollow, beside the errors where it has none.
     void wrongEndWhereTheTrajectoryIsNotDetermined()
     {
         for (const std::string error : {"worst", "mean"}) {

@@ -139,7 +139,7 @@ private slots:
         QVERIFY(!names.contains(""));
     }
 
-    /// The paper's trouble: d_1 = d_s, from 50 nm. Two methods prove that it flies; steps of 10 ns that look for
+    /// The paper's trouble: d_1 = d_s, from 230 nm. Two methods prove that it flies; steps of 10 ns that look for
     /// switches between steps end in contact, those that locate them agree.
     void naiveSwitchingEndsInTheWrongState()
     {

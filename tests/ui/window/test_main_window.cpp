@@ -119,13 +119,13 @@ void TestMainWindow::runsTheDefaultCase()
     QCOMPARE(run.summary->status, RunStatus::Completed);
     // Every 0.1 us of 2 ms, and the start.
     QCOMPARE(run.sampleCount(), std::size_t(20'001));
-    // The static state of the case: 7 nm, 90 urad.
+    // The static state of the case: 7 nm, 90.6 urad.
     QVERIFY(std::abs(*run.last("flying_height") - 7e-9) < 0.001e-9);
-    QVERIFY(std::abs(*run.last("pitch") - 90e-6) < 0.01e-6);
+    QVERIFY(std::abs(*run.last("pitch") - 90.6e-6) < 0.01e-6);
     QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("7.000\u00a0nm"));
     QVERIFY(f.window.messages().text().contains(QStringLiteral("flying height 7.000\u00a0nm")));
     QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Success);
-    QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("90.00 µrad")));
+    QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("90.60 µrad")));
     QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves().size(), std::size_t(1));
     QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("energy"))->curves().size(), std::size_t(5));
     QVERIFY(f.window.runView().plots()->plot(QStringLiteral("roll"))->isHidden()); // the model has none
