@@ -165,10 +165,10 @@ void warnOfCreatedEnergy(const OnoYamane& parameters, Problems& warnings)
     if (work >= -1e-12 * parts || parameters.takeOff <= parameters.touchDown) return;
     warnings.push_back(
         {"ono_yamane.meniscus_force",
-         "W = " + fewDigits(work, "pJ") +
+         "W = " + fewDigits(work, "pJ", 3) +
              " is negative: each touch-down and take-off gives this energy to the slider, as no real contact does, so "
              "that it can bounce for ever; W is zero at f_m = " +
-             fewDigits(meniscusForceForWork(parameters, 0.0), "mN"),
+             fewDigits(meniscusForceForWork(parameters, 0.0), "mN", 3),
          {"ono_yamane.contact_stiffness", "ono_yamane.initial_contact_force", "ono_yamane.touch_down",
           "ono_yamane.take_off", "ono_yamane.take_off_shape"}});
 }

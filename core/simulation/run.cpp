@@ -93,7 +93,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
     }
     summary.model = toText(c, *findParameter("model"));
     if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
-    for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.key + ": " + warning.message);
+    for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.message);
     return summary;
 }
 

@@ -69,8 +69,8 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     legend_->setText(tr("≈ assumed, because the paper's value is lost"));
     legend_->setWordWrap(true);
     legend_->setToolTip(
-        tr("The tables of the paper that list these values are lost. The stand-ins were found by matching "
-           "the steady states that the paper states."));
+        tr("The tables of the paper that list these values are lost. The stand-ins were searched for until "
+           "what the paper says of its figures held."));
 
     auto* page = new QWidget;
     buildGroups(page);

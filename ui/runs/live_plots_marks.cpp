@@ -27,7 +27,7 @@ ShadedArea cycleArea(const OnoYamane& parameters)
     const OnoYamaneLaw law(parameters);
     ShadedArea area;
     area.style.colour = 6; // ink, as the marks of events
-    area.label = QStringLiteral("W = %1").arg(QString::fromStdString(fewDigits(law.cycleWork(), "pJ")));
+    area.label = QStringLiteral("W = %1").arg(QString::fromStdString(fewDigits(law.cycleWork(), "pJ", 3)));
     area.outline.emplace_back(parameters.touchDown, 0.0);
     for (const ContactRegion region : {ContactRegion::Lifting, ContactRegion::Bridged}) {
         const Interval way = law.interval(region);

@@ -63,8 +63,8 @@ double OnoYamaneLaw::cycleWork() const
 {
     using enum ContactRegion;
     double given = 0.0; // to the slider on its way up
-    for (const auto& [region, from, to] : {std::tuple{Lifting, row(Pressed).upper, release_},
-                                           std::tuple{Bridged, release_, row(Bridged).upper}})
+    for (const auto& [region, from, to] :
+         {std::tuple{Lifting, row(Pressed).upper, release_}, std::tuple{Bridged, release_, row(Bridged).upper}})
         given += work(row(region).contact, from, to) + work(row(region).adhesion, from, to);
     return -given;
 }
