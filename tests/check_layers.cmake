@@ -31,6 +31,7 @@ set(rooms
     core/studies/precision
     core/studies/stability
     core/studies/hysteresis
+    core/studies/cycles
     core/studies/advice
     core/studies/convergence
     core/studies/design

@@ -15,6 +15,7 @@
 #include "core/numerics/wall_clock.h"
 #include "core/studies/advice/advisor.h"
 #include "core/studies/convergence/convergence.h"
+#include "core/studies/cycles/cycles.h"
 #include "core/studies/design/design_study.h"
 #include "core/studies/design/design_task.h"
 #include "core/studies/hysteresis/hysteresis.h"
@@ -184,6 +185,11 @@ std::span<const StudyKind> studyKinds()
          "Moves a value of a case slowly there and back: where the slider touches down and takes off, beside the "
          "equilibria",
          planHysteresis, hysteresisForm},
+        {"cycles", "Sustained bouncing",
+         "Finds cycles on which a slider on springs bounces for ever, follows them over a parameter, and shows where "
+         "they "
+         "end",
+         planCycles, cyclesForm},
         {"advise", "No more model than the scene needs",
          "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
          "that is good enough",

@@ -158,12 +158,14 @@ void TestCommandLine::validateStudies()
     };
     QCOMPARE(said("kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 0\n"),
              QByteArray("a.toml:3: steps: must be a whole number from 1 to 999\n"));
-    QCOMPARE(said("case = \"fig10a\"\n"),
-             QByteArray("a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, advise, design, "
-                        "convergence\n"));
+    QCOMPARE(
+        said("case = \"fig10a\"\n"),
+        QByteArray(
+            "a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, cycles, advise, design, "
+            "convergence\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
              QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
-                        "stability, hysteresis, advise, design, convergence; did you mean hysteresis?\n"));
+                        "stability, hysteresis, cycles, advise, design, convergence; did you mean hysteresis?\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24),
              QByteArray("a.toml:4: set.run.step: "));
 }
@@ -253,7 +255,7 @@ void TestCommandLine::describeStudies()
     const Outcome kinds = folder_->touchdown({"describe", "study"});
     QCOMPARE(kinds.code, 0);
     for (const char* part :
-         {"work-precision  ", "stability  ", "hysteresis  ", "advise  ", "design  ", "convergence  "})
+         {"work-precision  ", "stability  ", "hysteresis  ", "cycles  ", "advise  ", "design  ", "convergence  "})
         QVERIFY2(kinds.out.contains(part), kinds.out);
     const Outcome all = folder_->touchdown({"describe", "study.hysteresis"});
     QCOMPARE(all.code, 0);

@@ -191,17 +191,19 @@ double SpringModel::airSpringEnergy(const State& y) const
 
 double SpringModel::energy(const State& y) const { return kineticEnergy(y) + airSpringEnergy(y) + suspensionEnergy(y); }
 
-double SpringModel::power(const State& y, Mode mode) const
+SpringModel::Powers SpringModel::powers(const State& y, Mode mode) const
 {
     const Guards rate = guards(y.tail<2>());
-    double power = -(damping_ * square(y[2]) + pitchDamping_ * square(y[3]) + frontDamping_ * square(rate[Front]) +
-                     rearDamping_ * square(rate[Rear]));
+    Powers powers;
+    powers.suspension = -(damping_ * square(y[2]) + pitchDamping_ * square(y[3]));
+    powers.frontDashpot = -frontDamping_ * square(rate[Front]);
+    powers.rearDashpot = -rearDamping_ * square(rate[Rear]);
     if (hasContact_) {
         const double real = contact_.contactForce(mode.contact, separation(y));
-        power += (real + contact_.adhesionForce(mode.contact, separation(y))) * rate[Pad];
-        power -= friction_.noseDown() * real * y[3];
+        powers.contact = (real + contact_.adhesionForce(mode.contact, separation(y))) * rate[Pad];
+        powers.friction = -friction_.noseDown() * real * y[3];
     }
-    return power;
+    return powers;
 }
 
 Eigen::Matrix<double, 2, 4> SpringModel::jacobian(const State& y, Mode mode) const

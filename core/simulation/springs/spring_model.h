@@ -81,8 +81,17 @@ public:
     State scale() const { return scale_; }
     /// Kinetic, air spring and suspension energy, without that of the contact [J]; the air springs' held below d_1.
     double energy(const State& y) const;
+    /// Power on the slider by part [W].
+    struct Powers {
+        double suspension = 0.0;                      // of its dashpots
+        double frontDashpot = 0.0, rearDashpot = 0.0; // of the air springs
+        double contact = 0.0;                         // of contact and adhesion
+        double friction = 0.0;
+        double sum() const { return suspension + frontDashpot + rearDashpot + contact + friction; }
+    };
+    Powers powers(const State& y, Mode mode) const;
     /// Power of dashpots, contact and friction on the slider [W].
-    double power(const State& y, Mode mode) const;
+    double power(const State& y, Mode mode) const { return powers(y, mode).sum(); }
     /// Derivatives of (z'', theta'') by the state.
     Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const;
 

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/cycles/cycles.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "core/case/parameters.h"
+#include "core/formats/quotation.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/cycles/cycles_report.h"
+#include "core/studies/hysteresis/held_steps.h"
+#include "core/studies/runs/parallel.h"
+#include "core/studies/study/study_reader.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::size_t mostBranches = 12;
+constexpr double perturbation = 1e-3; // of an unstable cycle, so that a run leaves it [-]
+constexpr const char* standardKey = "ono_yamane.meniscus_force";
+constexpr const char* neededKeys = "a key of the case, or several with commas between them, in quotation marks";
+
+/// From no adhesion to twice the meniscus force at which W = 0, at most that of the case where there is none [N].
+double largestMeniscusForce(const Case& c)
+{
+    const OnoYamane& law = c.onoYamane;
+    const double balanced = law.takeOff > law.touchDown ? meniscusForceForWork(law, 0.0) : 0.0;
+    const double most = roundedTo(2.0 * balanced, 2);
+    return most > 0.0 ? most : law.meniscusForce > 0.0 ? law.meniscusForce : 10e-3;
+}
+
+/// The k-th start: as the case says, then lower and lower above the take-off height.
+Case caseOfStart(const Case& c, int k)
+{
+    if (k == 0) return c;
+    Case lower = c;
+    const double takeOff = c.onoYamane.takeOff;
+    const double height = std::max(c.initial.flyingHeight, 2.0 * takeOff);
+    lower.initial.flyingHeight = takeOff + (height - takeOff) * std::pow(10.0, -k);
+    lower.initial.pitch = c.springs.pitch;
+    lower.initial.verticalVelocity = lower.initial.pitchVelocity = 0.0;
+    lower.initial.branch = ContactBranch::TouchDown;
+    return checkCombinations(lower).empty() ? lower : c;
+}
+
+class CyclesPerformance {
+public:
+    CyclesPerformance(const CyclesTask& task, const StudyCallback& callback) : task_(task), callback_(callback)
+    {
+        result_.runs.resize(task_.values.size() * std::size_t(task_.starts));
+    }
+
+    StudyReport perform(int jobs)
+    {
+        const std::size_t count = result_.runs.size();
+        const auto search = [this](std::size_t i, const GoOn& goOn) { searchAt(i, goOn); };
+        bool whole = runParallel(count, jobs, search, [this, count](std::size_t done) {
+            return tell(0.5 * double(done) / double(count),
+                        "run " + std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count));
+        });
+        const auto trace = [this](std::size_t, const GoOn& goOn) { traceAll(goOn); };
+        whole = whole && runParallel(1, 1, trace, [this](std::size_t) { return tell(0.5 + 0.5 * traced_, "cycles"); });
+        StudyReport report = cyclesReport(task_, result_);
+        if (!whole) {
+            report.status = StudyStatus::Cancelled;
+            report.message = "stopped before all cycles were followed";
+            report.findings.clear();
+        } else if (std::ranges::all_of(result_.runs,
+                                       [](const BouncingRun& run) { return run.end == BouncingEnd::Failed; })) {
+            report.status = StudyStatus::Failed;
+            report.message = "no run has a valid end: " + result_.runs.front().problem;
+            report.findings.clear();
+        }
+        return report;
+    }
+
+private:
+    std::optional<Case> caseAt(double value) const
+    {
+        Case c = task_.start;
+        if (!setParameter(c, task_.parameter, value).empty()) return {};
+        return c;
+    }
+
+    void searchAt(std::size_t i, const GoOn& goOn)
+    {
+        const double value = task_.values[i / std::size_t(task_.starts)];
+        BouncingRun& run = result_.runs[i];
+        run.value = value;
+        const std::optional<Case> c = caseAt(value);
+        if (!c) {
+            run.problem = "the case is not valid at " + task_.text.of(value);
+            return;
+        }
+        BouncingSearch search = task_.search;
+        search.goOn = goOn;
+        run = searchCycle(caseOfStart(*c, int(i % std::size_t(task_.starts))), value, task_.units, search);
+    }
+
+    /// In the order of the runs; a cycle on a branch that is known is not followed again.
+    void traceAll(const GoOn& goOn)
+    {
+        const CycleTrace trace{[this](double value) { return caseAt(value); }, task_.from, task_.to, task_.units, goOn};
+        for (std::size_t i = 0; i < result_.runs.size() && goOn(); ++i) {
+            traced_ = double(i) / double(result_.runs.size());
+            const std::optional<LimitCycle>& cycle = result_.runs[i].cycle;
+            if (!cycle) continue;
+            const auto known = [&](const CycleBranch& branch) { return liesOn(branch, *cycle); };
+            if (std::ranges::any_of(result_.branches, known)) continue;
+            add(trace, *cycle);
+        }
+    }
+
+    /// The branch of a cycle, then those that leave it at period doublings.
+    void add(const CycleTrace& trace, const LimitCycle& cycle)
+    {
+        result_.branches.push_back(traceCycle(trace, cycle));
+        for (std::size_t k = result_.branches.size() - 1; k < result_.branches.size(); ++k) {
+            const CycleBranch branch = result_.branches[k];
+            for (const MarkedCycle& mark : branch.marks) {
+                if (mark.kind != CycleMark::PeriodDoubling || mark.ends || result_.branches.size() >= mostBranches)
+                    continue;
+                const LimitCycle* unstable = unstableNear(branch, mark.point);
+                const std::optional<Case> c = unstable ? caseAt(unstable->value) : std::nullopt;
+                if (!c) continue;
+                BouncingSearch search = task_.search;
+                search.goOn = trace.goOn;
+                const BouncingRun run =
+                    searchCycle(*c, unstable->value, task_.units, search, Vector3((1.0 + perturbation) * unstable->x));
+                const auto known = [&](const CycleBranch& each) { return liesOn(each, *run.cycle); };
+                if (run.cycle && std::ranges::none_of(result_.branches, known))
+                    result_.branches.push_back(traceCycle(trace, *run.cycle));
+            }
+        }
+    }
+
+    /// A few points from a mark, on its unstable side.
+    static const LimitCycle* unstableNear(const CycleBranch& branch, std::size_t mark)
+    {
+        for (const std::ptrdiff_t step : {3, -3, 1, -1}) {
+            const std::ptrdiff_t i = std::ptrdiff_t(mark) + step;
+            if (i < 0 || i >= std::ptrdiff_t(branch.points.size())) continue;
+            if (!branch.points[std::size_t(i)].stable()) return &branch.points[std::size_t(i)];
+        }
+        return nullptr;
+    }
+
+    bool tell(double share, const std::string& doing) const
+    {
+        return !callback_ || callback_({.share = share, .doing = doing, .soFar = nullptr});
+    }
+
+    const CyclesTask& task_;
+    const StudyCallback& callback_;
+    CyclesResult result_;
+    std::atomic<double> traced_ = 0.0;
+};
+
+/// The keys of the text, as one; nothing where there is a problem.
+std::optional<DesignKey> readKeys(StudyReader& reader, const std::string& text, ParameterText& label)
+{
+    const Case& c = reader.start();
+    std::vector<DesignKey> keys;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string key(trimmed(std::string_view(text).substr(begin, end - begin)));
+        begin = end + 1;
+        const auto found = designKey(c, key);
+        std::string problem;
+        if (const auto* wrong = std::get_if<std::string>(&found))
+            problem = *wrong;
+        else if (key.starts_with("run.") || key.starts_with("spectrum."))
+            problem = "belongs to the computation, not to the scene";
+        else if (belongsToStart(key))
+            problem = "belongs to the start, on which a cycle does not depend";
+        else if (!keys.empty() && keys.front().unit != std::get<DesignKey>(found).unit)
+            problem = "has another unit than " + inQuotes(keys.front().key) + " and cannot take the same value";
+        if (!problem.empty()) {
+            reader.add("parameter", inQuotes(key) + " " + problem);
+            return {};
+        }
+        keys.push_back(std::get<DesignKey>(found));
+        const ParameterText one = parameterText(keys.back());
+        if (keys.size() == 1)
+            label = one;
+        else
+            label.label += " and " + uncapitalized(one.label);
+    }
+    DesignKey all = keys.front();
+    all.key = text;
+    all.set = [keys](Case& changed, double value) -> std::optional<std::string> {
+        for (const DesignKey& key : keys)
+            if (const auto problem = key.set(changed, value)) return problem;
+        return {};
+    };
+    return all;
+}
+
+/// One end of the range, with which the case is valid.
+std::optional<double> readEnd(StudyReader& reader, const CyclesTask& task, const char* name, double standard)
+{
+    const bool isStandard = task.parameter.key == standardKey;
+    if (!reader.has(name)) {
+        if (isStandard) return standard;
+        reader.add(name, "is missing: the parameter has no range of its own");
+        return {};
+    }
+    const Parameter* parameter = findParameter(task.parameter.key.substr(0, task.parameter.key.find(',')));
+    const double minimum = parameter ? parameter->minimum : -std::numeric_limits<double>::infinity();
+    const double maximum = parameter ? parameter->maximum : std::numeric_limits<double>::infinity();
+    const auto value = reader.number(name, task.parameter.unit, task.parameter.displayUnit, minimum, maximum);
+    if (!value) return {};
+    Case at = task.start;
+    if (const std::string problem = setParameter(at, task.parameter, *value); !problem.empty()) {
+        reader.add(name, problem);
+        return {};
+    }
+    return value;
+}
+
+} // namespace
+
+StudyPerformance planCycles(StudyReader& reader)
+{
+    CyclesTask task;
+    task.start = reader.start();
+    if (task.start.model != ModelKind::Springs) {
+        reader.add("case",
+                   "is not of model \"springs\": a study of cycles takes the slider with two degrees of freedom");
+        return {};
+    }
+    if (task.start.contact != ContactKind::OnoYamane) {
+        reader.add("case", "has no contact, so that every motion decays; a study of cycles takes contact = "
+                           "\"ono-yamane\"");
+        return {};
+    }
+    const std::string keys = reader.text("parameter", neededKeys).value_or(standardKey);
+    const int values = reader.integer("values");
+    task.starts = reader.integer("starts");
+    task.search.duration = reader.number("duration");
+    task.search.mostCrossings = reader.integer("crossings");
+    const std::optional<DesignKey> parameter = readKeys(reader, keys, task.text);
+    if (!parameter) return {};
+    task.parameter = *parameter;
+    const std::optional<double> from = readEnd(reader, task, "from", 0.0),
+                                to = readEnd(reader, task, "to", largestMeniscusForce(task.start));
+    if (!from || !to) return {};
+    if (*from == *to) {
+        reader.add("to", "is the same as from: there is nothing to follow");
+        return {};
+    }
+    task.from = *from;
+    task.to = *to;
+    task.units = sectionUnits(task.start);
+    for (int i = 0; i < values; ++i) task.values.push_back(std::lerp(*from, *to, (i + 0.5) / values));
+    return [task](int jobs, const StudyCallback& callback) { return CyclesPerformance(task, callback).perform(jobs); };
+}
+
+StudyForm cyclesForm(const Case& c)
+{
+    const Parameter& force = *findParameter(standardKey);
+    StudyForm form;
+    form.keys = {
+        textKey("parameter", standardKey, neededKeys, "what changes; several keys take the same value"),
+        numberKey("from", 0.0, force.unit, force.displayUnit, force.minimum, force.maximum, "one end of the range"),
+        numberKey("to", largestMeniscusForce(c), force.unit, force.displayUnit, force.minimum, force.maximum,
+                  "the other end"),
+        integerKey("values", 10, 1, 200, "in the range, at which runs are made"),
+        integerKey("starts", 3, 1, 8, "at each value: as the case says, then lower and lower ones"),
+        numberKey("duration", c.run.duration, "s", "us", 1e-6, 1.0, "of each run; its last tenth is judged"),
+        integerKey("crossings", 8, 1, 32, "of the touch-down height in one cycle, at most"),
+    };
+    return form;
+}
+
+} // namespace touchdown

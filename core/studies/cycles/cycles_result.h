@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a study of cycles has found: its runs, the branches of cycles, and where a stable cycle ends.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/studies/cycles/bouncing_run.h"
+#include "core/studies/cycles/cycle_branches.h"
+#include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/runs/design_key.h"
+
+namespace touchdown {
+
+struct CyclesTask {
+    Case start;
+    DesignKey parameter; // sets all keys
+    ParameterText text;
+    double from = 0.0, to = 1.0; // [unit of the parameter]
+    std::vector<double> values;  // at which runs start, there [unit of the parameter]
+    int starts = 3;
+    BouncingSearch search;
+    Vector3 units = Vector3::Ones();
+};
+
+struct CyclesResult {
+    std::vector<BouncingRun> runs; // by value, then by start
+    std::vector<CycleBranch> branches;
+};
+
+/// Where the branches are stable.
+std::vector<ValueRange> stableRanges(const std::vector<CycleBranch>& branches);
+
+/// A mark at which a stable part of a branch ends.
+struct CycleThreshold {
+    MarkedCycle mark;
+    std::size_t branch = 0;
+};
+std::vector<CycleThreshold> thresholdsOf(const std::vector<CycleBranch>& branches);
+
+/// The largest differences between bouncing runs and the stable cycles that Newton's method found from them [-].
+struct CycleAgreement {
+    std::size_t runs = 0;
+    double frequency = 0.0, amplitude = 0.0;
+};
+CycleAgreement agreementOf(const std::vector<BouncingRun>& runs);
+
+} // namespace touchdown

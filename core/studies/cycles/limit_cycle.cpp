@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/cycles/limit_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostCycleIterations = 30; // of Newton
+constexpr int mostHalvings = 10;        // of one of its steps
+constexpr double cycleFound = 1e-9;     // residual and last change, in units of x [-]
+constexpr double shorterPeriod = 1e-6;  // distance at which a part of the crossings is a cycle by itself [-]
+constexpr double alikeCycles = 2e-3;    // difference of periods and spacings of one cycle [-]
+
+bool near(double a, double b) { return std::abs(a - b) <= alikeCycles * std::max(std::abs(a), std::abs(b)); }
+
+} // namespace
+
+double LimitCycle::residual() const
+{
+    const double largest = energies.largest();
+    return largest > 0.0 ? std::abs(energies.sum()) / largest : 0.0;
+}
+
+std::array<std::complex<double>, 3> multipliersOf(const Matrix3& derivative)
+{
+    const SmallComplexVector values = eigenvaluesOf(derivative);
+    std::array<std::complex<double>, 3> all{values[0], values[1], values[2]};
+    std::ranges::stable_sort(all, std::ranges::greater(), [](const auto& value) { return std::abs(value); });
+    return all;
+}
+
+CycleSolution solveCycle(const ReturnMap& map, Vector3 x, int crossings, double limit)
+{
+    CycleSolution solution;
+    solution.crossings = crossings;
+    const ReturnRequest request{.crossings = crossings, .limit = limit, .derivative = true};
+    Return at = map.apply(x, request);
+    for (int k = 0;; ++k) {
+        if (!at.returned) {
+            solution.problem =
+                "the slider does not come back to the touch-down height within " + fewDigitsOfTime(limit);
+            return solution;
+        }
+        const Vector3 residual = at.x - x;
+        const Vector3 change = solveFullPivoting(at.derivative - Matrix3::Identity(), residual);
+        if (residual.norm() <= cycleFound && change.norm() <= cycleFound) break;
+        if (k == mostCycleIterations || !change.allFinite()) {
+            solution.problem = "Newton's method found no cycle of " + counted(std::size_t(crossings), "crossing") +
+                               " in " + counted(std::size_t(k), "step") + " (residual " +
+                               fewDigits(residual.norm(), "") + ")";
+            return solution;
+        }
+        // The shortest step is taken in any case: the map may have a kink there.
+        double share = 1.0;
+        Return next;
+        for (int halving = 0; halving < mostHalvings; ++halving, share *= 0.5) {
+            next = map.apply(x - share * change, request);
+            if (next.returned && (next.x - (x - share * change)).norm() < residual.norm()) break;
+        }
+        if (residual.norm() <= cycleFound && !(share >= 1.0)) break; // round-off
+        if (share < 1e-2) {
+            solution.problem = "Newton's method found no cycle of " + counted(std::size_t(crossings), "crossing") +
+                               ": no step lowers the residual of " + fewDigits(residual.norm(), "");
+            return solution;
+        }
+        x -= share * change;
+        at = std::move(next);
+    }
+    solution.found = true;
+    solution.x = x;
+    for (int part = 1; part < crossings; ++part) {
+        if (crossings % part != 0 || (at.passed[std::size_t(part) - 1] - x).norm() > shorterPeriod) continue;
+        solution.crossings = part;
+        break;
+    }
+    return solution;
+}
+
+LimitCycle figuresOf(const ReturnMap& map, const Case& c, double value, const Vector3& x, int crossings, double limit)
+{
+    LimitCycle cycle;
+    cycle.value = value;
+    cycle.x = x;
+    cycle.crossings = crossings;
+    Return way = map.apply(x, {.crossings = crossings, .limit = limit, .derivative = true, .measurements = true});
+    if (!way.returned || !way.derivative.allFinite()) return cycle;
+    cycle.period = way.time;
+    cycle.separation = way.separation;
+    cycle.minimumSpacing = way.minimumSpacing;
+    cycle.multipliers = multipliersOf(way.derivative);
+    cycle.energies = way.energies;
+    cycle.cycleWork = OnoYamaneLaw(c.onoYamane).cycleWork();
+    cycle.touchDowns = static_cast<int>(std::ranges::count_if(way.switches, [](const CycleSwitch& each) {
+        return each.guard == SpringModel::Pad && each.before.contact == ContactRegion::Apart;
+    }));
+    cycle.switches = std::move(way.switches);
+    return cycle;
+}
+
+bool sameCycle(const LimitCycle& a, const LimitCycle& b)
+{
+    return near(a.period, b.period) && near(a.amplitude(), b.amplitude()) && near(a.separation.most, b.separation.most);
+}
+
+std::string differenceOf(const SpringModel& model, const std::vector<CycleSwitch>& a, const std::vector<CycleSwitch>& b)
+{
+    std::map<std::string, int> count;
+    for (const CycleSwitch& each : a) ++count[model.eventName(each.guard, each.before, each.after)];
+    for (const CycleSwitch& each : b) --count[model.eventName(each.guard, each.before, each.after)];
+    std::vector<std::string> names;
+    for (const auto& [name, more] : count)
+        if (more != 0) names.push_back(name);
+    return joined(names);
+}
+
+} // namespace touchdown
