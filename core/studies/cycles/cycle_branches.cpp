@@ -240,11 +240,14 @@ private:
             const std::optional<Case> c = trace_.caseAt(trace_.value(p));
             if (!c) continue;
             const ReturnMap map(*c, trace_.units);
-            const Return there = map.apply(x, {.crossings = piece.crossings(), .limit = piece.limit()});
-            if (!there.returned) return "touch-down";
+            Return there = map.apply(x, {.crossings = piece.crossings(), .limit = piece.limit()});
+            if (!there.returned) { // flies away or is caught: later switches have no meaning
+                there.switches.resize(std::min(there.switches.size(), before.size()));
+                const std::string lost = firstDifference(map.model(), before, there.switches);
+                return lost.empty() ? "touch-down" : lost;
+            }
             if (there.switches == before) continue;
-            const std::string change = differenceOf(map.model(), there.switches, before);
-            return change.empty() ? "order of the switches" : change;
+            return firstDifference(map.model(), before, there.switches);
         }
         return {};
     }

@@ -33,7 +33,15 @@ public:
             addBouncing(ranges);
         else
             addNone();
-        const std::vector<CycleThreshold> thresholds = thresholdsOf(result_.branches);
+        std::vector<CycleThreshold> thresholds = thresholdsOf(result_.branches);
+        // An end is reported together with the loss of stability just before it.
+        std::erase_if(thresholds, [&](const CycleThreshold& each) {
+            return each.mark.ends &&
+                   std::ranges::any_of(thresholdsOf(result_.branches), [&](const CycleThreshold& other) {
+                       const MarkedCycle* end = other.mark.ends ? nullptr : endNear(other);
+                       return end != nullptr && other.branch == each.branch && end->point == each.mark.point;
+                   });
+        });
         for (std::size_t k = 0; k < std::min(thresholds.size(), mostThresholds); ++k) addThreshold(thresholds[k]);
         if (thresholds.size() > mostThresholds)
             say("Stable cycles end at " + std::to_string(thresholds.size() - mostThresholds) +
@@ -110,7 +118,8 @@ private:
         case CycleMark::Fold: return "in a fold, where a stable and an unstable cycle meet";
         case CycleMark::PeriodDoubling: return "in a period doubling";
         case CycleMark::NeimarkSacker: return "in a Neimark-Sacker bifurcation";
-        case CycleMark::Grazing: return "by grazing, where the switches along the cycle change (" + mark.remark + ")";
+        case CycleMark::Grazing:
+            return "by grazing, where a switch along the cycle is lost or appears (" + mark.remark + ")";
         case CycleMark::End: break;
         }
         return "where it could not be followed: " + mark.remark;

@@ -143,7 +143,7 @@ StudyTable specialTable(const CyclesTask& task, const CyclesResult& result)
     StudyTable table{.name = "special_points"};
     table.columns = {{"branch", "", "", "Branch"},
                      {"kind", "", "", "Kind"},
-                     {"remark", "", "", "Switches that change, or why the branch ends"},
+                     {"remark", "", "", "Switch that is lost or appears, or why the branch ends"},
                      {"ends", "", "", "The branch ends here"},
                      {"value", task.text.unit, task.text.displayUnit, task.text.label},
                      {"frequency", "Hz", "kHz", "Frequency"},

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "core/formats/units.h"
 #include "core/formats/words.h"
@@ -109,15 +108,14 @@ bool sameCycle(const LimitCycle& a, const LimitCycle& b)
     return near(a.period, b.period) && near(a.amplitude(), b.amplitude()) && near(a.separation.most, b.separation.most);
 }
 
-std::string differenceOf(const SpringModel& model, const std::vector<CycleSwitch>& a, const std::vector<CycleSwitch>& b)
+std::string firstDifference(const SpringModel& model, const std::vector<CycleSwitch>& before,
+                            const std::vector<CycleSwitch>& now)
 {
-    std::map<std::string, int> count;
-    for (const CycleSwitch& each : a) ++count[model.eventName(each.guard, each.before, each.after)];
-    for (const CycleSwitch& each : b) --count[model.eventName(each.guard, each.before, each.after)];
-    std::vector<std::string> names;
-    for (const auto& [name, more] : count)
-        if (more != 0) names.push_back(name);
-    return joined(names);
+    const auto [was, is] = std::ranges::mismatch(before, now);
+    const bool appears = was == before.end() || (is != now.end() && now.size() > before.size());
+    if (appears && is == now.end()) return {};
+    const CycleSwitch& first = appears ? *is : *was;
+    return model.eventName(first.guard, first.before, first.after);
 }
 
 } // namespace touchdown

@@ -50,8 +50,8 @@ LimitCycle figuresOf(const ReturnMap& map, const Case& c, double value, const Ve
 /// Two cycles of the same case are the same.
 bool sameCycle(const LimitCycle& a, const LimitCycle& b);
 
-/// "touch-down, pressed on menisci": the names of switches that one of the cycles has and the other has not.
-std::string differenceOf(const SpringModel& model, const std::vector<CycleSwitch>& a,
-                         const std::vector<CycleSwitch>& b);
+/// "take-off": the first switch that is lost or appears; "" where both lists are the same.
+std::string firstDifference(const SpringModel& model, const std::vector<CycleSwitch>& before,
+                            const std::vector<CycleSwitch>& now);
 
 } // namespace touchdown
