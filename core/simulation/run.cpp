@@ -54,8 +54,8 @@ namespace {
 void addCharacteristicFigures(const OnoYamane& parameters, Summary& summary)
 {
     const OnoYamaneLaw law(parameters);
-    const auto touchDowns = std::ranges::count(
-        summary.events, switchName(ContactRegion::Apart, ContactRegion::Pressed), &RunEvent::name);
+    const auto touchDowns =
+        std::ranges::count(summary.events, switchName(ContactRegion::Apart, ContactRegion::Pressed), &RunEvent::name);
     const double each = law.storedEnergy(ContactRegion::Pressed, parameters.touchDown);
     summary.figures.push_back(
         {{"cycle_work", "J", "pJ", "Work W that a touch-down and take-off takes out of the slider"}, law.cycleWork()});

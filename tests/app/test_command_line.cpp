@@ -141,6 +141,16 @@ void TestCommandLine::validate()
     QCOMPARE(idle.code, 0);
     QCOMPARE(idle.err, QByteArray("warning: --set: film.coupling: has no effect here, only with model = \"film\"\n"));
     QCOMPARE(idle.json()["unused"].toArray().size(), 1);
+
+    // With its line where the file says it; a case that may bounce for ever is valid.
+    folder_->put("gives.toml", changedCase("meniscus_force", "meniscus_force = \"1 mN\"", number));
+    const Outcome gives = folder_->touchdown({"validate", "gives.toml"});
+    QCOMPARE(gives.code, 0);
+    QCOMPARE(gives.errorLines().size(), 1);
+    QVERIFY2(gives.err.startsWith("warning: gives.toml:" + QByteArray::number(number) +
+                                  ": ono_yamane.meniscus_force: W = -0.5 pJ is negative"),
+             gives.err.constData());
+    QVERIFY(folder_->touchdown({"validate", "gives.toml", "--set", "ono_yamane.take_off=6 nm"}).err.isEmpty());
 }
 
 // A study is checked with its case; what it says in vain is told.

@@ -114,6 +114,34 @@ private slots:
         QVERIFY2(QString::fromStdString(found->message).contains(part), found->message.c_str());
     }
 
+    /// W = f_m 2 nm - 2.5 pJ: zero at 1.25 mN. A law without a loop creates nothing.
+    void warnsOfCreatedEnergy_data()
+    {
+        QTest::addColumn<double>("force"); // f_m [N]
+        QTest::addColumn<double>("takeOff");
+        QTest::addColumn<int>("contact");
+        QTest::addColumn<bool>("warns");
+        QTest::newRow("W < 0") << 1.2e-3 << 5e-9 << int(ContactKind::OnoYamane) << true;
+        QTest::newRow("W > 0") << 1.3e-3 << 5e-9 << int(ContactKind::OnoYamane) << false;
+        QTest::newRow("W = 0") << 1.25e-3 << 5e-9 << int(ContactKind::OnoYamane) << false;
+        QTest::newRow("no loop") << 0.0 << 3e-9 << int(ContactKind::OnoYamane) << false;
+        QTest::newRow("another contact") << 1.2e-3 << 5e-9 << int(ContactKind::None) << false;
+    }
+    void warnsOfCreatedEnergy()
+    {
+        QFETCH(double, force);
+        QFETCH(double, takeOff);
+        QFETCH(int, contact);
+        QFETCH(bool, warns);
+        Case c;
+        c.contact = ContactKind(contact);
+        c.onoYamane.meniscusForce = force;
+        c.onoYamane.takeOff = takeOff;
+        const auto warnings = caseWarnings(c);
+        QCOMPARE(!warnings.empty(), warns);
+        if (warns) QVERIFY(QString::fromStdString(warnings.front().message).endsWith("W is zero at f_m = 1.25 mN"));
+    }
+
     /// Ranges refuse what each value alone must not be.
     void refusesByRange_data()
     {

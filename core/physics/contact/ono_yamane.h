@@ -15,9 +15,9 @@
 //
 // The shape is a reading of Fig. 3; the paper gives no equation for it.
 //
-// A cycle of touch-down and take-off takes the work W = -integral of F_cr + F_m from d_s to d_e out of the slider, as the
-// pad meets no force on its way down to d_s. Below d_s both ways are the same. With W < 0 each cycle gives energy to the
-// slider: such a law can keep it bouncing for ever, and no real contact does that.
+// A cycle of touch-down and take-off takes the work W = -integral of F_cr + F_m from d_s to d_e out of the slider, as
+// the pad meets no force on its way down to d_s. Below d_s both ways are the same. With W < 0 each cycle gives energy
+// to the slider: such a law can keep it bouncing for ever, and no real contact does that.
 //
 // d >= d_e selects the touch-down branch, d <= d_s the take-off branch; between them the branch is kept.
 //

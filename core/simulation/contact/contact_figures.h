@@ -29,10 +29,10 @@ private:
     std::optional<double> strongestPull_, strongestPullAt_; // net force on the way out [N], [m]
     std::vector<ContactJump> jumps_;
     void follow(double separation, double force);
-    std::optional<double> lastSeparation_; // [m]
-    double lastForce_ = 0.0;               // net [N]
-    double loopWork_ = 0.0;                // done on the contact so far, by the trapezoidal rule [J]
-    double lostInJumps_ = 0.0;             // [J]
+    std::optional<double> lastSeparation_;         // [m]
+    double lastForce_ = 0.0;                       // net [N]
+    double loopWork_ = 0.0;                        // done on the contact so far, by the trapezoidal rule [J]
+    double lostInJumps_ = 0.0;                     // [J]
     double workBefore_ = 0.0, energyBefore_ = 0.0; // at the last state without a jump [J]
     std::size_t jumpsBefore_ = 0;
 };

@@ -63,6 +63,7 @@ private slots:
     void showsWhyAnEntryIsBad_data();
     void showsWhyAnEntryIsBad();
     void showsABadCombinationAtItsField();
+    void warnsOfAContactThatCreatesEnergy();
     void undoesAndRedoes();
     void undoesABadEntry();
     void leavesUndoToTheLineWhileTyping();
@@ -233,6 +234,16 @@ void TestCasePanel::showsABadCombinationAtItsField()
     f.type("ono_yamane.take_off", QStringLiteral("4 nm"));
     QVERIFY(f.panel.editor("ono_yamane.take_off")->reason().isEmpty());
     QVERIFY(f.edits.reasonNotToRun().isEmpty());
+}
+
+void TestCasePanel::warnsOfAContactThatCreatesEnergy()
+{
+    Fixture f;
+    f.type("ono_yamane.meniscus_force", QStringLiteral("1 mN")); // W = 1 mN * 2 nm - 2.5 pJ
+    QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->reason().startsWith(QLatin1String("W = -0.5 pJ")));
+    QVERIFY(f.edits.reasonNotToRun().isEmpty());
+    f.type("ono_yamane.meniscus_force", QStringLiteral("1.3 mN"));
+    QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->reason().isEmpty());
 }
 
 void TestCasePanel::undoesAndRedoes()
