@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/adaptive.h"
 
@@ -40,7 +41,10 @@ public:
     {
         mode_ = after;
         if (!ReturnMap::crosses(guard, before, after)) return;
-        if (time >= judgedFrom_) ++crossings_;
+        if (time >= judgedFrom_) {
+            ++crossings_;
+            touchDowns_ += before.contact == ContactRegion::Apart ? 1 : 0;
+        }
         states_[next_ % keptStates] = map_.coordinates(last_);
         times_[next_ % keptStates] = time;
         ++next_;
@@ -51,6 +55,7 @@ public:
     double time(std::size_t k) const { return times_[(next_ - 1 - k) % keptStates]; }
     std::size_t kept() const { return std::min(next_, keptStates); }
     std::size_t crossings() const { return crossings_; } // in the last tenth
+    std::size_t touchDowns() const { return touchDowns_; }
     const SwingOf& spacing() const { return spacing_; }
     SpringModel::Mode mode() const { return mode_; }
 
@@ -63,11 +68,24 @@ private:
     long long steps_ = 0;
     std::array<Vector3, keptStates> states_;
     std::array<double, keptStates> times_{}; // [s]
-    std::size_t next_ = 0, crossings_ = 0;
+    std::size_t next_ = 0, crossings_ = 0, touchDowns_ = 0;
     SwingOf spacing_;
 };
 
 } // namespace
+
+Case caseOfStart(const Case& c, int k)
+{
+    if (k == 0) return c;
+    Case lower = c;
+    const double takeOff = c.onoYamane.takeOff;
+    const double height = std::max(c.initial.flyingHeight, 2.0 * takeOff);
+    lower.initial.flyingHeight = takeOff + (height - takeOff) * std::pow(10.0, -k);
+    lower.initial.pitch = c.springs.pitch;
+    lower.initial.verticalVelocity = lower.initial.pitchVelocity = 0.0;
+    lower.initial.branch = ContactBranch::TouchDown;
+    return checkCombinations(lower).empty() ? lower : c;
+}
 
 BouncingRun searchCycle(const Case& c, double value, const Vector3& units, const BouncingSearch& search,
                         const std::optional<Vector3>& from)
@@ -88,12 +106,14 @@ BouncingRun searchCycle(const Case& c, double value, const Vector3& units, const
         return run;
     }
     run.minimumSpacing = recorder.spacing();
-    const SpringModel::Mode mode = recorder.mode();
-    if (recorder.crossings() < 3) {
-        run.end = mode.contact == ContactRegion::Apart ? BouncingEnd::Flies : BouncingEnd::Caught;
+    run.touches = recorder.mode().contact != ContactRegion::Apart;
+    run.touchDowns = recorder.touchDowns();
+    if (recorder.crossings() < fewestCrossings) {
+        run.end = run.touches ? BouncingEnd::Caught : BouncingEnd::Flies;
         return run;
     }
     run.end = BouncingEnd::Bounces;
+    if (search.mostCrossings == 0) return run;
     const std::size_t most = std::min<std::size_t>(static_cast<std::size_t>(search.mostCrossings), recorder.kept() - 1);
     const Vector3& last = recorder.state(0);
     const auto frequencyOf = [&](std::size_t crossings) { // of cycles with so many

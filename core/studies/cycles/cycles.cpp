@@ -2,6 +2,7 @@
 #include "core/studies/cycles/cycles.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,8 @@
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/studies/cycles/bouncing_map_task.h"
+#include "core/studies/cycles/cycle_keys.h"
 #include "core/studies/cycles/cycles_report.h"
 #include "core/studies/hysteresis/held_steps.h"
 #include "core/studies/runs/parallel.h"
@@ -24,7 +27,6 @@ namespace {
 constexpr std::size_t mostBranches = 12;
 constexpr double perturbation = 1e-3; // of an unstable cycle, so that a run leaves it [-]
 constexpr const char* standardKey = "ono_yamane.meniscus_force";
-constexpr const char* neededKeys = "a key of the case, or several with commas between them, in quotation marks";
 
 /// From no adhesion to twice the meniscus force at which W = 0, at most that of the case where there is none [N].
 double largestMeniscusForce(const Case& c)
@@ -33,20 +35,6 @@ double largestMeniscusForce(const Case& c)
     const double balanced = law.takeOff > law.touchDown ? meniscusForceForWork(law, 0.0) : 0.0;
     const double most = roundedTo(2.0 * balanced, 2);
     return most > 0.0 ? most : law.meniscusForce > 0.0 ? law.meniscusForce : 10e-3;
-}
-
-/// The k-th start: as the case says, then lower and lower above the take-off height.
-Case caseOfStart(const Case& c, int k)
-{
-    if (k == 0) return c;
-    Case lower = c;
-    const double takeOff = c.onoYamane.takeOff;
-    const double height = std::max(c.initial.flyingHeight, 2.0 * takeOff);
-    lower.initial.flyingHeight = takeOff + (height - takeOff) * std::pow(10.0, -k);
-    lower.initial.pitch = c.springs.pitch;
-    lower.initial.verticalVelocity = lower.initial.pitchVelocity = 0.0;
-    lower.initial.branch = ContactBranch::TouchDown;
-    return checkCombinations(lower).empty() ? lower : c;
 }
 
 class CyclesPerformance {
@@ -162,46 +150,6 @@ private:
     std::atomic<double> traced_ = 0.0;
 };
 
-/// The keys of the text, as one; nothing where there is a problem.
-std::optional<DesignKey> readKeys(StudyReader& reader, const std::string& text, ParameterText& label)
-{
-    const Case& c = reader.start();
-    std::vector<DesignKey> keys;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(',', begin), text.size());
-        const std::string key(trimmed(std::string_view(text).substr(begin, end - begin)));
-        begin = end + 1;
-        const auto found = designKey(c, key);
-        std::string problem;
-        if (const auto* wrong = std::get_if<std::string>(&found))
-            problem = *wrong;
-        else if (key.starts_with("run.") || key.starts_with("spectrum."))
-            problem = "belongs to the computation, not to the scene";
-        else if (belongsToStart(key))
-            problem = "belongs to the start, on which a cycle does not depend";
-        else if (!keys.empty() && keys.front().unit != std::get<DesignKey>(found).unit)
-            problem = "has another unit than " + inQuotes(keys.front().key) + " and cannot take the same value";
-        if (!problem.empty()) {
-            reader.add("parameter", inQuotes(key) + " " + problem);
-            return {};
-        }
-        keys.push_back(std::get<DesignKey>(found));
-        const ParameterText one = parameterText(keys.back());
-        if (keys.size() == 1)
-            label = one;
-        else
-            label.label += " and " + uncapitalized(one.label);
-    }
-    DesignKey all = keys.front();
-    all.key = text;
-    all.set = [keys](Case& changed, double value) -> std::optional<std::string> {
-        for (const DesignKey& key : keys)
-            if (const auto problem = key.set(changed, value)) return problem;
-        return {};
-    };
-    return all;
-}
-
 /// One end of the range, with which the case is valid.
 std::optional<double> readEnd(StudyReader& reader, const CyclesTask& task, const char* name, double standard)
 {
@@ -211,10 +159,7 @@ std::optional<double> readEnd(StudyReader& reader, const CyclesTask& task, const
         reader.add(name, "is missing: the parameter has no range of its own");
         return {};
     }
-    const Parameter* parameter = findParameter(task.parameter.key.substr(0, task.parameter.key.find(',')));
-    const double minimum = parameter ? parameter->minimum : -std::numeric_limits<double>::infinity();
-    const double maximum = parameter ? parameter->maximum : std::numeric_limits<double>::infinity();
-    const auto value = reader.number(name, task.parameter.unit, task.parameter.displayUnit, minimum, maximum);
+    const auto value = readValue(reader, name, task.parameter);
     if (!value) return {};
     Case at = task.start;
     if (const std::string problem = setParameter(at, task.parameter, *value); !problem.empty()) {
@@ -222,6 +167,38 @@ std::optional<double> readEnd(StudyReader& reader, const CyclesTask& task, const
         return {};
     }
     return value;
+}
+
+/// Whether a file with the table [map] has cycles followed as well.
+bool asksForCycles(StudyReader& reader)
+{
+    return std::ranges::any_of(std::array{"parameter", "from", "to", "values", "crossings"},
+                               [&](const char* key) { return reader.has(key); });
+}
+
+/// Progress of one part of the study, between two shares of the whole.
+StudyCallback partOf(const StudyCallback& callback, double from, double to)
+{
+    if (!callback) return {};
+    return [&callback, from, to](const StudyProgress& progress) {
+        StudyProgress whole = progress;
+        whole.share = std::lerp(from, to, progress.share);
+        return callback(whole);
+    };
+}
+
+StudyReport performAll(const std::optional<CyclesTask>& cycles, const std::optional<BouncingMapTask>& map, int jobs,
+                       const StudyCallback& callback)
+{
+    const double mapBegins = cycles ? (map ? 0.5 : 1.0) : 0.0;
+    StudyReport report;
+    if (cycles) {
+        const StudyCallback part = partOf(callback, 0.0, mapBegins);
+        report = CyclesPerformance(*cycles, part).perform(jobs);
+    }
+    if (map && report.status == StudyStatus::Completed)
+        addBouncingMap(*map, jobs, partOf(callback, mapBegins, 1.0), report);
+    return report;
 }
 
 } // namespace
@@ -245,7 +222,13 @@ StudyPerformance planCycles(StudyReader& reader)
     task.starts = reader.integer("starts");
     task.search.duration = reader.number("duration");
     task.search.mostCrossings = reader.integer("crossings");
-    const std::optional<DesignKey> parameter = readKeys(reader, keys, task.text);
+    std::optional<BouncingMapTask> map;
+    if (reader.has("map")) {
+        map = readBouncingMap(reader, task.starts, task.search.duration);
+        if (!asksForCycles(reader))
+            return [map](int jobs, const StudyCallback& callback) { return performAll({}, map, jobs, callback); };
+    }
+    const std::optional<DesignKey> parameter = readKeys(reader, "parameter", keys, task.text);
     if (!parameter) return {};
     task.parameter = *parameter;
     const std::optional<double> from = readEnd(reader, task, "from", 0.0),
@@ -259,7 +242,7 @@ StudyPerformance planCycles(StudyReader& reader)
     task.to = *to;
     task.units = sectionUnits(task.start);
     for (int i = 0; i < values; ++i) task.values.push_back(std::lerp(*from, *to, (i + 0.5) / values));
-    return [task](int jobs, const StudyCallback& callback) { return CyclesPerformance(task, callback).perform(jobs); };
+    return [task, map](int jobs, const StudyCallback& callback) { return performAll(task, map, jobs, callback); };
 }
 
 StudyForm cyclesForm(const Case& c)
@@ -276,6 +259,7 @@ StudyForm cyclesForm(const Case& c)
         numberKey("duration", c.run.duration, "s", "us", 1e-6, 1.0, "of each run; its last tenth is judged"),
         integerKey("crossings", 8, 1, 32, "of the touch-down height in one cycle, at most"),
     };
+    for (StudyKey& key : bouncingMapKeys(c, largestMeniscusForce(c))) form.keys.push_back(std::move(key));
     return form;
 }
 

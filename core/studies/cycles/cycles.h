@@ -9,6 +9,9 @@
 //
 // Each cycle has its frequency, amplitude, Floquet multipliers and its energy balance by part. The parameter may be
 // several keys with commas between them: all take the same value, as the damping ratios of both air springs do.
+//
+// With the table [map] the study maps over two values whether the slider flies, is caught or bounces (bouncing_map.h).
+// With that table and without parameter, from, to, values and crossings only the map is made.
 #pragma once
 
 #include "core/studies/study/study.h"

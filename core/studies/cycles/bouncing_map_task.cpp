@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/cycles/bouncing_map_task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/case/parameters.h"
+#include "core/formats/quotation.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/studies/cycles/cycle_keys.h"
+#include "core/studies/runs/parallel.h"
+#include "core/studies/study/study_reader.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int fewestPoints = 2, mostPoints = 100, standardPoints = 20; // of an axis
+constexpr int mostStarts = 8;
+const std::vector<std::string> scales{"linear", "logarithmic"};
+constexpr std::array severities{0, 1, 2, 3, 3}; // by MapClass
+
+std::optional<double> readEnd(StudyReader& reader, const std::string& name, const DesignKey& keys, bool logarithmic)
+{
+    if (!reader.has(name)) {
+        reader.add(name, "is missing: a map has no range of its own");
+        return {};
+    }
+    const std::optional<double> value = readValue(reader, name, keys);
+    if (!value) return {};
+    Case changed = reader.start();
+    if (const auto problem = keys.set(changed, *value)) {
+        reader.add(name, *problem);
+        return {};
+    }
+    if (logarithmic && !(*value > 0.0)) {
+        reader.add(name, "must be greater than 0 on a logarithmic scale");
+        return {};
+    }
+    return value;
+}
+
+std::optional<MapAxis> readAxis(StudyReader& reader, const std::string& name)
+{
+    MapAxis axis;
+    const std::optional<std::string> text = reader.text(name, neededKeys);
+    axis.logarithmic = reader.choice(name + "_scale") == "logarithmic";
+    const int points = reader.integer(name + "_points");
+    if (!text) {
+        if (!reader.has(name)) reader.add(name, std::string("is missing; ") + neededKeys);
+        reader.has(name + "_from"); // known, though nothing can be said about it
+        reader.has(name + "_to");
+        return {};
+    }
+    const std::optional<DesignKey> keys = readKeys(reader, name, *text, axis.text);
+    if (!keys) return {};
+    axis.keys = *keys;
+    const std::optional<double> from = readEnd(reader, name + "_from", *keys, axis.logarithmic),
+                                to = readEnd(reader, name + "_to", *keys, axis.logarithmic);
+    if (!from || !to) return {};
+    if (*from == *to) {
+        reader.add(name + "_to", "is the same as " + leafOf(name) + "_from: there is no range");
+        return {};
+    }
+    axis.values = {std::min(*from, *to), std::max(*from, *to)};
+    std::vector<double> values;
+    for (int i = 0; i < points; ++i) values.push_back(axis.at(double(i) / (points - 1)));
+    axis.values = std::move(values);
+    return axis;
+}
+
+std::string cellText(const BouncingMapTask& task, const MapCell& cell)
+{
+    std::string text = task.x.text.of(cell.x) + ", " + task.y.text.of(cell.y) + ": " + std::string(name(cell.kind())) +
+                       "; W = " + fewDigits(cell.cycleWork, "pJ", 3) + "; " +
+                       counted(std::size_t(task.starts), "start") + ": ";
+    std::vector<std::string> ends;
+    for (std::size_t k = 0; k < cell.ends.size(); ++k)
+        if (cell.ends[k] > 0)
+            ends.push_back(std::to_string(cell.ends[k]) + " " + std::string(name(static_cast<BouncingEnd>(k))));
+    text += joined(ends);
+    return text + (cell.problem.empty() ? "" : " (" + cell.problem + ")");
+}
+
+ChartAxis chartAxis(const MapAxis& axis)
+{
+    return {axis.text.label, axis.text.unit, axis.text.displayUnit, axis.logarithmic};
+}
+
+StudyChart chartOf(const BouncingMapTask& task, const std::vector<MapCell>& cells)
+{
+    ChartPanel panel{chartAxis(task.x), chartAxis(task.y)};
+    ChartMap& map = panel.map.emplace();
+    map.x = task.x.values;
+    map.y = task.y.values;
+    for (std::size_t k = 0; k < mapClasses; ++k)
+        map.classes.push_back({std::string(name(static_cast<MapClass>(k))), severities[k]});
+    for (const MapCell& cell : cells) {
+        map.cells.push_back(cell.done ? static_cast<int>(cell.kind()) : -1);
+        map.details.push_back(cell.done ? cellText(task, cell) : "");
+    }
+    ChartSeries line{.name = "W = 0", .markers = false, .quiet = true};
+    for (const auto& [x, y] : zeroWork(task)) line.points.push_back({.x = x, .y = y});
+    if (line.points.size() > 1) panel.series.push_back(std::move(line));
+    return {"Does the slider fly, is it caught, or does it bounce for ever?",
+            "Each cell: " + counted(std::size_t(task.starts), "run") + " of " +
+                fewDigitsOfTime(task.search.duration, 3) +
+                " from different heights, judged by the last tenth; one run that bounces is enough. Line: W = 0, where "
+                "one loop of the contact law neither takes nor creates energy.",
+            {panel}};
+}
+
+StudyTable tableOf(const BouncingMapTask& task, const std::vector<MapCell>& cells)
+{
+    StudyTable table{.name = "map"};
+    table.columns = {{"x", task.x.text.unit, task.x.text.displayUnit, task.x.text.label},
+                     {"y", task.y.text.unit, task.y.text.displayUnit, task.y.text.label},
+                     {"work", "J", "pJ", "W, which one loop of the contact law takes"},
+                     {"class", "", "", "How the slider ends"},
+                     {"flies", "", "", "Share of the runs that fly at the end"},
+                     {"caught", "", "", "Share of the runs that end in contact"},
+                     {"bounces", "", "", "Share of the runs that bounce at the end"},
+                     {"failed", "", "", "Share of the runs that fail"},
+                     {.name = "remark", .secondary = true}};
+    for (const MapCell& cell : cells) {
+        if (!cell.done) continue;
+        std::vector<StudyValue> row{cell.x, cell.y, cell.cycleWork, std::string(name(cell.kind()))};
+        for (const int runs : cell.ends) row.emplace_back(double(runs) / task.starts);
+        row.emplace_back(cell.problem);
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+std::string findingOf(const std::vector<MapCell>& cells)
+{
+    const MapCount count = countOf(cells);
+    const std::size_t quiet = count.quietFlying + count.quietOther;
+    std::string text = "The slider bounces for ever in " + std::to_string(count.creating + count.taking) + " of " +
+                       counted(count.cells, "cell") + " of the map: in " + std::to_string(count.creating) +
+                       " with W < 0 and in " + std::to_string(count.taking) + " with W >= 0";
+    if (quiet == 0) return text + "; in no cell with W < 0 the bouncing ends.";
+    text += "; in " + counted(quiet, "cell") + " with W < 0 the bouncing ends, as the dashpots take the energy: ";
+    text += "the slider flies in " + std::to_string(count.quietFlying);
+    text += " of them and is caught, from one start or more, in " + std::to_string(count.quietOther);
+    return text + ".";
+}
+
+} // namespace
+
+std::optional<BouncingMapTask> readBouncingMap(StudyReader& reader, int starts, double duration)
+{
+    BouncingMapTask task;
+    task.start = reader.start();
+    task.search.duration = duration;
+    task.starts = reader.integer("map.starts", 1, mostStarts).value_or(starts);
+    const std::optional<MapAxis> x = readAxis(reader, "map.x"), y = readAxis(reader, "map.y");
+    if (!x || !y) return {};
+    if (x->keys.key == y->keys.key) {
+        reader.add("map.y", inQuotes(y->keys.key) + " is the key of x, too");
+        return {};
+    }
+    task.x = *x;
+    task.y = *y;
+    return task;
+}
+
+std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce)
+{
+    const Parameter &force = *findParameter("ono_yamane.meniscus_force"),
+                    &height = *findParameter("ono_yamane.take_off");
+    std::vector<StudyKey> keys{tableKey(
+        "map", "A map over two values: does the slider fly, is it caught, or does it bounce for ever? With this "
+               "table and without parameter, from, to, values and crossings only the map is made.")};
+    const auto addAxis = [&](const std::string& name, const Parameter& parameter, double from, double to) {
+        const auto endKey = [&](const char* end, double value, const char* help) {
+            return numberKey(name + end, value, parameter.unit, parameter.displayUnit, parameter.minimum,
+                             parameter.maximum, help);
+        };
+        keys.push_back(textKey(name, parameter.key, neededKeys, "what changes along the axis"));
+        keys.push_back(endKey("_from", from, "one end of the axis"));
+        keys.push_back(endKey("_to", to, "the other end"));
+        keys.push_back(integerKey(name + "_points", standardPoints, fewestPoints, mostPoints, "both ends included"));
+        keys.push_back(choiceKey(name + "_scale", scales.front(), scales, "distances of the points"));
+    };
+    addAxis("map.x", force, 0.0, largestMeniscusForce);
+    addAxis("map.y", height, c.onoYamane.takeOff, 2.0 * c.onoYamane.takeOff);
+    keys.push_back(integerKey("map.starts", 3, 1, mostStarts, "of each cell: as the case says, then lower ones"));
+    for (StudyKey& key : keys) key = onlyOffered(std::move(key));
+    return keys;
+}
+
+void addBouncingMap(const BouncingMapTask& task, int jobs, const StudyCallback& callback, StudyReport& report)
+{
+    const std::size_t columns = task.x.values.size(), count = columns * task.y.values.size();
+    std::vector<MapCell> cells(count);
+    const auto judge = [&](std::size_t i, const GoOn& goOn) {
+        cells[i] = judgeCell(task, task.x.values[i % columns], task.y.values[i / columns], goOn);
+    };
+    const bool whole = runParallel(count, jobs, judge, [&](std::size_t done) {
+        const std::string doing = "cell " + std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count);
+        return !callback || callback({.share = double(done) / double(count), .doing = doing, .soFar = nullptr});
+    });
+    report.charts.push_back(chartOf(task, cells));
+    report.tables.push_back(tableOf(task, cells));
+    const auto failed = std::ranges::find(
+        cells, true, [](const MapCell& cell) { return cell.done && cell.runs(BouncingEnd::Failed) > 0; });
+    if (!whole) {
+        report.status = StudyStatus::Cancelled;
+        report.message = "stopped before all cells of the map were run";
+    } else if (std::ranges::all_of(cells, [](const MapCell& cell) { return cell.kind() == MapClass::Fails; })) {
+        report.status = StudyStatus::Failed;
+        report.message = "no cell of the map has a valid end: " + failed->problem;
+    } else {
+        report.findings.insert(report.findings.begin(), findingOf(cells));
+        if (const std::size_t taking = countOf(cells).taking; taking > 0)
+            report.warnings.push_back("In " + counted(taking, "cell") +
+                                      " of the map the slider bounces at the end though W >= 0; a longer duration "
+                                      "shows whether that bouncing decays.");
+        if (failed != cells.end())
+            report.warnings.push_back("One run of the map or more failed: " + failed->problem + ".");
+    }
+}
+
+} // namespace touchdown

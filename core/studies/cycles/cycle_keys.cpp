@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/cycles/cycle_keys.h"
+
+#include <algorithm>
+#include <limits>
+#include <variant>
+#include <vector>
+
+#include "core/case/parameters.h"
+#include "core/formats/quotation.h"
+#include "core/formats/words.h"
+#include "core/studies/hysteresis/held_steps.h"
+#include "core/studies/study/study_reader.h"
+
+namespace touchdown {
+
+std::optional<DesignKey> readKeys(StudyReader& reader, const std::string& name, const std::string& text,
+                                  ParameterText& label)
+{
+    const Case& c = reader.start();
+    std::vector<DesignKey> keys;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string key(trimmed(std::string_view(text).substr(begin, end - begin)));
+        begin = end + 1;
+        const auto found = designKey(c, key);
+        std::string problem;
+        if (const auto* wrong = std::get_if<std::string>(&found))
+            problem = *wrong;
+        else if (key.starts_with("run.") || key.starts_with("spectrum."))
+            problem = "belongs to the computation, not to the scene";
+        else if (belongsToStart(key))
+            problem = "belongs to the start, which the study chooses itself";
+        else if (!keys.empty() && keys.front().unit != std::get<DesignKey>(found).unit)
+            problem = "has another unit than " + inQuotes(keys.front().key) + " and cannot take the same value";
+        if (!problem.empty()) {
+            reader.add(name, inQuotes(key) + " " + problem);
+            return {};
+        }
+        keys.push_back(std::get<DesignKey>(found));
+        const ParameterText one = parameterText(keys.back());
+        if (keys.size() == 1)
+            label = one;
+        else
+            label.label += " and " + uncapitalized(one.label);
+    }
+    DesignKey all = keys.front();
+    all.key = text;
+    all.set = [keys](Case& changed, double value) -> std::optional<std::string> {
+        for (const DesignKey& key : keys)
+            if (const auto problem = key.set(changed, value)) return problem;
+        return {};
+    };
+    return all;
+}
+
+std::optional<double> readValue(StudyReader& reader, const std::string& name, const DesignKey& keys)
+{
+    const Parameter* parameter = findParameter(keys.key.substr(0, keys.key.find(',')));
+    const double minimum = parameter ? parameter->minimum : -std::numeric_limits<double>::infinity();
+    const double maximum = parameter ? parameter->maximum : std::numeric_limits<double>::infinity();
+    return reader.number(name, keys.unit, keys.displayUnit, minimum, maximum);
+}
+
+} // namespace touchdown
