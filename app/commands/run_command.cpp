@@ -95,7 +95,7 @@ Json fitJson(const std::optional<CharacteristicFit>& fit)
             {"touch_down", jsonNumber(p.touchDown)},
             {"take_off", jsonNumber(p.takeOff)},
             {"take_off_shape", name(p.takeOffShape)},
-            {"cycle_work", jsonNumber(fit->cycleWork)},
+            {"cycle_work", jsonNumber(OnoYamaneLaw(p).cycleWork())},
             {"contact_error", errorJson(fit->contact)},
             {"adhesion_error", errorJson(fit->adhesion)},
             {"describes", fit->describes},
@@ -126,7 +126,8 @@ std::string fitText(const CharacteristicFit& fit)
                                                          displayed(p.initialContactForce, "mN", 4));
     text += reportRow("fitted k_c", displayed(p.contactStiffness, "N/m", 4));
     text += reportRow("fitted d_s, d_e", displayed(p.touchDown, "nm", 4) + ", " + displayed(p.takeOff, "nm", 4));
-    text += reportRow("fitted shape", std::string(name(p.takeOffShape)) + ", W " + displayed(fit.cycleWork, "pJ", 4));
+    text += reportRow("fitted shape",
+                      std::string(name(p.takeOffShape)) + ", W " + displayed(OnoYamaneLaw(p).cycleWork(), "pJ", 4));
     return text + reportRow("fit", fit.message);
 }
 
@@ -167,8 +168,10 @@ std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0
 std::string warningRows(const Case& c, const std::vector<std::string>& warnings)
 {
     std::string text;
-    const std::size_t told = caseWarnings(c).size();
-    for (std::size_t i = 0; i + told < warnings.size(); ++i) text += reportRow("warning", warnings[i]);
+    const std::vector<CaseProblem> told = caseWarnings(c);
+    for (const std::string& warning : warnings)
+        if (std::ranges::find(told, warning, &CaseProblem::message) == told.end())
+            text += reportRow("warning", warning);
     return text;
 }
 

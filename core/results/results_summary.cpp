@@ -58,7 +58,8 @@ void writeFit(const Hdf5Group& group, const CharacteristicFit& fit)
     putFinite(group, "take_off", p.takeOff, "m", "d_e of the fitted characteristic");
     group.put("take_off_shape", std::string(name(p.takeOffShape)), "1",
               "Forces between d_s and d_e of the fitted characteristic");
-    putFinite(group, "cycle_work", fit.cycleWork, "J", "Work that a touch-down and take-off takes out of the slider");
+    putFinite(group, "cycle_work", OnoYamaneLaw(p).cycleWork(), "J",
+              "Work that a touch-down and take-off takes out of the slider");
     putFinite(group, "contact_error", fit.contact.worst, "",
               "Worst error of the contact force against its largest value");
     putFinite(group, "adhesion_error", fit.adhesion.worst, "", "Worst error of the adhesion against its largest value");

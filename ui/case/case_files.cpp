@@ -57,7 +57,10 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
     edits_.open(document.value);
     if (!file.isEmpty()) remember(file);
     emit opened();
-    const QStringList warnings = textsOf(document.warnings) + textsOf(document.unused);
+    // A warning of a combination of values stands at its field.
+    std::vector<InputProblem> lasting = document.warnings;
+    std::erase_if(lasting, [](const InputProblem& warning) { return warning.kind == ProblemKind::Combination; });
+    const QStringList warnings = textsOf(lasting) + textsOf(document.unused);
     if (import)
         emit imported(file, warnings);
     else if (!warnings.isEmpty())

@@ -68,9 +68,8 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
 
     legend_->setText(tr("≈ assumed, because the paper's value is lost"));
     legend_->setWordWrap(true);
-    legend_->setToolTip(
-        tr("The tables of the paper that list these values are lost. The stand-ins were searched for until "
-           "what the paper says of its figures held."));
+    legend_->setToolTip(tr("The tables of the paper that list these values are lost. The stand-ins were chosen so that "
+                           "runs do what the paper says of them; each case tells how far they do."));
 
     auto* page = new QWidget;
     buildGroups(page);
@@ -197,7 +196,7 @@ ParameterEditor* CasePanel::editor(std::string_view key) const
 void CasePanel::showFirstProblem()
 {
     const auto bad = std::ranges::find_if(editors_, [this](const ParameterEditor* editor) {
-        return !editor->reason().isEmpty() && editor->parameter().used(edits_.value());
+        return editor->wrong() && editor->parameter().used(edits_.value());
     });
     if (bad == editors_.end()) return;
     search_->clear();

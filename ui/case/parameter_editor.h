@@ -33,6 +33,7 @@ public:
     /// The widget that takes the entry.
     QWidget* input() const;
     QString reason() const { return reason_->isHidden() ? QString() : reason_->text(); }
+    bool wrong() const { return wrong_; }
     int unitWidth() const { return unit_->sizeHint().width(); }
     /// Lines up the columns of all rows.
     void setUnitWidth(int width);

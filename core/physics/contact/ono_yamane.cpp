@@ -62,11 +62,11 @@ double OnoYamaneLaw::storedEnergy(ContactRegion region, double d) const
 double OnoYamaneLaw::cycleWork() const
 {
     using enum ContactRegion;
-    double given = 0.0; // to the slider on its way up
+    double taken = 0.0; // from the slider on its way up
     for (const auto& [region, from, to] :
          {std::tuple{Lifting, row(Pressed).upper, release_}, std::tuple{Bridged, release_, row(Bridged).upper}})
-        given += work(row(region).contact, from, to) + work(row(region).adhesion, from, to);
-    return -given;
+        taken -= work(row(region).contact, from, to) + work(row(region).adhesion, from, to);
+    return taken;
 }
 
 double meniscusForceForWork(const OnoYamane& parameters, double work)

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/contact/contact_figures.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace touchdown {
 
 void ContactFigures::follow(double separation, double force)
 {
-    if (lastSeparation_) loopWork_ -= 0.5 * (lastForce_ + force) * (separation - *lastSeparation_);
+    if (lastSeparation_) work_ -= 0.5 * (lastForce_ + force) * (separation - *lastSeparation_);
     lastSeparation_ = separation;
     lastForce_ = force;
 }
@@ -15,9 +16,9 @@ void ContactFigures::follow(double separation, double force)
 void ContactFigures::add(const ContactForces& forces, bool away)
 {
     follow(forces.separation, forces.net());
-    if (jumps_.size() > jumpsBefore_) lostInJumps_ += loopWork_ - workBefore_ - (forces.energy - energyBefore_);
+    if (jumps_.size() > jumpsBefore_) lostInJumps_ += work_ - workBefore_ - (forces.energy - energyBefore_);
     jumpsBefore_ = jumps_.size();
-    workBefore_ = loopWork_;
+    workBefore_ = work_;
     energyBefore_ = forces.energy;
     largestContact_ = std::max(largestContact_, forces.contact);
     if (!closest_ || forces.separation < closest_->separation) closest_ = forces;
@@ -62,10 +63,19 @@ std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatis
                 add("snap_in_separation", "m", "nm", "Separation of the first jump on the way in", jump.before);
             break;
         }
-    if (case_.contact != ContactKind::OnoYamane) // whose W is known without a run
-        add("loop_work", "J", "pJ", "Work that the way in and out takes", fit ? fit->cycleWork : loopWork_);
-    if (fit || !jumps_.empty())
-        add("lost_in_jumps", "J", "pJ", "The part of it that is lost in jumps", fit ? fit->lostInJumps : lostInJumps_);
+    // An elastic contact that adheres loses energy in its jumps alone. Where the disk moves, that moves the surface,
+    // too.
+    const auto jumped = [&](bool away) {
+        return std::ranges::any_of(jumps_, [&](const ContactJump& jump) { return (jump.after > jump.before) == away; });
+    };
+    const bool rests =
+        case_.diskSurface.kind == DiskSurfaceKind::Flat || case_.diskSurface.motion == SurfaceMotion::Still;
+    if (fit) {
+        add("loop_work", "J", "pJ", "Work that the way in and out takes", fit->cycleWork);
+        add("lost_in_jumps", "J", "pJ", "The part of it that is lost in jumps", fit->lostInJumps);
+    } else if (rests && jumped(false) && jumped(true)) {
+        add("loop_work", "J", "pJ", "Work that the way in and out takes: lost in its jumps", lostInJumps_);
+    }
     if (closest_ && (case_.contact != ContactKind::OnoYamane))
         add("closest_contact_area", "m^2", "um^2", "Real area of contact at the closest approach", closest_->area);
     if (surface) {

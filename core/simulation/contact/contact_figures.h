@@ -23,15 +23,17 @@ public:
                                    const std::optional<CharacteristicFit>& fit = {}) const;
 
 private:
+    /// Adds the work of a way to this state.
+    void follow(double separation, double force);
+
     const Case& case_;
     std::optional<ContactForces> closest_;
     double largestContact_ = 0.0;                           // [N]
     std::optional<double> strongestPull_, strongestPullAt_; // net force on the way out [N], [m]
     std::vector<ContactJump> jumps_;
-    void follow(double separation, double force);
     std::optional<double> lastSeparation_;         // [m]
     double lastForce_ = 0.0;                       // net [N]
-    double loopWork_ = 0.0;                        // done on the contact so far, by the trapezoidal rule [J]
+    double work_ = 0.0;                            // done on the contact so far, by the trapezoidal rule [J]
     double lostInJumps_ = 0.0;                     // [J]
     double workBefore_ = 0.0, energyBefore_ = 0.0; // at the last state without a jump [J]
     std::size_t jumpsBefore_ = 0;

@@ -174,7 +174,8 @@ public:
             const Branch found = piece.follow(x, p, rising);
             add(found, piece);
             closed_ = found.end == BranchEnd::Closed;
-            if (found.points.empty() || found.end == BranchEnd::Stopped || found.end == BranchEnd::Bound || closed_)
+            if (branch_.points.empty() || found.points.empty() || found.end == BranchEnd::Stopped ||
+                found.end == BranchEnd::Bound || closed_)
                 return std::move(branch_);
             const BranchPoint& last = found.points.back();
             if (std::min(std::abs(last.p), std::abs(1.0 - last.p)) < atBound) return std::move(branch_);
@@ -244,7 +245,7 @@ private:
             if (!there.returned) { // flies away or is caught: later switches have no meaning
                 there.switches.resize(std::min(there.switches.size(), before.size()));
                 const std::string lost = firstDifference(map.model(), before, there.switches);
-                return lost.empty() ? "touch-down" : lost;
+                return lost.empty() ? "the slider does not come back" : lost;
             }
             if (there.switches == before) continue;
             return firstDifference(map.model(), before, there.switches);

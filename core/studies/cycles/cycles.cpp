@@ -95,7 +95,7 @@ private:
     void traceAll(const GoOn& goOn)
     {
         const CycleTrace trace{[this](double value) { return caseAt(value); }, task_.from, task_.to, task_.units, goOn};
-        for (std::size_t i = 0; i < result_.runs.size() && goOn(); ++i) {
+        for (std::size_t i = 0; i < result_.runs.size() && result_.branches.size() < mostBranches && goOn(); ++i) {
             traced_ = double(i) / double(result_.runs.size());
             const std::optional<LimitCycle>& cycle = result_.runs[i].cycle;
             if (!cycle) continue;

@@ -91,7 +91,7 @@ private:
         const std::size_t bouncing = endsOf(BouncingEnd::Bounces);
         const std::string at = " for " + wholeRange();
         if (bouncing == 0) {
-            say("No sustained bouncing found from " + counted(runs, "start") + " at any value" + at + ": " +
+            say("No sustained bouncing found in " + counted(runs, "run") + at + ": " +
                 std::to_string(endsOf(BouncingEnd::Flies)) + " end flying, " +
                 std::to_string(endsOf(BouncingEnd::Caught)) + " caught in contact" +
                 (endsOf(BouncingEnd::Failed) > 0 ? ", " + std::to_string(endsOf(BouncingEnd::Failed)) + " fail" : ""));

@@ -85,7 +85,7 @@ StudyChart energyChart(const CyclesTask& task, const CyclesResult& result)
     addBranches(energy, result, "cycles: friction", [](const LimitCycle& c) { return c.energies.friction; });
     energy.bands.push_back({.alongX = false, .lower = 0.0, .upper = 0.0});
     return {"Energy of one cycle over " + uncapitalized(task.text.label),
-            "By part; the parts of a cycle add up to zero. The contact gives -W at each touch-down.",
+            "By part; the parts of a cycle add up to zero. The contact gives -W at each touch-down from flight.",
             {energy}};
 }
 

@@ -37,7 +37,7 @@ struct CycleSwitch {
 struct CycleEnergies {
     double air = 0.0;        // dashpots of the air springs
     double suspension = 0.0; // its dashpots
-    double contact = 0.0;    // contact and adhesion: -W at each touch-down
+    double contact = 0.0;    // contact and adhesion: -W at each touch-down from flight
     double friction = 0.0;
     /// Zero for a cycle.
     double sum() const { return air + suspension + contact + friction; }

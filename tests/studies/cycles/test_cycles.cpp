@@ -112,7 +112,7 @@ private slots:
     {
         const StudyReport report = performed(bouncingSlider(), std::string("from = \"4 mN\"\nto = \"20 mN\"\n") + few);
         QCOMPARE(report.status, StudyStatus::Completed);
-        QVERIFY2(report.findings.front().starts_with("No sustained bouncing found from 3 starts at any value for "),
+        QVERIFY2(report.findings.front().starts_with("No sustained bouncing found in 3 runs for "),
                  report.findings.front().c_str());
         QVERIFY(table(report, "cycles").rows.empty());
         QVERIFY(report.charts.empty());
