@@ -40,7 +40,7 @@ struct BouncingRun {
     std::size_t touchDowns = 0;      // from flying, in the last tenth
     bool touches = false;            // at the end: on the take-off branch
     SwingOf minimumSpacing;          // in the last tenth [m]
-    double frequency = 0.0;          // of the crossings there, divided by those of the cycle [Hz]
+    double frequency = 0.0;          // of the last crossings of the run, at most 64, by those of the cycle [Hz]
     std::optional<LimitCycle> cycle; // where one was found
     std::string problem;             // why a bouncing run has none, or why the run failed
     double amplitude() const { return 0.5 * (minimumSpacing.most - minimumSpacing.least); }

@@ -2,11 +2,9 @@
 #include "core/studies/cycles/cycle_keys.h"
 
 #include <algorithm>
-#include <limits>
 #include <variant>
 #include <vector>
 
-#include "core/case/parameters.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 #include "core/studies/hysteresis/held_steps.h"
@@ -23,12 +21,10 @@ std::optional<DesignKey> readKeys(StudyReader& reader, const std::string& name, 
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string key(trimmed(std::string_view(text).substr(begin, end - begin)));
         begin = end + 1;
-        const auto found = designKey(c, key);
+        const auto found = sceneKey(c, key);
         std::string problem;
         if (const auto* wrong = std::get_if<std::string>(&found))
             problem = *wrong;
-        else if (key.starts_with("run.") || key.starts_with("spectrum."))
-            problem = "belongs to the computation, not to the scene";
         else if (belongsToStart(key))
             problem = "belongs to the start, which the study chooses itself";
         else if (!keys.empty() && keys.front().unit != std::get<DesignKey>(found).unit)
@@ -56,10 +52,8 @@ std::optional<DesignKey> readKeys(StudyReader& reader, const std::string& name, 
 
 std::optional<double> readValue(StudyReader& reader, const std::string& name, const DesignKey& keys)
 {
-    const Parameter* parameter = findParameter(keys.key.substr(0, keys.key.find(',')));
-    const double minimum = parameter ? parameter->minimum : -std::numeric_limits<double>::infinity();
-    const double maximum = parameter ? parameter->maximum : std::numeric_limits<double>::infinity();
-    return reader.number(name, keys.unit, keys.displayUnit, minimum, maximum);
+    const Interval allowed = allowedValues(keys.key.substr(0, keys.key.find(',')));
+    return reader.number(name, keys.unit, keys.displayUnit, allowed.lower, allowed.upper);
 }
 
 } // namespace touchdown

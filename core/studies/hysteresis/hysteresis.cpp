@@ -230,23 +230,17 @@ bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
     const Case& c = reader.start();
     const std::string key = reader.text("parameter", "a key of the case in quotation marks").value_or(standard.key);
     const bool named = reader.has("parameter");
-    const auto found = designKey(c, key);
+    const auto found = sceneKey(c, key);
     if (const auto* problem = std::get_if<std::string>(&found)) {
         reader.add("parameter", inQuotes(key) + " " + *problem);
         return false;
     }
     steps.parameter = std::get<DesignKey>(found);
-    if (key.starts_with("run.") || key.starts_with("spectrum.")) {
-        reader.add("parameter", inQuotes(key) + " belongs to the computation, not to the scene");
-        return false;
-    }
-    const Parameter* parameter = findParameter(key);
-    const double minimum = parameter ? parameter->minimum : -std::numeric_limits<double>::infinity();
-    const double maximum = parameter ? parameter->maximum : std::numeric_limits<double>::infinity();
+    const Interval allowed = allowedValues(key);
     const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
         const bool given = reader.has(name);
         std::optional<double> value =
-            reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, minimum, maximum);
+            reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, allowed.lower, allowed.upper);
         if (!given && key != standard.key) {
             reader.add(name,
                        "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));

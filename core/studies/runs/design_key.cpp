@@ -104,4 +104,18 @@ std::variant<DesignKey, std::string> designKey(const Case& c, std::string_view n
     return DesignKey{key, parameter->unit, parameter->displayUnit, get, set};
 }
 
+std::variant<DesignKey, std::string> sceneKey(const Case& c, std::string_view key)
+{
+    auto found = designKey(c, key);
+    if (std::holds_alternative<DesignKey>(found) && (key.starts_with("run.") || key.starts_with("spectrum.")))
+        return std::string("belongs to the computation, not to the scene");
+    return found;
+}
+
+Interval allowedValues(std::string_view key)
+{
+    const Parameter* parameter = findParameter(key);
+    return parameter ? Interval{parameter->minimum, parameter->maximum} : Interval{};
+}
+
 } // namespace touchdown

@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "core/case/case.h"
+#include "core/numerics/interval.h"
 
 namespace touchdown {
 
@@ -28,5 +29,9 @@ struct DesignKey {
 
 /// The key in a valid case, or why it is none that can be changed, in a sentence without it.
 std::variant<DesignKey, std::string> designKey(const Case& c, std::string_view key);
+/// The same, but a key of the computation (run., spectrum.) is none of the scene.
+std::variant<DesignKey, std::string> sceneKey(const Case& c, std::string_view key);
+/// Between which its value lies, whatever the others are [its unit]; of a rail's lengths nothing is known.
+Interval allowedValues(std::string_view key);
 
 } // namespace touchdown
