@@ -168,9 +168,7 @@ void warnOfCreatedEnergy(const OnoYamane& parameters, Problems& warnings)
          "W = " + fewDigits(work, "pJ", 3) +
              " is negative: each touch-down and take-off gives this energy to the slider, as no real contact does, so "
              "that it can bounce for ever; W is zero at f_m = " +
-             fewDigits(meniscusForceForWork(parameters, 0.0), "mN", 6),
-         {"ono_yamane.contact_stiffness", "ono_yamane.initial_contact_force", "ono_yamane.touch_down",
-          "ono_yamane.take_off", "ono_yamane.take_off_shape"}});
+             fewDigits(meniscusForceForWork(parameters, 0.0), "mN", 6)});
 }
 
 void checkContact(const Case& c, Problems& problems)

@@ -24,7 +24,7 @@ private:
     State after_;
 };
 
-CaseEdits::CaseEdits(QObject* parent) : QObject(parent) { problems_ = checkCombinations(state_.value); }
+CaseEdits::CaseEdits(QObject* parent) : QObject(parent) { apply(state_); }
 
 void CaseEdits::open(const Case& opened)
 {

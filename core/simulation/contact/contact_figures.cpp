@@ -8,7 +8,7 @@ namespace touchdown {
 
 void ContactFigures::follow(double separation, double force)
 {
-    if (lastSeparation_) work_ -= 0.5 * (lastForce_ + force) * (separation - *lastSeparation_);
+    if (lastSeparation_) workOfStep_ -= 0.5 * (lastForce_ + force) * (separation - *lastSeparation_);
     lastSeparation_ = separation;
     lastForce_ = force;
 }
@@ -16,10 +16,10 @@ void ContactFigures::follow(double separation, double force)
 void ContactFigures::add(const ContactForces& forces, bool away)
 {
     follow(forces.separation, forces.net());
-    if (jumps_.size() > jumpsBefore_) lostInJumps_ += work_ - workBefore_ - (forces.energy - energyBefore_);
-    jumpsBefore_ = jumps_.size();
-    workBefore_ = work_;
-    energyBefore_ = forces.energy;
+    if (jumpInStep_) lostInJumps_ += workOfStep_ - (forces.energy - lastEnergy_);
+    jumpInStep_ = false;
+    workOfStep_ = 0.0;
+    lastEnergy_ = forces.energy;
     largestContact_ = std::max(largestContact_, forces.contact);
     if (!closest_ || forces.separation < closest_->separation) closest_ = forces;
     if (away && forces.net() < strongestPull_.value_or(0.0)) {
@@ -31,6 +31,7 @@ void ContactFigures::add(const ContactForces& forces, bool away)
 void ContactFigures::addJump(const ContactJump& jump)
 {
     jumps_.push_back(jump);
+    jumpInStep_ = true;
     follow(jump.before, jump.forceBefore);
     follow(jump.after, jump.forceAfter);
     // The force just before a pull-off lies between two samples.

@@ -31,12 +31,12 @@ private:
     double largestContact_ = 0.0;                           // [N]
     std::optional<double> strongestPull_, strongestPullAt_; // net force on the way out [N], [m]
     std::vector<ContactJump> jumps_;
-    std::optional<double> lastSeparation_;         // [m]
-    double lastForce_ = 0.0;                       // net [N]
-    double work_ = 0.0;                            // done on the contact so far, by the trapezoidal rule [J]
-    double lostInJumps_ = 0.0;                     // [J]
-    double workBefore_ = 0.0, energyBefore_ = 0.0; // at the last state without a jump [J]
-    std::size_t jumpsBefore_ = 0;
+    std::optional<double> lastSeparation_; // [m]
+    double lastForce_ = 0.0;               // net [N]
+    double lastEnergy_ = 0.0;              // [J]
+    double workOfStep_ = 0.0;              // done on the contact since the last state, by the trapezoidal rule [J]
+    bool jumpInStep_ = false;
+    double lostInJumps_ = 0.0; // [J]
 };
 
 } // namespace touchdown
