@@ -35,6 +35,7 @@ set(rooms
     core/studies/advice
     core/studies/convergence
     core/studies/design
+    core/studies/statements
     core/studies
     ui/style
     ui/calculation

@@ -22,6 +22,7 @@
 #include "core/studies/precision/precision_task.h"
 #include "core/studies/precision/work_precision.h"
 #include "core/studies/stability/stability.h"
+#include "core/studies/statements/statements.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
@@ -202,6 +203,10 @@ std::span<const StudyKind> studyKinds()
          "Solves the static state of films, or the closest approach of a contact case, on finer and finer grids: "
          "observed order and error",
          planConvergence, convergenceForm},
+        {"statements", "What a text says, against what is found",
+         "Runs what a text reports and checks its sentences and numbers one by one, with shares of starts where one "
+         "run proves little",
+         planStatements, statementsForm},
     };
     return kinds;
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/help_window.h"
 
+#include <algorithm>
+#include <ranges>
+
 #include <QFile>
 #include <QHBoxLayout>
 #include <QShortcut>
 #include <QSplitter>
 
 #include "core/case/parameters.h"
+#include "core/formats/csv_cell.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 
@@ -42,6 +46,29 @@ QString parameterTable()
     return html + QStringLiteral("</table>");
 }
 
+/// What `touchdown study statements paper --csv` wrote, a row for each statement.
+QString paperTable(const QString& csv)
+{
+    QString html = QStringLiteral("<table cellpadding='4' cellspacing='0' border='0'>");
+    const std::vector<std::vector<std::string>> rows = csvRows(csv.toStdString());
+    const auto cell = [](const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); };
+    for (const std::vector<std::string>& row : rows | std::views::drop(1)) {
+        const auto of = [&](const char* column) {
+            const auto found = std::ranges::find(rows.front(), column);
+            return cell(row.at(std::size_t(found - rows.front().begin())));
+        };
+        const bool holds = of("holds") == QLatin1String("yes");
+        const auto under = [](const QString& text) {
+            return text.isEmpty() ? QString() : QStringLiteral("<br><small>%1</small>").arg(text);
+        };
+        html += QStringLiteral("<tr><td><b>%1</b></td><td>%2<br><code>%3</code></td><td>%4</td><td>%5%6%7</td></tr>")
+                    .arg(of("figure"), of("statement"), of("command"),
+                         holds ? HelpWindow::tr("✓ holds") : HelpWindow::tr("⚠ does not hold"), of("found"),
+                         under(of("starts")), under(of("remark")));
+    }
+    return html + QStringLiteral("</table>");
+}
+
 } // namespace
 
 HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
@@ -52,7 +79,7 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
 {
     setWindowTitle(tr("Touchdown: help"));
     contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"),
-                         tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
+                         tr("The paper and this program"), tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
     contents_->setAccessibleName(tr("Contents"));
     browser_->setAccessibleName(tr("Help text"));
     browser_->setOpenExternalLinks(true);
@@ -87,6 +114,7 @@ QString HelpWindow::html(Page page) const
     case Page::Equations: return resource(QStringLiteral("equations.html"));
     case Page::AirFilm: return resource(QStringLiteral("air_film.html"));
     case Page::Contact: return resource(QStringLiteral("contact.html"));
+    case Page::Paper: return resource(QStringLiteral("paper.html")) + paperTable(resource(QStringLiteral("paper.csv")));
     case Page::Parameters: return parameterTable();
     case Page::Shortcuts:
         return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ +

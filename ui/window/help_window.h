@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Help inside the program: how to use it, the equations of the model, every parameter, the shortcuts, the licence.
+// Help inside the program: how to use it, the equations of the model, what the paper says
+// and what is found, every parameter, the shortcuts, the licence.
 #pragma once
 
 #include <QListWidget>
@@ -17,7 +18,7 @@ public:
     /// `shortcuts` as rows of a table, in HTML.
     explicit HelpWindow(const QString& shortcuts, QWidget* parent = nullptr);
 
-    enum class Page { Use, Equations, AirFilm, Contact, Parameters, Shortcuts, About };
+    enum class Page { Use, Equations, AirFilm, Contact, Paper, Parameters, Shortcuts, About };
     Q_ENUM(Page)
     void open(Page page);
     QString text() const { return browser_->toPlainText(); }

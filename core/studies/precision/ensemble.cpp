@@ -54,6 +54,12 @@ double meanSpacing(std::span<const Place> places)
 
 } // namespace
 
+std::string defaultEnsembleKey(const Case& c)
+{
+    if (c.model != ModelKind::Film) return EnsembleTask{}.key;
+    return c.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
+}
+
 double workOf(const Case& c, const Summary& summary)
 {
     if (c.model == ModelKind::Film)

@@ -32,6 +32,9 @@ struct EnsembleTask {
     double spread = 0.5e-9; // s [unit of the key]
 };
 
+/// The key of a case's start that an ensemble draws: a height.
+std::string defaultEnsembleKey(const Case& c);
+
 /// Where one start led.
 struct EnsembleEnd {
     EndState state;

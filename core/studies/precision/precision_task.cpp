@@ -235,12 +235,6 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
         reader.add("reference", "two or more are needed, of which one proves the other; list them as [[reference]]");
 }
 
-std::string defaultEnsembleKey(const Case& c)
-{
-    if (c.model != ModelKind::Film) return EnsembleTask{}.key;
-    return c.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
-}
-
 void readEnsemble(StudyReader& reader, PrecisionTask& task)
 {
     task.ensembleWanted = reader.has("ensemble");

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The runs of a study of statements, and what each of them says.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/studies/precision/ensemble.h"
+#include "core/studies/statements/statement_task.h"
+#include "core/studies/study/study.h"
+
+namespace touchdown {
+
+/// What one run says of a statement.
+struct StatementFinding {
+    bool agrees = false;
+    std::string text{}; // "ends in contact at 1.6 nm", "94.17 urad"
+};
+/// `like`: the run that the statement compares with, where it does.
+StatementFinding judge(const Statement& statement, const MeasuredRun& run, const MeasuredRun* like);
+/// The quantities whose samples `judge` needs.
+std::vector<std::string> sampledBy(const Statement& statement);
+
+struct CheckedStatement {
+    bool done = false;
+    StatementFinding finding{};   // of the run itself
+    std::optional<Share> share{}; // of the ensemble's starts that agree
+    /// More than half of the ensemble, where there is one, else the run.
+    bool holds() const { return share ? share->share > 0.5 : finding.agrees; }
+};
+
+struct CheckedStatements {
+    StudyStatus status = StudyStatus::Completed;
+    std::vector<CheckedStatement> all; // as task.statements; only whole ones are done
+};
+
+/// Runs that several statements share are made once. The outcome does not depend on `jobs`.
+CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback);
+
+} // namespace touchdown

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/statements/statement_task.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/case/case_document.h"
+#include "core/case/parameters.h"
+#include "core/formats/nearest_name.h"
+#include "core/formats/quotation.h"
+#include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/simulation/run.h"
+#include "core/studies/statements/statements.h"
+#include "core/studies/study/study_head.h"
+#include "core/studies/study/study_reader.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostStarts = 10000;
+
+/// Ends of valid runs, then the reasons why a run fails.
+std::vector<std::string> endNames()
+{
+    std::vector<std::string> names;
+    for (const EndKind kind : {EndKind::Flying, EndKind::Contact, EndKind::Intermittent})
+        names.emplace_back(name(kind));
+    for (const RunFailure failure :
+         {RunFailure::Diverged, RunFailure::NegativeEnergy, RunFailure::Chattering, RunFailure::FrontSpringLost,
+          RunFailure::RearSpringLost, RunFailure::Tunnelled, RunFailure::NoStep, RunFailure::NotConverged})
+        names.emplace_back(name(failure));
+    return names;
+}
+
+std::vector<std::string> takenNames()
+{
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < takenCount; ++i) names.emplace_back(name(static_cast<Taken>(i)));
+    return names;
+}
+
+/// As a shell takes it.
+std::string commandOf(const std::string& caseName, const std::vector<CaseSetting>& settings)
+{
+    std::string command = "touchdown run " + caseName;
+    for (const CaseSetting& each : settings) {
+        const bool plain = each.value.find(' ') == std::string::npos;
+        command += " --set " + (plain ? each.key + '=' + each.value : '"' + each.key + '=' + each.value + '"');
+    }
+    return command;
+}
+
+struct Candidate {
+    std::string name;
+    std::vector<CaseSetting> set;
+};
+
+class StatementsReader {
+public:
+    explicit StatementsReader(StudyReader& reader) : reader_(reader) {}
+
+    StatementTask read()
+    {
+        starts_ = reader_.integer("starts");
+        const std::vector<std::string> only = reader_.texts("only").value_or(std::vector<std::string>{});
+        std::vector<Candidate> candidates;
+        StatementTask task;
+        for (const std::string& table : reader_.tables("candidate")) {
+            candidates.push_back({needed(table, "name").value_or(table), reader_.settings(table + ".set")});
+            task.candidates.push_back(candidates.back().name);
+        }
+        if (candidates.empty()) candidates.emplace_back();
+        const std::vector<std::string> tables = reader_.tables("statement");
+        if (tables.empty()) reader_.add("statement", "is missing; write one [[statement]] or more");
+        std::vector<Statement> all;
+        for (const Candidate& candidate : candidates)
+            for (const std::string& table : tables) all.push_back(readStatement(table, candidate));
+        const auto isWanted = [&](const Statement& each) {
+            return only.empty() ||
+                   std::ranges::any_of(only, [&](const std::string& text) { return each.figure.starts_with(text); });
+        };
+        std::ranges::copy_if(all, std::back_inserter(task.statements), isWanted);
+        if (task.statements.empty() && !tables.empty())
+            reader_.add("only", "leaves no statement: none has a figure that begins so");
+        return task;
+    }
+
+private:
+    std::optional<std::string> needed(const std::string& table, const std::string& leaf)
+    {
+        const std::string key = table + '.' + leaf;
+        if (!reader_.has(key)) reader_.add(table, "has no " + leaf);
+        return reader_.text(key);
+    }
+
+    /// The case with the changes of candidate and statement.
+    std::optional<Case> readCase(const std::string& table, const std::string& caseKey, const std::string& setKey,
+                                 const Candidate& candidate)
+    {
+        Case c = reader_.start();
+        if (const auto named = reader_.text(table + '.' + caseKey)) {
+            const CaseDocument document = openFurtherCase(reader_, *named);
+            for (const InputProblem& problem : document.problems) reader_.add(table + '.' + caseKey, problem.text());
+            if (!document.valid()) return {};
+            c = document.value;
+        }
+        std::vector<CaseSetting> changes = candidate.set;
+        std::ranges::copy(reader_.settings(table + '.' + setKey), std::back_inserter(changes));
+        std::string problem = changeCase(c, changes);
+        if (problem.empty()) problem = reasonNotToRun(c);
+        if (problem.empty()) return c;
+        reader_.add(table, problem);
+        return {};
+    }
+
+    Statement readStatement(const std::string& table, const Candidate& candidate)
+    {
+        Statement statement;
+        statement.figure = needed(table, "figure").value_or("");
+        statement.quote = needed(table, "quote").value_or("");
+        statement.remark = reader_.text(table + ".remark").value_or("");
+        statement.candidate = candidate.name;
+        const std::optional<Case> c = readCase(table, "case", "set", candidate);
+        std::vector<CaseSetting> shown = candidate.set;
+        std::ranges::copy(reader_.settings(table + ".set"), std::back_inserter(shown));
+        statement.command =
+            commandOf(reader_.text(table + ".case").value_or(reader_.text("case").value_or("CASE")), shown);
+        if (c) statement.c = *c;
+        readEnds(table, statement);
+        if (c) {
+            readQuantity(table, statement, candidate);
+            readEnsemble(table, statement);
+        }
+        return statement;
+    }
+
+    void readEnds(const std::string& table, Statement& statement)
+    {
+        const std::string key = table + ".end";
+        const bool both = reader_.has(key) && reader_.has(table + ".quantity");
+        if (both || (!reader_.has(key) && !reader_.has(table + ".quantity")))
+            reader_.add(table, both ? "has an end and a quantity; a statement is about one of the two"
+                                    : "has neither an end nor a quantity, so that nothing would be checked");
+        if (!reader_.has(key)) return;
+        const std::vector<std::string> names = endNames();
+        statement.ends = reader_.texts(key).value_or(std::vector<std::string>{});
+        for (const std::string& end : statement.ends)
+            if (std::ranges::find(names, end) == names.end())
+                reader_.add(key, inQuotes(end) + " is no end of a run" + didYouMean(nearestName(end, names)) +
+                                     "; allowed: " + choiceText(names));
+    }
+
+    void readQuantity(const std::string& table, Statement& statement, const Candidate& candidate)
+    {
+        const std::vector<std::string> places = takenNames();
+        const std::string at = reader_.choice(table + ".at", places).value_or(places.front());
+        statement.taken = static_cast<Taken>(std::ranges::find(places, at) - places.begin());
+        std::vector<Quantity> all = recordedQuantities(statement.c);
+        std::vector<std::string> names;
+        for (const Quantity& each : all) names.push_back(each.name);
+        const auto chosen = reader_.choice(table + ".quantity", names);
+        if (!chosen) {
+            for (const char* leaf : {".at_least", ".at_most"}) reader_.has(table + leaf);
+            return;
+        }
+        statement.quantity = all[static_cast<std::size_t>(findQuantity(all, *chosen))];
+        if (statement.taken == Taken::Peak) {
+            if (*chosen != "minimum_spacing" && *chosen != spacingOf(statement.c))
+                reader_.add(table + ".quantity",
+                            "has no peaks: the spectrum is that of " + inQuotes(spacingOf(statement.c)));
+            statement.quantity = {"peak", "Hz", "kHz", "Frequency of a peak"};
+        }
+        const Quantity& q = statement.quantity;
+        const auto bound = [&](const char* leaf) {
+            return reader_.number(table + leaf, q.unit, q.displayUnit, -INFINITY, INFINITY);
+        };
+        const std::optional<double> atLeast = bound(".at_least"), atMost = bound(".at_most");
+        if (!atLeast && !atMost) reader_.add(table, "has neither at_least nor at_most for its quantity");
+        statement.atLeast = atLeast.value_or(statement.atLeast);
+        statement.atMost = atMost.value_or(statement.atMost);
+        if (statement.atLeast > statement.atMost) reader_.add(table, "has an at_least above its at_most");
+        const bool compares = statement.taken == Taken::Difference || statement.taken == Taken::Distance;
+        if (compares != reader_.has(table + ".like"))
+            reader_.add(table, compares ? "has no like: the case that it is compared with"
+                                        : "has a like that it does not need; at = \"difference\" or \"distance\" does");
+        if (!compares) return;
+        statement.like = readCase(table, "like", "like_set", candidate);
+        if (statement.like && findQuantity(recordedQuantities(*statement.like), *chosen) < 0)
+            reader_.add(table + ".like", "does not record " + inQuotes(*chosen));
+    }
+
+    void readEnsemble(const std::string& table, Statement& statement)
+    {
+        if (!reader_.has(table + ".spread")) return;
+        EnsembleTask ensemble;
+        ensemble.starts = starts_;
+        ensemble.key = defaultEnsembleKey(statement.c);
+        const Parameter& key = *findParameter(ensemble.key);
+        const auto spread = reader_.number(table + ".spread", key.unit, key.displayUnit, 0.0, INFINITY);
+        ensemble.spread = spread.value_or(0.0);
+        if (starts_ < 2) return;
+        Case edge = statement.c;
+        for (const double start : startsOf(statement.c, ensemble)) {
+            const auto problem = setFromNumber(edge, key, start);
+            if (!problem) continue;
+            reader_.add(table + ".spread", ensemble.key + ' ' + *problem);
+            return;
+        }
+        statement.ensemble = ensemble;
+    }
+
+    StudyReader& reader_;
+    int starts_ = 0;
+};
+
+std::string bound(double value, const Quantity& quantity) { return fewDigits(value, quantity.displayUnit, 5); }
+
+} // namespace
+
+std::string expectedText(const Statement& statement)
+{
+    if (!statement.ends.empty()) return joined(statement.ends, " or ");
+    const Quantity& q = statement.quantity;
+    if (!std::isfinite(statement.atLeast)) return "at most " + bound(statement.atMost, q);
+    if (!std::isfinite(statement.atMost)) return "at least " + bound(statement.atLeast, q);
+    return bound(statement.atLeast, q) + " to " + bound(statement.atMost, q);
+}
+
+StatementTask readStatements(StudyReader& reader) { return StatementsReader(reader).read(); }
+
+StudyForm statementsForm(const Case& c)
+{
+    StudyForm form;
+    form.keys = {
+        integerKey("starts", 20, 1, mostStarts,
+                   "starts of each ensemble, evenly spread; 1: only the case itself, without ensembles"),
+        onlyOffered(listKey("only", {}, "check only statements whose figure begins with one of these texts")),
+    };
+    const std::vector<StudyKey> lists{
+        textKey("statement.figure", {}, "", "where the text says it"),
+        textKey("statement.quote", {}, "", "what it says"),
+        textKey("statement.case", {}, "", "the case that is run; default: that of the study"),
+        settingsKey("statement.set", "changes of the case"),
+        listKey("statement.end", {},
+                "how the run must end, one of these: flying, contact, in and out of contact, or why it fails"),
+        textKey("statement.quantity", {}, "", "or a quantity that the run records"),
+        choiceKey("statement.at", "end", takenNames(), "where the quantity is taken"),
+        textKey("statement.at_least", {}, "", "its least value, with a unit"),
+        textKey("statement.at_most", {}, "", "its greatest value, with a unit"),
+        textKey("statement.like", {}, "", "the case that a difference or a distance is taken from"),
+        settingsKey("statement.like_set", "changes of that case"),
+        textKey("statement.spread", {}, "", "half of the range of starts of an ensemble, with a unit"),
+        textKey("statement.remark", {}, "", "why it does not hold, or what to know"),
+        textKey("candidate.name", {}, "", "a set of changes that all statements are checked with"),
+        settingsKey("candidate.set", "its changes"),
+    };
+    for (const StudyKey& key : lists) form.keys.push_back(inList(key));
+    const bool springs = c.model == ModelKind::Springs;
+    if (c.model != ModelKind::Contact)
+        form.lists =
+            std::string("\n[[statement]]\nfigure = \"1\"\nquote = \"The slider flies in the steady state.\"\n") +
+            "end = [\"flying\"]\nspread = " + (springs ? "\"0.5 nm\"" : "\"0.1 nm\"") + "\n";
+    return form;
+}
+
+} // namespace touchdown

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/statements/statements.h"
+
+#include <algorithm>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/formats/csv_cell.h"
+#include "core/formats/toml_document.h"
+#include "core/studies/study/sample_study.h"
+#include "core/studies/study/study_file.h"
+#include "core/studies/study_plan.h"
+#include "tests/support/sample_case.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace test_statements {
+
+QByteArray contents(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+StudyReport performed(const std::string& statements, const std::string& caseName = "fig12a", int jobs = 2)
+{
+    const Case c = sample(caseName);
+    const StudyPlan plan = parseStudy("statements", statements, "study.toml", {}, &c);
+    if (!plan.valid()) qFatal("%s", plan.problems.front().text().c_str());
+    return plan.perform(jobs, {});
+}
+
+std::string cell(const StudyReport& report, std::size_t row, const std::string& column)
+{
+    const StudyTable& table = report.tables.front();
+    const auto found = std::ranges::find(table.columns, column, &StudyColumn::name);
+    return std::get<std::string>(table.rows.at(row).at(std::size_t(found - table.columns.begin())));
+}
+
+/// A statement with what is checked.
+std::string stating(const std::string& what)
+{
+    return "[[statement]]\nfigure = \"1\"\nquote = \"As it says.\"\n" + what + "\n";
+}
+
+class TestStatements : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The help shows what this study finds; what takes milliseconds is found again here, word for word.
+    void helpAgreesWithTheProgram()
+    {
+        const QByteArray kept = contents(QStringLiteral(TOUCHDOWN_SOURCE_DIR "/resources/help/paper.csv"));
+        const StudyPlan plan =
+            openStudy("statements", "paper", {},
+                      {"only=[\"Fig. 10\", \"Fig. 11\", \"Fig. 12\", \"Fig. 13\", \"Fig. 14\", \"Table III\"]"});
+        QVERIFY2(plan.valid(), plan.problems.empty() ? "" : plan.problems.front().text().c_str());
+        const StudyReport report = plan.perform(2, {});
+        QCOMPARE(report.status, StudyStatus::Completed);
+        QVERIFY(report.tables.front().rows.size() >= 29);
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("springs.csv"));
+        QCOMPARE(writeStudyCsv(file.toStdString(), report), std::string());
+        for (const QByteArray& line : contents(file).split('\n')) QVERIFY2(kept.contains(line), line.constData());
+        for (std::size_t i = 0; i < report.tables.front().rows.size(); ++i)
+            QVERIFY2(cell(report, i, "holds") == "yes", cell(report, i, "statement").c_str());
+    }
+
+    /// And no statement of the study is missing in the help or says something else there.
+    void everyStatementIsInTheHelp()
+    {
+        const QByteArray kept = contents(QStringLiteral(TOUCHDOWN_SOURCE_DIR "/resources/help/paper.csv"));
+        int statements = 0;
+        for (const TomlEntry& entry : readToml(findSampleStudy("statements", "paper")->text).entries) {
+            if (!entry.key.ends_with(".quote") && !entry.key.ends_with(".remark")) continue;
+            statements += entry.key.ends_with(".quote");
+            const std::string text = csvCell(std::get<std::string>(entry.value));
+            QVERIFY2(kept.contains(text.c_str()), text.c_str());
+        }
+        QVERIFY(statements >= 30);
+    }
+
+    /// A number that is not what the text says is told as such, with what was found.
+    void tellsWhatDoesNotHold()
+    {
+        const StudyReport report =
+            performed(stating("quantity = \"flying_height\"\nat_least = \"1.65 nm\"\nremark = \"Another one.\"") +
+                      stating("end = [\"flying\", \"in and out of contact\"]") +
+                      stating("quantity = \"flying_height\"\nat_least = \"1.55 nm\"\nat_most = \"1.65 nm\""));
+        QCOMPARE(report.findings.front(), std::string("1 of 3 statements hold."));
+        QCOMPARE(report.findings.at(1), std::string("1 does not hold: \"As it says.\" Expected: at least 1.65 nm; "
+                                                    "found: 1.602 nm."));
+        QCOMPARE(cell(report, 0, "holds"), std::string("no"));
+        QCOMPARE(cell(report, 0, "remark"), std::string("Another one."));
+        QCOMPARE(cell(report, 1, "found"), std::string("ends in contact at 1.6 nm"));
+        QCOMPARE(cell(report, 2, "holds"), std::string("yes"));
+        QVERIFY(report.charts.empty());
+    }
+
+    /// The oscillator's exact solution: FH(t) = 150 nm + 100 nm exp(-xi w t) (cos w_d t + ...), as its file says.
+    void takesQuantitiesWhereAsked()
+    {
+        const auto at = [](const char* place, const char* rest) {
+            return stating("quantity = \"flying_height\"\nat = \"" + std::string(place) + "\"\n" + rest);
+        };
+        const StudyReport report = performed(
+            at("greatest", "at_least = \"249.9999 nm\"\nat_most = \"250.0001 nm\"") + // it is released there
+                                                                                      // after half a period: 150 - 100
+                                                                                      // exp(-pi xi / sqrt(1 - xi^2))
+                at("least", "at_least = \"56.08 nm\"\nat_most = \"56.1 nm\"") +
+                at("peak", "at_least = \"9.96 kHz\"\nat_most = \"10.16 kHz\"") +
+                // over the last tenth the root of the mean of 100^2 exp(-2 xi w t)/2 is 6.43 nm
+                at("swing", "at_least = \"6.3 nm\"\nat_most = \"6.55 nm\"") +
+                at("distance", "like = \"textbook_oscillator\"\nlike_set = { initial.flying_height = \"240 "
+                               "nm\" }\nat_least = \"9.999 nm\"\nat_most = \"10.001 nm\"") +
+                at("difference", "like = \"textbook_oscillator\"\nlike_set = { springs.flying_height = "
+                                 "\"140 nm\", initial.flying_height = \"240 nm\" }\nat_least = \"9.99 "
+                                 "nm\"\nat_most = \"10.01 nm\""),
+            "textbook_oscillator");
+        QCOMPARE(report.findings.front(), std::string("6 of 6 statements hold."));
+    }
+
+    /// All starts near 250 nm end in contact with 50 mN, and fly with 10.7 mN. Intervals: Wilson 1927.
+    void sharesOfStarts()
+    {
+        const std::string ensembles =
+            "starts = 10\n" + stating("end = [\"contact\"]\nspread = \"0.5 nm\"") +
+            stating("end = [\"flying\"]\nspread = \"0.5 nm\"") +
+            stating("set = { ono_yamane.meniscus_force = \"10.7 mN\" }\nend = [\"flying\"]\nspread = \"0.5 nm\"");
+        const StudyReport report = performed(ensembles);
+        QCOMPARE(cell(report, 0, "starts"), std::string("10 of 10 starts (72 % to 100 %)"));
+        QCOMPARE(cell(report, 1, "starts"), std::string("0 of 10 starts (0 % to 28 %)"));
+        QCOMPARE(cell(report, 1, "holds"), std::string("no"));
+        QCOMPARE(cell(report, 2, "holds"), std::string("yes"));
+        QCOMPARE(report.charts.front().panels.front().series.front().points.size(), std::size_t{3});
+        const StudyReport alone = performed(ensembles, "fig12a", 1);
+        QCOMPARE(alone.tables.front().rows, report.tables.front().rows);
+        // Without ensembles the run itself decides.
+        QCOMPARE(cell(performed("starts = 1\n" + stating("end = [\"contact\"]\nspread = \"0.5 nm\"")), 0, "starts"),
+                 std::string());
+    }
+
+    void candidates()
+    {
+        const StudyReport report = performed(
+            "[[candidate]]\nname = \"weak\"\nset = { ono_yamane.meniscus_force = \"10.7 mN\" }\n"
+            "[[candidate]]\nname = \"strong\"\nset = { ono_yamane.meniscus_force = \"50 mN\" }\n" +
+            stating("end = [\"contact\"]") + stating("set = { ono_yamane.take_off = \"8 nm\" }\nend = [\"contact\"]"));
+        QCOMPARE(report.tables.front().rows.size(), std::size_t{4});
+        QCOMPARE(cell(report, 0, "command"), std::string("touchdown run CASE --set \"ono_yamane.meniscus_force=10.7 "
+                                                         "mN\""));
+        QCOMPARE(report.tables.at(1).rows.at(0), (std::vector<StudyValue>{std::string("weak"), 1.0, 2.0, 1.0}));
+        QCOMPARE(report.tables.at(1).rows.at(1), (std::vector<StudyValue>{std::string("strong"), 2.0, 2.0, 1.0}));
+    }
+
+    void wrongInputs_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<QString>("problem");
+        const auto row = [](const char* name, const std::string& text, const char* problem) {
+            QTest::newRow(name) << QString::fromStdString(text) << QString::fromUtf8(problem);
+        };
+        row("none", "", "write one [[statement]] or more");
+        row("nothing to check", stating(""), "nothing would be checked");
+        row("both", stating("end = [\"flying\"]\nquantity = \"pitch\"\nat_most = 1"), "one of the two");
+        row("end", stating("end = [\"flyng\"]"), "did you mean flying?");
+        row("quantity", stating("quantity = \"pich\"\nat_most = 1"), "pitch");
+        row("no bound", stating("quantity = \"pitch\""), "neither at_least nor at_most");
+        row("bounds", stating("quantity = \"pitch\"\nat_least = \"2 urad\"\nat_most = \"1 urad\""),
+            "above its at_most");
+        row("unit", stating("quantity = \"pitch\"\nat_most = \"1 nm\""), "urad");
+        row("no like", stating("quantity = \"pitch\"\nat = \"distance\"\nat_most = 1"), "has no like");
+        row("like", stating("quantity = \"pitch\"\nlike = \"fig10a\"\nat_most = 1"), "does not need");
+        row("case", stating("case = \"fig99\"\nend = [\"flying\"]"), "fig99");
+        row("set", stating("set = { run.duration = \"1 nm\" }\nend = [\"flying\"]"), "run.duration");
+        row("spread", stating("end = [\"flying\"]\nspread = \"2 m\""), "initial.flying_height");
+        row("only", "only = [\"2\"]\n" + stating("end = [\"flying\"]"), "leaves no statement");
+        row("peak", stating("quantity = \"pitch\"\nat = \"peak\"\nat_most = \"1 kHz\""), "has no peaks");
+        row("unknown", stating("end = [\"flying\"]\nwhen = 1"), "when");
+    }
+    void wrongInputs()
+    {
+        QFETCH(QString, text);
+        QFETCH(QString, problem);
+        const Case c = sample("fig12a");
+        const StudyPlan plan = parseStudy("statements", text.toStdString(), "study.toml", {}, &c);
+        QVERIFY(!plan.valid());
+        QString all;
+        for (const InputProblem& each : plan.problems) all += QString::fromStdString(each.text()) + QLatin1Char('\n');
+        QVERIFY2(all.contains(problem), qPrintable(all));
+        QVERIFY2(plan.problems.size() <= 2, qPrintable(all));
+    }
+
+    void endsWhenAsked()
+    {
+        const Case c = sample("fig12a");
+        const StudyPlan plan = parseStudy(
+            "statements", stating("set = { run.integrator = \"rk4\", run.step = \"0.02 ns\" }\nend = [\"contact\"]"),
+            "study", {}, &c);
+        const StudyReport report = plan.perform(1, [](const StudyProgress&) { return false; });
+        QCOMPARE(report.status, StudyStatus::Cancelled);
+        QVERIFY(report.tables.front().rows.empty());
+    }
+};
+
+TOUCHDOWN_TEST(TestStatements)
+
+} // namespace test_statements
+
+#include "test_statements.moc"
