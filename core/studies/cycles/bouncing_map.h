@@ -34,11 +34,18 @@ struct MapAxis {
     double at(double share) const;
 };
 
+/// A point of the map with a name: "Fig. 12".
+struct MapMark {
+    std::string name;
+    double x = 0.0, y = 0.0; // [units of the axes]
+};
+
 struct BouncingMapTask {
     Case start;
     MapAxis x, y;
     int starts = 3;
     BouncingSearch search;
+    std::vector<MapMark> marks{};
 };
 
 enum class MapClass : std::uint8_t { Flies, FliesOrCaught, Caught, Bounces, Fails };

@@ -70,6 +70,26 @@ std::optional<MapAxis> readAxis(StudyReader& reader, const std::string& name)
     return axis;
 }
 
+/// [[mark]]; within the map.
+std::vector<MapMark> readMarks(StudyReader& reader, const BouncingMapTask& task)
+{
+    std::vector<MapMark> marks;
+    for (const std::string& table : reader.tables("mark")) {
+        MapMark mark{reader.text(table + ".name").value_or("")};
+        if (mark.name.empty()) reader.add(table, "has no name");
+        for (const auto& [leaf, axis, value] :
+             {std::tuple(".x", &task.x, &mark.x), std::tuple(".y", &task.y, &mark.y)}) {
+            if (!reader.has(table + leaf)) reader.add(table, std::string("has no ") + (leaf + 1));
+            const auto [unit, displayUnit] = std::pair(axis->text.unit, axis->text.displayUnit);
+            if (const auto at =
+                    reader.number(table + leaf, unit, displayUnit, axis->values.front(), axis->values.back()))
+                *value = *at;
+        }
+        marks.push_back(std::move(mark));
+    }
+    return marks;
+}
+
 std::string cellText(const BouncingMapTask& task, const MapCell& cell)
 {
     std::string text = task.x.text.of(cell.x) + ", " + task.y.text.of(cell.y) + ": " + std::string(name(cell.kind())) +
@@ -100,9 +120,13 @@ StudyChart chartOf(const BouncingMapTask& task, const std::vector<MapCell>& cell
         map.cells.push_back(cell.done ? static_cast<int>(cell.kind()) : -1);
         map.details.push_back(cell.done ? cellText(task, cell) : "");
     }
-    ChartSeries line{.name = "W = 0", .markers = false, .quiet = true};
+    ChartSeries line{.name = "W = 0", .markers = false};
     for (const auto& [x, y] : zeroWork(task)) line.points.push_back({.x = x, .y = y});
     if (line.points.size() > 1) panel.series.push_back(std::move(line));
+    if (!task.marks.empty()) {
+        ChartSeries& marks = panel.series.emplace_back(ChartSeries{.name = "marked", .line = ChartLine::None});
+        for (const MapMark& mark : task.marks) marks.points.push_back({.x = mark.x, .y = mark.y, .label = mark.name});
+    }
     return {"Does the slider fly, is it caught, or does it bounce for ever?",
             "Each cell: " + counted(std::size_t(task.starts), "run") + " of " +
                 fewDigitsOfTime(task.search.duration, 3) +
@@ -163,6 +187,7 @@ std::optional<BouncingMapTask> readBouncingMap(StudyReader& reader, int starts, 
     }
     task.x = *x;
     task.y = *y;
+    task.marks = readMarks(reader, task);
     return task;
 }
 
@@ -188,6 +213,9 @@ std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce
     addAxis("map.y", height, c.onoYamane.takeOff, 2.0 * c.onoYamane.takeOff);
     keys.push_back(integerKey("map.starts", 3, 1, mostStarts, "of each cell: as the case says, then lower ones"));
     for (StudyKey& key : keys) key = onlyOffered(std::move(key));
+    for (const char* leaf : {"x", "y"})
+        keys.push_back(inList(textKey(std::string("mark.") + leaf, {}, "", "its place on the map, within both axes")));
+    keys.push_back(inList(textKey("mark.name", {}, "", "of a point that is marked on the map")));
     return keys;
 }
 
