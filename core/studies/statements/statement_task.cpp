@@ -230,7 +230,7 @@ std::string expectedText(const Statement& statement)
 
 StatementTask readStatements(StudyReader& reader) { return StatementsReader(reader).read(); }
 
-StudyForm statementsForm(const Case& c)
+StudyForm statementsForm(const Case&)
 {
     StudyForm form;
     form.keys = {
@@ -257,11 +257,7 @@ StudyForm statementsForm(const Case& c)
         settingsKey("candidate.set", "its changes"),
     };
     for (const StudyKey& key : lists) form.keys.push_back(inList(key));
-    const bool springs = c.model == ModelKind::Springs;
-    if (c.model != ModelKind::Contact)
-        form.lists =
-            std::string("\n[[statement]]\nfigure = \"1\"\nquote = \"The slider flies in the steady state.\"\n") +
-            "end = [\"flying\"]\nspread = " + (springs ? "\"0.5 nm\"" : "\"0.1 nm\"") + "\n";
+    form.lists = "\n[[statement]]\nfigure = \"1\"\nquote = \"The run ends without contact.\"\nend = [\"flying\"]\n";
     return form;
 }
 
