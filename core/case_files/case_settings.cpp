@@ -9,6 +9,7 @@
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace touchdown {
@@ -40,6 +41,23 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
     return problem(key, *message);
 }
 
+/// A warning of a value that was set has the setting as its place; one that was there before keeps its line.
+void renewWarnings(CaseDocument& document, const std::vector<std::string>& settings)
+{
+    const std::vector<InputProblem> before = document.warnings;
+    std::erase_if(document.warnings, [](const InputProblem& warning) {
+        return warning.kind == ProblemKind::Combination || warning.kind == ProblemKind::Setting;
+    });
+    for (const CaseProblem& each : caseWarnings(document.value)) {
+        InputProblem warning = each.in(document.name);
+        if (const auto same = std::ranges::find(before, each.key, &InputProblem::key); same != before.end())
+            warning.file = same->file, warning.line = same->line, warning.kind = same->kind;
+        if (std::ranges::find(settings, each.key, keyOf) != settings.end())
+            warning.file = "--set", warning.line = 0, warning.kind = ProblemKind::Setting;
+        document.warnings.push_back(std::move(warning));
+    }
+}
+
 } // namespace
 
 void applySettings(CaseDocument& document, const std::vector<std::string>& settings)
@@ -55,9 +73,7 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
         document.problems.push_back(problem.in(document.name));
-    std::erase_if(document.warnings, isCombination);
-    for (const CaseProblem& warning : caseWarnings(document.value))
-        document.warnings.push_back(warning.in(document.name));
+    renewWarnings(document, settings);
     if (document.valid())
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     // A value without effect in the file may have one now; a setting may have none.

@@ -269,6 +269,23 @@ private slots:
         QVERIFY(openCase("banana").problems.front().kind == ProblemKind::NotFound);
     }
 
+    /// A warning keeps the line of its value; where a setting made it, the setting is its place.
+    void warningsKeepTheirPlace()
+    {
+        CaseDocument document = parseCase("model = \"springs\"\ncontact = \"ono-yamane\"\n[ono_yamane]\n"
+                                          "meniscus_force = \"1 mN\"\n",
+                                          "weak.toml");
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        applySettings(document, {"run.duration=1 ms"});
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        QCOMPARE(document.warnings.front().file, std::string("weak.toml"));
+        QCOMPARE(document.warnings.front().line, 4);
+        applySettings(document, {"ono_yamane.meniscus_force=0.9 mN"});
+        QCOMPARE(document.warnings.front().file, std::string("--set"));
+        applySettings(document, {"ono_yamane.meniscus_force=9 mN"});
+        QVERIFY(document.warnings.empty());
+    }
+
     void settings_data()
     {
         QTest::addColumn<QStringList>("settings");

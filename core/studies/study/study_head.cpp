@@ -112,6 +112,7 @@ CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start)
     if (!own.empty()) applySettings(start, own);
     placeInStudy(reader, start.problems);
     placeInStudy(reader, start.unused);
+    placeInStudy(reader, start.warnings);
     if (!reader.caseSettings().empty()) applySettings(start, reader.caseSettings());
     return start;
 }
