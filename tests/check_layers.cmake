@@ -27,6 +27,7 @@ set(rooms
     core/simulation
     core/results
     core/studies/study
+    core/studies/lesson
     core/studies/runs
     core/studies/precision
     core/studies/stability

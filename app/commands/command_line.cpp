@@ -14,6 +14,7 @@
 
 #include "app/commands/case_commands.h"
 #include "app/commands/describe_command.h"
+#include "app/commands/lesson_command.h"
 #include "app/commands/modes_command.h"
 #include "app/commands/run_command.h"
 #include "app/commands/steady_command.h"
@@ -21,6 +22,7 @@
 #include "app/terminal/console.h"
 #include "app/terminal/freed_memory.h"
 #include "app/terminal/mistaken_words.h"
+#include "core/formats/quotation.h"
 #include "core/formats/words.h"
 #include "core/studies/study_plan.h"
 
@@ -198,7 +200,14 @@ int commandLine(int argc, char** argv)
     addCase(validate, arguments);
     addJson(validate, arguments);
 
-    CLI::App& list = *app.add_subcommand("list", "Lists the sample cases and sample studies");
+    std::string listed;
+    CLI::App& list =
+        *app.add_subcommand("list", "Lists the sample cases and sample studies, or the steps of the lesson");
+    list.add_option("WHAT", listed, "\"lesson\" for a lesson in six steps; without it the samples")
+        ->check([](const std::string& word) {
+            return word == "lesson" ? std::string()
+                                    : inQuotes(word) + " is no list; `touchdown list lesson` prints the lesson";
+        });
     addJson(list, arguments);
 
     std::vector<std::string> key;
@@ -236,7 +245,8 @@ int commandLine(int argc, char** argv)
     if (!arguments.kind.empty()) return finishOutput(studyCommand(arguments));
     if (convert.parsed()) return finishOutput(convertCommand(from, to));
     if (validate.parsed()) return finishOutput(validateCommand(arguments));
-    if (list.parsed()) return finishOutput(listCommand(arguments.json));
+    if (list.parsed())
+        return finishOutput(listed.empty() ? listCommand(arguments.json) : lessonCommand(arguments.json));
     return finishOutput(describeCommand(joined(key, "."), arguments.json));
 }
 

@@ -24,6 +24,7 @@ private slots:
     void validate();
     void validateStudies();
     void list();
+    void listLesson();
     void describeAll();
     void describeOne();
     void describeTheSurface();
@@ -43,6 +44,7 @@ void TestCommandLine::helpAndVersion_data()
     QTest::newRow("help of run") << QStringList{"run", "--help"} << QByteArray("--set KEY=VALUE");
     QTest::newRow("help of validate") << QStringList{"validate", "--help"} << QByteArray("CASE");
     QTest::newRow("help of list") << QStringList{"list", "--help"} << QByteArray("--json");
+    QTest::newRow("help of list, the lesson") << QStringList{"list", "--help"} << QByteArray("lesson");
     QTest::newRow("a command asked for help") << QStringList{"help", "run"} << QByteArray("--set KEY=VALUE");
     QTest::newRow("help as a command") << QStringList{"help"} << QByteArray("Exit codes:");
     QTest::newRow("help of describe") << QStringList{"describe", "--help"} << QByteArray("KEY");
@@ -84,6 +86,8 @@ void TestCommandLine::wrongArguments_data()
     QTest::newRow("no case") << QStringList{"run"} << QByteArray("CASE");
     QTest::newRow("no case but settings") << QStringList{"run", "--set", "springs.cutoff=1e-9"} << QByteArray("CASE");
     QTest::newRow("two cases") << QStringList{"run", "fig10a", "fig10b"} << QByteArray("fig10b");
+    QTest::newRow("no such list") << QStringList{"list", "lessons"}
+                                  << QByteArray("list: \"lessons\" is no list; `touchdown list lesson` prints");
     QTest::newRow("option without its file") << QStringList{"run", "fig10a", "--out"} << QByteArray("--out");
     QTest::newRow("validate without a case") << QStringList{"validate", "--json"} << QByteArray("CASE");
 }
@@ -199,6 +203,28 @@ void TestCommandLine::list()
         QVERIFY(!each.toObject()["kind"].toString().isEmpty());
         QVERIFY(text.out.contains(each.toObject()["title"].toString().toUtf8() + "\n"));
     }
+}
+
+void TestCommandLine::listLesson()
+{
+    const Outcome text = folder_->touchdown({"list", "lesson"});
+    QCOMPARE(text.code, 0);
+    QCOMPARE(text.err, QByteArray());
+    const QJsonArray steps = folder_->touchdown({"list", "lesson", "--json"}).json()["steps"].toArray();
+    QCOMPARE(steps.size(), 6);
+    const qsizetype answers = text.out.indexOf("\nAnswers\n");
+    for (const auto& each : steps) {
+        const QJsonObject step = each.toObject();
+        // The title stands above the question, and again above the answer.
+        const QByteArray title = ". " + step["title"].toString().toUtf8() + "\n";
+        QVERIFY(text.out.indexOf(title) < answers && text.out.lastIndexOf(title) > answers);
+        for (const auto& run : step["runs"].toArray()) {
+            const QByteArray command = run.toObject()["command"].toString().toUtf8();
+            QVERIFY2(text.out.contains("\n      " + command + "\n"), command);
+        }
+    }
+    QVERIFY(text.out.contains("\n      touchdown run fig13a --set 'initial.flying_height=9 nm'\n"));
+    QVERIFY(text.out.contains("\n      touchdown study cycles cycles_meniscus_force\n"));
 }
 
 void TestCommandLine::describeAll()
