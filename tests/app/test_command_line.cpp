@@ -87,7 +87,7 @@ void TestCommandLine::wrongArguments_data()
     QTest::newRow("no case but settings") << QStringList{"run", "--set", "springs.cutoff=1e-9"} << QByteArray("CASE");
     QTest::newRow("two cases") << QStringList{"run", "fig10a", "fig10b"} << QByteArray("fig10b");
     QTest::newRow("no such list") << QStringList{"list", "lessons"}
-                                  << QByteArray("list: \"lessons\" is no list; `touchdown list lesson` prints");
+                                  << QByteArray("\"lessons\" is no list; `touchdown list lesson` prints");
     QTest::newRow("option without its file") << QStringList{"run", "fig10a", "--out"} << QByteArray("--out");
     QTest::newRow("validate without a case") << QStringList{"validate", "--json"} << QByteArray("CASE");
 }
@@ -176,10 +176,11 @@ void TestCommandLine::validateStudies()
         said("case = \"fig10a\"\n"),
         QByteArray(
             "a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, cycles, advise, design, "
-            "convergence\n"));
+            "convergence, statements\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
-             QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
-                        "stability, hysteresis, cycles, advise, design, convergence; did you mean hysteresis?\n"));
+             QByteArray(
+                 "a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
+                 "stability, hysteresis, cycles, advise, design, convergence, statements; did you mean hysteresis?\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24),
              QByteArray("a.toml:4: set.run.step: "));
 }
