@@ -47,6 +47,7 @@ set(rooms
     ui/film
     ui/disk
     ui/studies
+    ui/lesson
     ui/runs
     ui/window
     app/terminal

@@ -10,6 +10,7 @@
 #include <QSettings>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "ui/style/save_dialog.h"
@@ -82,6 +83,26 @@ bool CaseFiles::openNow(const QString& fileOrSample)
 void CaseFiles::open(const QString& fileOrSample)
 {
     whenSettled([this, fileOrSample] { openNow(fileOrSample); });
+}
+
+void CaseFiles::openChanged(const QString& sample, const std::vector<CaseSetting>& settings,
+                            const std::function<void()>& next)
+{
+    whenSettled([this, sample, settings, next] {
+        if (!openNow(sample)) return;
+        Case changed = saved_;
+        if (const std::string problem = changeCase(changed, settings); !problem.empty()) {
+            showProblems(tr("%1 could not be changed.").arg(sample), {QString::fromStdString(problem)});
+            return;
+        }
+        if (!settings.empty()) {
+            edits_.setAll(changed, tr("change the sample case"));
+            text_ = updateCaseText(text_, changed, folder_);
+            saved_ = changed;
+            edits_.undoStack().setClean();
+        }
+        next();
+    });
 }
 
 void CaseFiles::newCase()

@@ -15,6 +15,7 @@
 namespace touchdown {
 
 struct CaseDocument;
+struct CaseSetting;
 
 class CaseFiles : public QObject {
     Q_OBJECT
@@ -30,6 +31,10 @@ public:
     bool openNow(const QString& fileOrSample);
     /// As openNow, after asking about changes.
     void open(const QString& fileOrSample);
+    /// A sample case with some values changed, after asking about changes; then calls `next`. The values are marked as
+    /// changed and can be undone, but they are nothing to save.
+    void openChanged(const QString& sample, const std::vector<CaseSetting>& settings,
+                     const std::function<void()>& next);
     void newCase();
     void chooseFile();
     void chooseImport();

@@ -153,11 +153,7 @@ void StudyEditor::buildOpenMenu()
         menu->addSection(tr("Sample studies"));
         for (const SampleStudy& sample : catalogue_.samples) {
             if (QString::fromStdString(sample.kind) != kind()) continue;
-            menu->addAction(QString::fromStdString(sample.title), this,
-                            [this, text = QString::fromStdString(sample.text)] {
-                                drafts_[kind()].file.clear();
-                                setText(text);
-                            });
+            menu->addAction(QString::fromStdString(sample.title), this, [this, sample] { openSample(sample); });
         }
     });
 }
@@ -172,6 +168,13 @@ void StudyEditor::setCase(const Case& c)
 void StudyEditor::setKind(const QString& name)
 {
     if (const int index = kinds_->findData(name); index >= 0) kinds_->setCurrentIndex(index);
+}
+
+void StudyEditor::openSample(const SampleStudy& sample)
+{
+    setKind(QString::fromStdString(sample.kind));
+    drafts_[kind()].file.clear();
+    setText(QString::fromStdString(sample.text));
 }
 
 void StudyEditor::showKind()

@@ -48,6 +48,7 @@ public:
     const StudyPlan& plan();
     void setText(const QString& text) { text_->setPlainText(text); }
     QString toText() const { return text_->toPlainText(); }
+    void openSample(const SampleStudy& sample);
     /// Empty, or why the file cannot be read.
     QString open(const QString& file);
     /// Empty, or why the file cannot be written.

@@ -19,6 +19,7 @@
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_window.h"
+#include "ui/lesson/lesson_pane.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_files.h"
@@ -134,6 +135,16 @@ void MainWindow::performStudy()
                     tr("The study cannot be performed: its errors are listed below its text."));
 }
 
+void MainWindow::performLessonRun(const LessonRun& run)
+{
+    if (run.kind.empty()) {
+        files_->openChanged(QString::fromStdString(run.name), run.settings, [this] { startRun(); });
+    } else {
+        studies_->editor()->openSample(*findSampleStudy(run.kind, run.name));
+        performStudy();
+    }
+}
+
 void MainWindow::onCaseOpened()
 {
     casePanel_->setPreset(files_->sample());
@@ -233,6 +244,15 @@ void MainWindow::showHelp(HelpWindow::Page page)
         help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
     }
     help_->open(page);
+}
+
+void MainWindow::showLesson()
+{
+    if (!lesson_) {
+        lesson_ = new LessonPane(lessonSteps(), this);
+        connect(lesson_, &LessonPane::runRequested, this, &MainWindow::performLessonRun);
+    }
+    pages_->showLesson(*lesson_);
 }
 
 void MainWindow::look()

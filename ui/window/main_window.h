@@ -17,6 +17,7 @@ class CaseEdits;
 class CaseFiles;
 class CasePanel;
 class FilmWindow;
+class LessonPane;
 class MessageStrip;
 class RunController;
 class RunFiles;
@@ -26,6 +27,7 @@ class RunsModel;
 class StudyWindow;
 class WindowActions;
 struct CaseDocument;
+struct LessonRun;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
@@ -50,6 +52,8 @@ public:
     void solveStaticState(bool atGivenAttitude = false);
     /// Performs the study in the editor of studies.
     void performStudy();
+    /// Opens and runs what a step of the lesson asks for.
+    void performLessonRun(const LessonRun& run);
     /// A case that was read elsewhere; `file` is empty for a sample case.
     void openCase(const CaseDocument& document, const QString& file);
     void openResults(const QString& file);
@@ -104,6 +108,7 @@ private:
     void chooseRecording(bool on);
     void useParametersOf(int number);
     void showHelp(HelpWindow::Page page);
+    void showLesson();
     void look();
     void saveSession();
 
@@ -119,6 +124,7 @@ private:
     MessageStrip* messages_;
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
+    LessonPane* lesson_ = nullptr;
     QString recordTo_;
     bool closing_ = false; // the question about changes was answered
 };

@@ -164,6 +164,7 @@ void MainWindow::connectView()
 void MainWindow::connectHelp()
 {
     connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
+    connect(actions_->lesson, &QAction::triggered, this, &MainWindow::showLesson);
     connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
     connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
     connect(actions_->aboutQt, &QAction::triggered, this, [this] {

@@ -158,6 +158,7 @@ void WindowActions::buildHelp(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&Help"));
     help = add(menu, tr("&Contents: how to use it, the equations"), QKeySequence::HelpContents);
+    lesson = add(menu, tr("&Lesson in six steps"));
     shortcuts = add(menu, tr("&Shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_F1));
     menu->addSeparator();
     aboutProgram = add(menu, tr("&About Touchdown"));

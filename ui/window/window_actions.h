@@ -30,7 +30,7 @@ public:
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
     QAction *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
-    QAction *help, *shortcuts, *aboutProgram, *aboutQt;
+    QAction *help, *lesson, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
     QActionGroup* theme;    // data: the name of the theme
     QActionGroup* fontSize; // data: points added to the system's own

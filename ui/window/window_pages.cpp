@@ -75,17 +75,17 @@ void WindowPages::buildPanes()
     QDockWidget* parameters =
         addPane(QStringLiteral("parameters"), tr("Parameters"), &parts_.casePanel, Qt::LeftDockWidgetArea);
     about_ = addPane(QStringLiteral("about"), tr("About this case"), &parts_.aboutCase, Qt::RightDockWidgetArea);
-    QDockWidget* runs = addPane(QStringLiteral("runs"), tr("Runs"), parts_.runs.panel(), Qt::RightDockWidgetArea);
-    QDockWidget* values =
+    runs_ = addPane(QStringLiteral("runs"), tr("Runs"), parts_.runs.panel(), Qt::RightDockWidgetArea);
+    values_ =
         addPane(QStringLiteral("values"), tr("Values at the cursors"), parts_.runs.values(), Qt::RightDockWidgetArea);
     attitude_ =
         addPane(QStringLiteral("attitude"), tr("Static attitude"), parts_.film.attitude(), Qt::RightDockWidgetArea);
     study_ = addPane(QStringLiteral("study"), tr("Study"), parts_.studies.editor(), Qt::RightDockWidgetArea);
     window.resizeDocks({parameters, about_}, {340, 340}, Qt::Horizontal);
-    window.resizeDocks({about_, runs, values}, {280, 240, 260}, Qt::Vertical);
+    window.resizeDocks({about_, runs_, values_}, {280, 240, 260}, Qt::Vertical);
     panes_ = {{about_, {Page::StaticState, Page::Run}},
-              {runs, {Page::Run}},
-              {values, {Page::Run}},
+              {runs_, {Page::Run}},
+              {values_, {Page::Run}},
               {attitude_, {Page::StaticState}},
               {study_, {Page::Studies}}};
     showPanesOfPage();
@@ -140,6 +140,18 @@ void WindowPages::showPanesOfPage()
         pane.dock->toggleViewAction()->setVisible(here);
         pane.dock->setVisible(here && pane.wanted);
     }
+}
+
+void WindowPages::showLesson(QWidget& lesson)
+{
+    if (lesson_ == nullptr) {
+        lesson_ = addPane(QStringLiteral("lesson"), tr("Lesson"), &lesson, Qt::RightDockWidgetArea);
+        parts_.window.tabifyDockWidget(about_, lesson_);
+        // The text is long, the list of runs is short.
+        parts_.window.resizeDocks({lesson_, runs_, values_}, {600, 150, 150}, Qt::Vertical);
+    }
+    lesson_->show();
+    lesson_->raise();
 }
 
 void WindowPages::updateProgress()

@@ -50,6 +50,8 @@ public:
     ModelKind model() const { return model_; }
     /// Only the panes of the page that is shown, as after an arrangement was restored.
     void showPanesOfPage();
+    /// In a pane of its own, which begins in front of the description of the case.
+    void showLesson(QWidget& lesson);
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
 
@@ -68,7 +70,7 @@ private:
     Parts parts_;
     QTabBar* tabs_;
     QStackedWidget* pages_;
-    QDockWidget* about_ = nullptr;
+    QDockWidget *about_ = nullptr, *runs_ = nullptr, *values_ = nullptr;
     struct Pane {
         QDockWidget* dock = nullptr;
         std::vector<Page> pages; // that show it
@@ -77,6 +79,7 @@ private:
     std::vector<Pane> panes_; // those that belong to some pages
     QDockWidget* attitude_ = nullptr;
     QDockWidget* study_ = nullptr;
+    QDockWidget* lesson_ = nullptr; // none until it is asked for
     ModelKind model_ = ModelKind::Springs;
     Page shown_ = Page::Run;
 };

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lesson/lesson_pane.h"
+
+#include <utility>
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "core/case/parameters.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+/// A text of the lesson as HTML: f_m with a subscript, us as µs, a minus sign; a number stays beside its unit.
+QString html(const std::string& text)
+{
+    static const QRegularExpression symbol(QStringLiteral("\\b([a-zA-Z])_(\\w+)"));
+    static const QRegularExpression amount(QStringLiteral("(\\d) (u?)(m?[sNm]|nm|ns|pJ|rad)\\b"));
+    static const QRegularExpression minus(QStringLiteral("(^|[ (])-(?=[\\d(])|(?<= )-(?= )"));
+    static const QRegularExpression key(QStringLiteral("\\b([a-z_]+(?:\\.[a-z_]+)+)\\b"));
+    QString html = QString::fromStdString(text).toHtmlEscaped();
+    html.replace(QStringLiteral("&gt;="), QStringLiteral("≥")).replace(QStringLiteral("^2"), QStringLiteral("²"));
+    html.replace(minus, QStringLiteral("\\1−"));
+    html.replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
+    html.replace(amount, QStringLiteral("\\1\u00a0\\2\\3"))
+        .replace(QStringLiteral("\u00a0u"), QStringLiteral("\u00a0µ"));
+    html.replace(key, QStringLiteral("<code>\\1</code>"));
+    return html;
+}
+
+/// Paragraphs under a heading; the heading may be empty.
+QString block(const QString& heading, const std::string& text, const QColor& colour)
+{
+    QString all;
+    if (!heading.isEmpty())
+        all = QStringLiteral("<p style='margin:0; color:%1; font-weight:600'>%2</p>").arg(colour.name(), heading);
+    for (const QString& part : html(text).split(QLatin1Char('\n')))
+        all += QStringLiteral("<p style='margin:2px 0 4px 0'>%1</p>").arg(part);
+    return all;
+}
+
+QLabel* textLabel(QWidget* parent)
+{
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::RichText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+/// "fig13a, d_e = 7 nm", as HTML.
+QString subject(const LessonRun& run)
+{
+    QString text = QString::fromStdString(run.name);
+    for (const CaseSetting& setting : run.settings) {
+        const Parameter& parameter = *findParameter(setting.key);
+        const QString name =
+            parameter.symbol.empty() ? QString::fromStdString(parameter.label) : symbolText(parameter.symbol);
+        text += QStringLiteral(", %1 = %2").arg(name, html(setting.value));
+    }
+    return text;
+}
+
+} // namespace
+
+LessonPane::LessonPane(std::vector<LessonStep> steps, QWidget* parent)
+    : QWidget(parent),
+      steps_(std::move(steps)),
+      scroll_(new QScrollArea(this)),
+      runs_(new QWidget(this)),
+      show_(new QPushButton(this)),
+      back_(new QPushButton(tr("&Back"), this)),
+      next_(new QPushButton(tr("&Next"), this))
+{
+    for (QLabel** label : {&place_, &title_, &text_, &question_, &change_, &answer_}) *label = textLabel(this);
+    build();
+    connect(show_, &QPushButton::toggled, this, &LessonPane::showAnswer);
+    connect(back_, &QPushButton::clicked, this, [this] { go(step_ - 1); });
+    connect(next_, &QPushButton::clicked, this, [this] { go(step_ + 1); });
+    go(0);
+}
+
+void LessonPane::build()
+{
+    show_->setCheckable(true);
+    place_->setAccessibleName(tr("Place in the lesson"));
+    title_->setAccessibleName(tr("Title of the step"));
+    text_->setAccessibleName(tr("Text of the step"));
+    question_->setAccessibleName(tr("Question"));
+    change_->setAccessibleName(tr("What to change"));
+    answer_->setAccessibleName(tr("Answer"));
+
+    auto* content = new QWidget(scroll_);
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(10, 8, 10, 10);
+    column->setSpacing(8);
+    for (QWidget* part : {static_cast<QWidget*>(title_), static_cast<QWidget*>(text_), static_cast<QWidget*>(question_),
+                          runs_, static_cast<QWidget*>(change_)})
+        column->addWidget(part);
+    column->addWidget(show_, 0, Qt::AlignLeft);
+    column->addWidget(answer_);
+    column->addStretch(1);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setWidgetResizable(true);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setWidget(content);
+    scroll_->setAccessibleName(tr("Lesson"));
+
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(10, 6, 10, 8);
+    row->addWidget(back_);
+    place_->setAlignment(Qt::AlignCenter);
+    row->addWidget(place_, 1);
+    row->addWidget(next_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(scroll_, 1);
+    layout->addLayout(row);
+    setMinimumSize(260, 240);
+}
+
+void LessonPane::go(std::size_t step)
+{
+    step_ = step;
+    back_->setEnabled(step_ > 0);
+    next_->setEnabled(step_ + 1 < steps_.size());
+    show_->setChecked(false);
+    buildRuns();
+    showAnswer(false);
+    write();
+    scroll_->verticalScrollBar()->setValue(0);
+}
+
+void LessonPane::buildRuns()
+{
+    qDeleteAll(runs_->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+    delete runs_->layout();
+    purposes_.clear();
+    auto* grid = new QGridLayout(runs_);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setColumnStretch(1, 1);
+    for (const LessonRun& run : steps_.at(step_).runs) {
+        const QString purpose = QString::fromStdString(run.purpose);
+        auto* button = new QPushButton(run.kind.empty() ? tr("Run") : tr("Study"), runs_);
+        button->setAccessibleName(run.kind.empty() ? tr("Run: %1").arg(purpose) : tr("Study: %1").arg(purpose));
+        button->setToolTip(QString::fromStdString(commandOf(run)));
+        connect(button, &QPushButton::clicked, this, [this, run] { emit runRequested(run); });
+        purposes_.push_back(textLabel(runs_));
+        grid->addWidget(button, grid->rowCount(), 0, Qt::AlignTop);
+        grid->addWidget(purposes_.back(), grid->rowCount() - 1, 1);
+    }
+}
+
+void LessonPane::write()
+{
+    const LessonStep& step = steps_.at(step_);
+    const MeaningColours colours = meaningColours(palette());
+    place_->setText(QStringLiteral("<span style='color:%1'>%2</span>")
+                        .arg(colours.muted.name(), tr("Step %1 of %2").arg(step_ + 1).arg(steps_.size())));
+    title_->setText(QStringLiteral("<h3 style='margin:0'>%1. %2</h3>").arg(step_ + 1).arg(html(step.title)));
+    text_->setText(block({}, step.text, colours.muted));
+    question_->setText(block(tr("Question"), step.question, colours.change));
+    change_->setText(block(tr("Then change it yourself"), step.change, colours.muted));
+    answer_->setText(block(tr("Answer"), step.answer, colours.success));
+    for (std::size_t i = 0; i < purposes_.size(); ++i) {
+        const LessonRun& run = step.runs.at(i);
+        purposes_[i]->setText(QStringLiteral("%1<br><span style='color:%2'>%3</span>")
+                                  .arg(html(run.purpose), colours.muted.name(), subject(run)));
+    }
+}
+
+void LessonPane::showAnswer(bool shown)
+{
+    answer_->setVisible(shown);
+    show_->setText(shown ? tr("Hide the &answer") : tr("Show the &answer"));
+    // After the layout has made room for it.
+    if (shown) QTimer::singleShot(0, this, [this] { scroll_->verticalScrollBar()->setValue(show_->y() - 8); });
+}
+
+void LessonPane::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) write();
+}
+
+} // namespace touchdown
