@@ -63,7 +63,7 @@ QString subject(const LessonRun& run)
         const Parameter& parameter = *findParameter(setting.key);
         const QString name =
             parameter.symbol.empty() ? QString::fromStdString(parameter.label) : symbolText(parameter.symbol);
-        text += QStringLiteral(", %1 = %2").arg(name, html(setting.value));
+        text += QStringLiteral(", %1\u00a0=\u00a0%2").arg(name, html(setting.value));
     }
     return text;
 }
