@@ -98,7 +98,7 @@ private slots:
         QCOMPARE(panel.map->cells.size(), std::size_t(36));
         QCOMPARE(panel.map->details.size(), std::size_t(36));
         QCOMPARE(panel.series.size(), std::size_t(1));
-        QVERIFY(panel.series.front().quiet);
+        QCOMPARE(panel.series.front().name, std::string("W = 0"));
     }
 
     /// W is linear in f_m.
