@@ -64,8 +64,8 @@ QString paperTable(const QString& csv)
         html += QStringLiteral("<tr><td><b>%1</b></td><td>%2<br><code>%3</code></td><td>%4</td><td>%5%6%7</td></tr>")
                     .arg(of("figure"), of("statement"), of("command"),
                          holds ? HelpWindow::tr("✓ holds") : HelpWindow::tr("⚠ does not hold"),
-                         of("found") + under(HelpWindow::tr("expected: %1").arg(of("expected"))),
-                         under(of("starts")), under(of("remark")));
+                         of("found") + under(HelpWindow::tr("expected: %1").arg(of("expected"))), under(of("starts")),
+                         under(of("remark")));
     }
     return html + QStringLiteral("</table>");
 }
