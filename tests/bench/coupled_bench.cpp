@@ -34,7 +34,7 @@ std::vector<BenchCase> defaultCases()
     return {{"film_pico", kick},
             {"film_femto", kick},
             {"fig08_start_10nm", {"run.duration=0.1 ms"}},
-            {"fig02_case_2_moving", {"run.duration=0.1 ms"}}};
+            {"fig02_micro_pad_case_2_moving", {"run.duration=0.1 ms"}}};
 }
 
 double processorSeconds()

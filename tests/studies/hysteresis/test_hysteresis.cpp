@@ -261,7 +261,7 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         for (const char* name : {"fig10a", "table3_3nm_from_100nm", "textbook_oscillator", "textbook_bounce",
-                                 "film_pico", "fig06_de_4nm", "fig02_case_2_moving"})
+                                 "film_pico", "fig06_de_4nm", "fig02_micro_pad_case_2_moving"})
             QTest::newRow(name) << name;
     }
     void templatesAreValid()
