@@ -65,6 +65,14 @@ Json tailJson(const Summary& summary)
     return result;
 }
 
+Json extremesJson(const Summary& summary)
+{
+    Json result = Json::object();
+    for (const auto& [key, value] : summary.extremes)
+        result[key] = {{"min", jsonNumber(value.least)}, {"max", jsonNumber(value.most)}};
+    return result;
+}
+
 Json stepCheckJson(const std::optional<StepCheck>& check)
 {
     if (!check) return nullptr;
@@ -212,9 +220,15 @@ std::string runJson(const Summary& summary, const std::vector<Quantity>& quantit
                      {"integrator", summary.integrator},
                      {"final", finalJson(summary)},
                      {"tail", tailJson(summary)},
-                     {"motion", name(summary.motion)},
+                     {"extremes", extremesJson(summary)},
+                     {"motion", name(summary.verdict.motion)},
                      {"bouncing", summary.bouncing()},
-                     {"bouncing_rule", summary.bouncingRule},
+                     {"bouncing_rule", summary.verdict.rule},
+                     {"contact", name(summary.verdict.touch)},
+                     {"forced", summary.verdict.forced},
+                     {"swing", jsonNumber(summary.verdict.swing)},
+                     {"rms", jsonNumber(summary.verdict.rms)},
+                     {"frequency", jsonNumber(summary.verdict.frequency)},
                      {"spectrum", {{"peaks", peaks}}},
                      {"step_check", stepCheckJson(summary.stepCheck)},
                      {"figures", figuresJson(summary.figures)},
@@ -240,8 +254,12 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
     if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
         text += reportRow("minimum spacing",
                           shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
-    if (!summary.bouncingRule.empty())
-        text += reportRow("motion", std::string(name(summary.motion)) + ": " + summary.bouncingRule);
+    for (const auto& [key, label] :
+         {std::pair{"minimum_spacing", "least min. spacing"}, std::pair{"rear_spacing", "least rear spacing"}})
+        if (const auto found = find(summary.extremes, key); found != summary.extremes.end())
+            text += reportRow(label, shown(quantities, key, found->second.least) + " in the whole run");
+    if (!summary.verdict.rule.empty())
+        text += reportRow("motion", textOf(summary.verdict) + ": " + summary.verdict.rule);
     for (std::size_t i = 0; i < summary.peaks.size(); ++i)
         text +=
             reportRow(i == 0 ? "spectrum peaks" : "", displayed(summary.peaks[i].frequency, "kHz") + ", amplitude " +

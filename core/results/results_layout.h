@@ -13,7 +13,8 @@
 //                            (since 1.2)
 //   /spectra/<quantity>/frequency, density | power
 //   /events/time, name
-//   /summary/...             numbers and texts of the Summary
+//   /summary/...             numbers and texts of the Summary; the verdict on the last part, and the extremes of
+//                            the whole run, since 1.3
 //
 // Each function throws Hdf5Error. Hold a Hdf5Access around them.
 #pragma once
@@ -32,7 +33,7 @@ namespace touchdown {
 
 inline constexpr const char* resultsFormat = "touchdown-run";
 inline constexpr int resultsFormatMajor = 1;
-inline constexpr int resultsFormatMinor = 2;
+inline constexpr int resultsFormatMinor = 3;
 
 /// What is known before the first sample.
 struct ResultsHeader {

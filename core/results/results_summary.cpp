@@ -84,9 +84,17 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
     putFinite(group, "wall_seconds", summary.wallSeconds, "s", "Wall time of the run");
     group.put("model", summary.model, "1", "Model");
     group.put("integrator", summary.integrator, "1", "Integrator");
-    group.put("motion", std::string(name(summary.motion)), "1", "What the motion comes to");
+    const MotionVerdict& verdict = summary.verdict;
+    group.put("motion", std::string(name(verdict.motion)), "1", "How the motion ends");
     putCount(group, "bouncing", summary.bouncing() ? 1 : 0, "1 when the slider bounces on the disk to the end");
-    group.put("bouncing_rule", summary.bouncingRule, "1", "The rule that decided on the motion");
+    group.put("bouncing_rule", verdict.rule, "1", "The rule that decided on the motion");
+    if (verdict.motion != Motion::NotJudged) {
+        group.put("contact", std::string(name(verdict.touch)), "1", "Contact in the judged last part of the run");
+        putCount(group, "forced", verdict.forced ? 1 : 0, "1 when the moving surface of the disk drives the motion");
+        putFinite(group, "swing", verdict.swing, "m", "Minimum spacing in the judged part, peak to peak");
+        putFinite(group, "rms", verdict.rms, "m", "Minimum spacing in the judged part, standard deviation");
+        putFinite(group, "frequency", verdict.frequency, "Hz", "Main frequency of the motion there; 0: none");
+    }
     group.put("warnings", summary.warnings, "1", "Warnings");
     writePeaks(group, quantities, summary.peaks);
     if (!summary.figures.empty()) {
@@ -100,6 +108,13 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
     for (const auto& [key, value] : summary.final) {
         const Quantity quantity = known(quantities, key);
         putFinite(final, key, value, quantity.unit, quantity.longName + " at the end");
+    }
+    const Hdf5Group extremes = group.create("extremes");
+    for (const auto& [key, value] : summary.extremes) {
+        const Quantity quantity = known(quantities, key);
+        const Hdf5Group one = extremes.create(key);
+        putFinite(one, "min", value.least, quantity.unit, quantity.longName + ", minimum of the whole run");
+        putFinite(one, "max", value.most, quantity.unit, quantity.longName + ", maximum of the whole run");
     }
     const Hdf5Group tail = group.create("tail");
     for (const auto& [key, value] : summary.tail) {

@@ -18,9 +18,16 @@ inline HeldStep step(double value, bool back, EndKind kind, double spacing)
     held.value = value;
     held.back = back;
     held.done = true;
-    held.end = {kind, spacing, 0.0};
+    const Motion motion = kind == EndKind::Intermittent ? Motion::Bounces : Motion::AtRest;
+    held.end = {kind, spacing, 0.0, motion};
     held.spacing = {.mean = spacing, .std = 0.0, .min = spacing, .max = spacing};
     return held;
+}
+
+inline void letBounce(HeldStep& held)
+{
+    held.end.kind = EndKind::Intermittent;
+    held.end.motion = Motion::Bounces;
 }
 
 /// f_m from 0 to 3 mN and back: touches at 2 mN, lets go at 0.

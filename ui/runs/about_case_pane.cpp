@@ -5,6 +5,7 @@
 
 #include <QEvent>
 
+#include "core/formats/units.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
@@ -78,13 +79,22 @@ void AboutCasePane::write()
     setHtml(html);
 }
 
-QString motionText(Motion motion)
+QString motionText(const MotionVerdict& verdict)
 {
-    switch (motion) {
+    const QString frequency =
+        verdict.frequency > 0.0 ? QString::fromStdString(fewDigits(verdict.frequency, "kHz", 3)) : QString();
+    if (verdict.forced)
+        return AboutCasePane::tr("The disk forces it to vibrate%1: %2, %3 rms.")
+            .arg(verdict.touch == Touch::Never    ? AboutCasePane::tr(" without contact")
+                 : verdict.touch == Touch::Always ? AboutCasePane::tr(" in contact")
+                                                  : AboutCasePane::tr(" in and out of contact"),
+                 frequency, QString::fromStdString(fewDigits(verdict.rms, "nm")));
+    switch (verdict.motion) {
     case Motion::NotJudged: break;
     case Motion::AtRest: return AboutCasePane::tr("It is at rest.");
     case Motion::Settles: return AboutCasePane::tr("It settles.");
     case Motion::Swings: return AboutCasePane::tr("It continues to swing without contact.");
+    case Motion::Vibrates: return AboutCasePane::tr("It continues to vibrate in contact.");
     case Motion::Bounces: return AboutCasePane::tr("It continues to bounce.");
     case Motion::TooShort: return AboutCasePane::tr("The run is too short to tell whether it settles.");
     }
@@ -121,7 +131,7 @@ QString resultText(const RunRecord& run)
             ends << words.arg(readout(*value, run.quantities[index]));
         }
         text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
-        if (const QString motion = motionText(summary.motion); !motion.isEmpty()) text += QLatin1Char(' ') + motion;
+        if (const QString motion = motionText(summary.verdict); !motion.isEmpty()) text += QLatin1Char(' ') + motion;
     } else {
         text = sentence(summary.message);
     }

@@ -182,8 +182,8 @@ Summary RunWorker::shownSummary(Summary summary) const
         summary.final.emplace_back(quantities[i].name, lastSample_[i]);
     summary.tail.clear();
     summary.peaks.clear();
-    summary.motion = Motion::NotJudged;
-    summary.bouncingRule.clear();
+    summary.extremes.clear();
+    summary.verdict = {};
     summary.stepCheck.reset();
     std::erase_if(summary.events, [this](const RunEvent& event) { return event.time > pace_.shownTime(); });
     return summary;

@@ -103,7 +103,7 @@ private:
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
         figures_.add(forces_, away);
-        if (station.sample) record(station.time);
+        record(station);
         if (station.snapshot && recordsFields_) {
             FieldSnapshot snapshot{station.time, 0, {}};
             model_->observe(snapshot);
@@ -197,11 +197,15 @@ private:
     /// Contact of surfaces; the summits of a statistical surface have no end.
     bool isTouching() const { return case_.contact == ContactKind::Elastic && forces_.contact > 0.0; }
 
-    void record(double time)
+    /// A force may jump between two stations.
+    void record(const Station& station)
     {
         values_.resize(recorder_.quantities().size());
         contactValues(case_, rows_, forces_, values_.data());
-        recorder_.addSample(time, values_);
+        if (station.sample)
+            recorder_.addSample(station.time, values_, false);
+        else
+            recorder_.addPoint(station.time, values_, false);
     }
 
     /// Within a long solution, too. False when somebody stopped the run.

@@ -14,6 +14,8 @@ namespace touchdown {
 namespace {
 
 constexpr double nearest = 0.6; // earlier point, in steps
+constexpr int pointsOfStep = 4;
+
 } // namespace
 
 std::vector<FilmQuantity> filmRows(const Case& c)
@@ -82,19 +84,36 @@ void FilmRecorder::begin(const FilmPoint& start)
 
 void FilmRecorder::add(const FilmPoint& point)
 {
-    const double interval = case_.run.sampleInterval;
-    const double end = std::min(point.time, case_.run.duration) + 1e-9 * interval;
-    for (double time; (time = static_cast<double>(samples_) * interval) <= end;) record(point, time);
+    const double interval = case_.run.sampleInterval, slack = 1e-9 * interval;
+    const double begin = last_.time, end = std::min(point.time, case_.run.duration);
+    for (int k = 1; k <= pointsOfStep; ++k) {
+        const double until = begin + (point.time - begin) * k / pointsOfStep;
+        for (double time; (time = static_cast<double>(samples_) * interval) <= std::min(until, end) + slack;)
+            record(point, time);
+        if (until > end) break;
+        evaluate(point, until);
+        run_.addPoint(until, values_, smooth_);
+        smooth_ = true;
+    }
+    if (point.time >= case_.run.duration) run_.keepPoints();
     addToEnergy(point);
     earlier_ = last_;
     last_ = point;
+}
+
+void FilmRecorder::jump(const FilmPoint& point)
+{
+    earlier_ = last_ = point;
+    evaluate(point, point.time);
+    run_.addPoint(point.time, values_, false);
 }
 
 void FilmRecorder::record(const FilmPoint& to, double time)
 {
     ++samples_;
     evaluate(to, time);
-    run_.addSample(time, values_);
+    run_.addSample(time, values_, smooth_);
+    smooth_ = true;
     if (run_.full()) run_.send(std::min(last_.time, case_.run.duration));
 }
 

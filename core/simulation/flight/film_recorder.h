@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Turns the steps of a run of the film into samples at equal intervals. Within a step the slider moves along a
-// polynomial (film_point.h); forces and energies along parabolas.
+// polynomial (film_point.h); forces and energies along parabolas. Four points of each step find the extremes between
+// samples.
 #pragma once
 
 #include <array>
@@ -39,7 +40,7 @@ public:
     /// A step from the last point to this one.
     void add(const FilmPoint& point);
     /// The forces at the last point have jumped to these.
-    void jump(const FilmPoint& point) { earlier_ = last_ = point; }
+    void jump(const FilmPoint& point);
 
     /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].
     double energyImbalance() const;
@@ -61,6 +62,7 @@ private:
     double headRecess_ = 0.0;
     FilmPoint last_, earlier_; // the same where forces have jumped
     long long samples_ = 0;
+    bool smooth_ = true;                               // the same law of contact holds since the newest point
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
     double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]
     std::vector<double> values_;

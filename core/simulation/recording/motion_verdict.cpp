@@ -4,78 +4,249 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "core/formats/units.h"
+#include "core/formats/words.h"
+#include "core/numerics/moments.h"
 
 namespace touchdown {
 
 namespace {
 
-/// Changes of the signal from below `low` to above `high` and back.
-int changes(std::span<const double> signal, double low, double high)
+using Rule = MotionRule;
+constexpr double smallestGrowth = 1.5;          // of a small swing, from part to part [-]
+constexpr double roundOff = 1e-13;              // of a swing at rest [m]
+constexpr std::array shares{0.1, 0.2, 1.0 / 3}; // of the last part, of the time after the landing
+
+/// Changes of a signal from below `low` to above `high` and back.
+struct Changes {
+    int count = 0;
+    std::size_t first = 0, last = 0; // samples at which they end
+};
+Changes changesOf(std::span<const double> signal, double low, double high)
 {
-    int side = 0, count = 0;
-    for (const double value : signal) {
-        const int now = value < low ? -1 : value > high ? 1 : side;
-        if (side != 0 && now != side) ++count;
+    Changes changes;
+    int side = 0;
+    for (std::size_t i = 0; i < signal.size(); ++i) {
+        const int now = signal[i] < low ? -1 : signal[i] > high ? 1 : side;
+        if (side != 0 && now != side) {
+            if (changes.count++ == 0) changes.first = i;
+            changes.last = i;
+        }
         side = now;
     }
-    return count;
+    return changes;
+}
+
+Changes periodChanges(std::span<const double> signal)
+{
+    if (signal.empty()) return {};
+    const auto [least, most] = std::ranges::minmax(signal);
+    if (!(most > least)) return {};
+    const double quarter = 0.25 * (most - least);
+    return changesOf(signal, least + quarter, most - quarter);
+}
+
+/// Extremes and contact over a range of samples.
+class Part {
+public:
+    Part(const MotionSamples& samples, std::size_t begin, std::size_t end) : samples_(samples), begin_(begin), end_(end)
+    {}
+
+    double least() const { return *std::ranges::min_element(of(samples_.least)); }
+    double most() const { return *std::ranges::max_element(of(samples_.most)); }
+    double swing() const { return begin_ < end_ ? most() - least() : 0.0; }
+    double rms() const { return momentsOf(of(samples_.spacing)).deviation; }
+    std::span<const double> spacing() const { return of(samples_.spacing); }
+    std::size_t size() const { return end_ - begin_; }
+    std::size_t switches() const
+    {
+        const auto timeOf = [&](std::size_t i) { return samples_.first + double(i) * samples_.interval; };
+        const auto from = std::ranges::lower_bound(samples_.switches, timeOf(begin_));
+        return std::size_t(std::ranges::lower_bound(from, samples_.switches.end(), timeOf(end_)) - from);
+    }
+    Touch touch() const
+    {
+        const std::span all = std::span(samples_.touch).subspan(begin_, size());
+        const auto is = [](Touch wanted) { return [wanted](Touch each) { return each == wanted; }; };
+        if (switches() == 0) {
+            if (std::ranges::all_of(all, is(Touch::Never))) return Touch::Never;
+            if (std::ranges::all_of(all, is(Touch::Always))) return Touch::Always;
+        }
+        return Touch::AtTimes;
+    }
+
+private:
+    std::span<const double> of(const std::vector<double>& all) const { return std::span(all).subspan(begin_, size()); }
+    const MotionSamples& samples_;
+    std::size_t begin_, end_;
+};
+
+/// The first sample in the range that the last tenth has.
+std::size_t landingOf(const MotionSamples& samples)
+{
+    const std::size_t count = samples.spacing.size();
+    const Part tenth(samples, count - std::max<std::size_t>(1, count / 10), count);
+    const double least = tenth.least(), most = tenth.most();
+    for (std::size_t i = 0; i < count; ++i)
+        if (samples.least[i] <= most && samples.most[i] >= least) return i;
+    return 0;
+}
+
+MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, double share)
+{
+    const std::size_t count = samples.spacing.size();
+    const auto length = std::max<std::size_t>(1, std::size_t(share * double(count - landing)));
+    MotionEvidence evidence{.share = share, .parts = 0, .movingSurface = samples.movingSurface};
+    for (std::size_t end = count; evidence.parts < evidence.swings.size() && end >= landing + length; end -= length)
+        evidence.swings[evidence.parts++] = Part(samples, end - length, end).swing();
+    const Part last(samples, count - length, count);
+    evidence.rms = last.rms();
+    evidence.rmsBefore = evidence.parts > 1 ? Part(samples, count - 2 * length, count - length).rms() : evidence.rms;
+    const Changes changes = periodChanges(last.spacing());
+    evidence.periods = 0.5 * changes.count;
+    if (changes.count > 1)
+        evidence.frequency =
+            0.5 * double(changes.count - 1) / (double(changes.last - changes.first) * samples.interval);
+    evidence.touch = last.touch();
+    evidence.switches = last.switches();
+    evidence.samples = last.size();
+    return evidence;
+}
+
+bool isSmall(const MotionEvidence& evidence) { return evidence.swing() <= Rule::smallestSwing; }
+
+Motion motionOf(const MotionEvidence& evidence)
+{
+    if (evidence.samples < Rule::fewestSamples) return Motion::TooShort;
+    if (isSmall(evidence)) return evidence.movesOn || evidence.grows() ? Motion::TooShort : Motion::AtRest;
+    if (evidence.periods < Rule::fewestPeriods) return Motion::TooShort;
+    if (evidence.decays())
+        return evidence.movingSurface || evidence.touch == Touch::AtTimes ? Motion::TooShort : Motion::Settles;
+    return evidence.touch == Touch::Never    ? Motion::Swings
+           : evidence.touch == Touch::Always ? Motion::Vibrates
+                                             : Motion::Bounces;
+}
+
+std::string ruleOf(const MotionEvidence& evidence, Motion motion)
+{
+    const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
+    const std::string part = evidence.share < 0.15 ? "tenth" : evidence.share < 0.25 ? "fifth" : "third";
+    if (evidence.samples < Rule::fewestSamples)
+        return "the last " + part + " of the run holds " + std::to_string(evidence.samples) + " samples, and " +
+               std::to_string(Rule::fewestSamples) + " are needed to tell";
+    const bool small = isSmall(evidence);
+    std::string figures =
+        "over the last " + part + " of the run after the landing the minimum spacing swings by " + nm(evidence.swing());
+    if (!small) figures += " in " + formatNumber(evidence.periods) + " periods";
+    if (evidence.parts > 1) figures += ", after " + nm(evidence.swings[1]) + " over the " + part + " before";
+    if (!small) {
+        figures += evidence.touch == Touch::Never    ? ", without contact"
+                   : evidence.touch == Touch::Always ? ", always in contact"
+                                                     : ", and the slider touches the disk and takes off";
+    }
+    switch (motion) {
+    case Motion::NotJudged: break;
+    case Motion::AtRest: return figures + "; up to " + nm(Rule::smallestSwing) + " counts as rest";
+    case Motion::TooShort:
+        if (small)
+            return figures + (evidence.grows() ? ", and it grows" : ", but it was still moving on") +
+                   ": a longer run can tell";
+        if (evidence.periods < Rule::fewestPeriods)
+            return figures + "; " + formatNumber(Rule::fewestPeriods) + " periods are needed to tell";
+        return figures + "; the motion still decays: a longer run can tell";
+    case Motion::Settles:
+        return figures + (evidence.swing() < Rule::smallestDecay * evidence.swings[1]
+                              ? "; less than 90 % of the swing before counts as decay"
+                              : "; less than 80 % of the swing four parts before, and less in each, counts as decay");
+    case Motion::Swings:
+    case Motion::Vibrates:
+    case Motion::Bounces:
+        if (evidence.movingSurface)
+            return figures + "; the standard deviation is " + nm(evidence.rms) + ", after " + nm(evidence.rmsBefore) +
+                   ", and at least 60 % of that before counts as sustained; the disk drives the motion, as its surface "
+                   "is not flat and moves";
+        return figures + "; at least 90 % of the swing before counts as sustained";
+    }
+    return figures;
 }
 
 } // namespace
 
-double periodsOf(std::span<const double> signal)
+void MotionSamples::add(double s, double lowest, double highest, Touch touching)
 {
-    if (signal.empty()) return 0.0;
-    const auto [least, most] = std::ranges::minmax(signal);
-    if (!(most > least)) return 0.0;
-    const double quarter = 0.25 * (most - least);
-    return 0.5 * changes(signal, least + quarter, most - quarter);
+    spacing.push_back(s);
+    least.push_back(lowest);
+    most.push_back(highest);
+    touch.push_back(touching);
 }
+
+void MotionSamples::dropFirst(std::size_t count)
+{
+    const auto drop = [&](auto& values) { values.erase(values.begin(), values.begin() + std::ptrdiff_t(count)); };
+    drop(spacing);
+    drop(least);
+    drop(most);
+    drop(touch);
+    first += double(count) * interval;
+}
+
+bool MotionEvidence::decays() const
+{
+    if (movingSurface) return rms < Rule::forcedDecay * rmsBefore;
+    if (parts > 1 && swings[0] < Rule::smallestDecay * swings[1]) return true;
+    return parts == swings.size() && std::ranges::is_sorted(swings) &&
+           swings[0] < Rule::smallestLongDecay * swings.back();
+}
+
+bool MotionEvidence::grows() const
+{
+    return parts > 2 && swings[0] > roundOff && swings[0] > smallestGrowth * swings[1] &&
+           swings[1] > smallestGrowth * swings[2];
+}
+
+MotionVerdict verdictOf(const MotionEvidence& evidence)
+{
+    MotionVerdict verdict;
+    verdict.motion = motionOf(evidence);
+    verdict.touch = evidence.touch;
+    verdict.forced = evidence.movingSurface && lasts(verdict.motion);
+    verdict.swing = evidence.swing();
+    verdict.rms = evidence.rms;
+    verdict.frequency = lasts(verdict.motion) || verdict.motion == Motion::Settles ? evidence.frequency : 0.0;
+    verdict.rule = ruleOf(evidence, verdict.motion);
+    return verdict;
+}
+
+MotionVerdict judgeMotion(const MotionSamples& samples)
+{
+    if (samples.spacing.empty()) return {};
+    MotionEvidence whole = evidenceOf(samples, 0, 0.1);
+    if (isSmall(whole)) {
+        whole.movesOn = movesOn(std::span(samples.spacing).last((samples.spacing.size() + 1) / 2));
+        return verdictOf(whole);
+    }
+    const std::size_t landing = landingOf(samples);
+    MotionEvidence evidence;
+    for (const double share : shares) {
+        if (samples.movingSurface && share < shares.back()) continue;
+        evidence = evidenceOf(samples, landing, share);
+        if (evidence.samples >= Rule::fewestSamples && evidence.periods >= Rule::fewestPeriods) break;
+    }
+    return verdictOf(evidence);
+}
+
+double periodsOf(std::span<const double> signal) { return 0.5 * periodChanges(signal).count; }
 
 bool movesOn(std::span<const double> lastHalf)
 {
     if (lastHalf.empty()) return false;
     const auto [least, most] = std::ranges::minmax(lastHalf);
-    if (most - least < 3.0 * smallestSwing) return false;
+    if (most - least < 3.0 * Rule::smallestSwing) return false;
     const std::span<const double> window = lastHalf.last(std::max<std::size_t>(1, lastHalf.size() / 5));
     const double mean = std::accumulate(window.begin(), window.end(), 0.0) / static_cast<double>(window.size());
-    return changes(lastHalf, mean - 0.5 * smallestSwing, mean + 0.5 * smallestSwing) < 2;
-}
-
-Motion motionOf(const MotionEvidence& evidence)
-{
-    if (evidence.samples < fewestSamples) return Motion::TooShort;
-    if (evidence.swing <= smallestSwing) return evidence.movesOn ? Motion::TooShort : Motion::AtRest;
-    if (evidence.periods < fewestPeriods) return Motion::TooShort;
-    if (evidence.swing < smallestDecay * evidence.swingBefore) return Motion::Settles;
-    return evidence.touches ? Motion::Bounces : Motion::Swings;
-}
-
-std::string motionRule(const MotionEvidence& evidence)
-{
-    const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
-    const bool small = evidence.swing <= smallestSwing;
-    const std::string window = evidence.third ? "third" : "tenth";
-    std::string figures = "over the last " + window + " of the run the minimum spacing swings by " + nm(evidence.swing);
-    if (!small) figures += " in " + formatNumber(evidence.periods) + " periods";
-    figures += ", after " + nm(evidence.swingBefore) + " over the " + window + " before";
-    if (!small) figures += evidence.touches ? ", and the slider touches the disk" : ", without contact";
-    switch (motionOf(evidence)) {
-    case Motion::NotJudged: break;
-    case Motion::AtRest: return figures + "; up to " + nm(smallestSwing) + " counts as rest";
-    case Motion::TooShort:
-        if (evidence.samples < fewestSamples)
-            return figures + "; it holds " + std::to_string(evidence.samples) + " samples, and " +
-                   std::to_string(fewestSamples) + " are needed to tell";
-        if (small) return figures + ", but it was still moving on: a longer run can tell";
-        return figures + "; " + formatNumber(fewestPeriods) + " periods are needed to tell";
-    case Motion::Settles: return figures + "; less than 90 % of the swing before counts as decay";
-    case Motion::Swings:
-    case Motion::Bounces: return figures + "; at least 90 % of the swing before counts as sustained";
-    }
-    return figures;
+    return changesOf(lastHalf, mean - 0.5 * Rule::smallestSwing, mean + 0.5 * Rule::smallestSwing).count < 2;
 }
 
 } // namespace touchdown

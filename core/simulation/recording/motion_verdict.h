@@ -1,45 +1,83 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a slider's motion comes to, judged by the minimum spacing s over a window: the last tenth of a run, or the last
-// third where the tenth holds less than 3 periods of a motion that is not at rest:
+// How the motion of a slider ends. All reports and studies use this one verdict. It is judged by the minimum spacing s
+// and by the contact, over the last part of a run compared with the parts before it:
 //
-//   at rest           s swings by no more than 0.02 nm, peak to peak, nor was it about to move on
-//   too short to tell the window holds less than 3 periods of the main motion, or fewer than 10 samples
-//   settles           the swing is less than 90 % of that over the tenth or third before
-//   bounces           else, and the slider touches the disk in the window
-//   swings            else: the motion lasts without contact
+//   at rest             s swings by no more than 0.02 nm, peak to peak, neither grows nor was about to move on
+//   settles             the swing decays, and the contact begins or ends nowhere in the last part
+//   swings              the swing lasts, without contact
+//   vibrates in contact the swing lasts, and the slider touches the disk all the time
+//   bounces             the swing lasts, and the slider touches the disk and takes off
+//   too short to tell   none of these: the last part holds less than 3 periods or 10 samples, or the slider still takes
+//                       off while its swing decays, or the swing over a moving surface still decays
 //
-// A period: s goes from the lowest quarter of its range in the window to the highest quarter and back. At rest it was
-// not about to move on if the last half of the run swings by less than three times as much, or if s crossed its mean
-// value of the window there and back.
+// The landing is left out: the run counts from the first time at which s enters the range that it has in the last
+// tenth. The last part is the last tenth of the time from then on, or the last fifth or third where a shorter part
+// holds less than 3 periods; over a moving surface it is the last third. The swing decays if it is below 90 % of that
+// in the part before, or if it fell in each of the last five parts, below 80 % in all. Over a moving surface, where the
+// swing of a part is random, the standard deviation decays if it is below 60 % of that in the part before. What lasts
+// there is forced: the disk drives it.
+//
+// A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. At rest it was not
+// about to move on if the last half of the run swings by less than three times as much, or if s crossed its mean value
+// of the last tenth there and back.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
 
-constexpr std::size_t fewestSamples = 10; // of a window that tells anything
+/// Samples of a run at equal intervals.
+struct MotionSamples {
+    std::vector<double> spacing;     // minimum spacing [m]
+    std::vector<double> least, most; // its extremes since the sample before [m]; as many
+    std::vector<Touch> touch;        // since the sample before; as many
+    std::vector<double> switches;    // times at which the contact began or ended, rising [s]
+    double first = 0.0;              // time of the first sample [s]
+    double interval = 0.0;           // between samples [s]
+    bool movingSurface = false;      // of a disk that is not flat
+
+    void add(double s, Touch touching) { add(s, s, s, touching); }
+    void add(double s, double lowest, double highest, Touch touching);
+    /// Forgets the oldest samples.
+    void dropFirst(std::size_t count);
+};
+
+MotionVerdict judgeMotion(const MotionSamples& samples);
+
+// ------------------------------------------------------------------------------------------------ parts of the rule
+
+struct MotionRule {
+    static constexpr std::size_t fewestSamples = 10; // of a part that tells anything
+    static constexpr double smallestSwing = 0.02e-9; // that matters, peak to peak [m]
+    static constexpr double smallestDecay = 0.9;     // of the swing of sustained motion, from part to part [-]
+    static constexpr double smallestLongDecay = 0.8; // and over five parts [-]
+    static constexpr double forcedDecay = 0.6;       // of the standard deviation over a moving surface [-]
+    static constexpr double fewestPeriods = 3.0;
+};
 
 struct MotionEvidence {
-    bool third = false;                  // the window is the last third of the run, not the last tenth
-    double swing = 0.0;                  // of the minimum spacing in the window, peak to peak [m]
-    double swingBefore = 0.0;            // in as long a time before [m]
-    double periods = 0.0;                // in the window
-    bool movesOn = false;                // in the half before the end, though at rest in the last tenth
-    bool touches = false;                // in the window
-    std::size_t samples = fewestSamples; // in the window
+    double share = 0.1;                              // of the last part, of the time after the landing [-]
+    std::array<double, 5> swings{};                  // peak to peak, newest part first [m]
+    std::size_t parts = 5;                           // that there are
+    double rms = 0.0, rmsBefore = 0.0;               // standard deviation in the last part and in that before [m]
+    double periods = 0.0;                            // in the last part
+    double frequency = 0.0;                          // of these [Hz]
+    bool movesOn = false;                            // in the half before the end, though at rest in the last tenth
+    Touch touch = Touch::Never;                      // in the last part
+    std::size_t switches = 0;                        // of the contact, there
+    std::size_t samples = MotionRule::fewestSamples; // there
+    bool movingSurface = false;
+    double swing() const { return swings[0]; }
+    bool decays() const;
+    bool grows() const;
 };
-constexpr double smallestSwing = 0.02e-9; // that matters, peak to peak [m]
-constexpr double smallestDecay = 0.9;     // of the swing of sustained motion, from window to window [-]
-constexpr double fewestPeriods = 3.0;
-
-Motion motionOf(const MotionEvidence& evidence);
-/// The rule that decided, with its figures, as one sentence.
-std::string motionRule(const MotionEvidence& evidence);
+MotionVerdict verdictOf(const MotionEvidence& evidence);
 
 /// Periods of a signal: half of its changes between the lowest and the highest quarter of its range.
 double periodsOf(std::span<const double> signal);

@@ -16,17 +16,31 @@ constexpr std::size_t mostEvents = 100'000;
 } // namespace
 
 RunRecorder::RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback)
-    : quantities_(std::move(quantities)), duration_(c.run.duration), callback_(callback), statistics_(c, quantities_)
+    : quantities_(std::move(quantities)),
+      duration_(c.run.duration),
+      callback_(callback),
+      statistics_(c, quantities_),
+      extremes_(quantities_.size())
 {
     samples_.time.reserve(samplesInBatch);
     samples_.columns.resize(quantities_.size());
     for (std::vector<double>& column : samples_.columns) column.reserve(samplesInBatch);
 }
 
-void RunRecorder::addSample(double time, std::span<const double> values)
+void RunRecorder::addSample(double time, std::span<const double> values, bool smooth)
 {
     samples_.time.push_back(time);
     for (std::size_t i = 0; i < values.size(); ++i) samples_.columns[i].push_back(values[i]);
+    extremes_.add(time, values, smooth);
+    statistics_.addSample(time, values, extremes_.least(), extremes_.most());
+    extremes_.restart();
+}
+
+void RunRecorder::keepPoints()
+{
+    if (!extremes_.any()) return;
+    statistics_.addExtremes(extremes_.least(), extremes_.most());
+    extremes_.restart();
 }
 
 void RunRecorder::addEvent(double time, std::string name)
@@ -38,7 +52,6 @@ bool RunRecorder::silent() const { return wallClock() - lastSent_ > longestSilen
 
 bool RunRecorder::send(double time, double begin)
 {
-    statistics_.add(samples_);
     if (callback_ && !callback_({time, duration_, samples_, newEvents_, fields_})) stopped_ = true;
     std::ranges::move(newEvents_, std::back_inserter(events_));
     newEvents_.clear();

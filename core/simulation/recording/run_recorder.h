@@ -11,6 +11,7 @@
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/recording/sample_extremes.h"
 
 namespace touchdown {
 
@@ -31,7 +32,15 @@ public:
     RunRecorder(const RunRecorder&) = delete;
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
-    void addSample(double time, std::span<const double> values);
+    /// A sample; `smooth`: the same law has held since the point or sample before.
+    void addSample(double time, std::span<const double> values, bool smooth = true);
+    /// A point of the motion between samples, for the extremes of the quantities. It counts once a sample follows, or
+    /// keepPoints() is called: points beyond the last good sample of a run that fails do not.
+    void addPoint(double time, std::span<const double> values, bool smooth = true)
+    {
+        extremes_.add(time, values, smooth);
+    }
+    void keepPoints();
     /// The first 100 000 are kept.
     void addEvent(double time, std::string name);
     void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
@@ -58,6 +67,7 @@ private:
     double duration_; // [s]
     const RunCallback& callback_;
     RunStatistics statistics_;
+    SampleExtremes extremes_;
     SampleBatch samples_;
     std::vector<RunEvent> events_, newEvents_;
     std::vector<FieldSnapshot> fields_;

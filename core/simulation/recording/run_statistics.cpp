@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/simulation/recording/motion_verdict.h"
@@ -27,9 +28,9 @@ void BlockStatistics::Block::merge(const Block& other)
     max = std::max(max, other.max);
 }
 
-void BlockStatistics::add(double value)
+void BlockStatistics::add(double value, double least, double most)
 {
-    const Block one{1.0, value, 0.0, value, value};
+    const Block one{1.0, value, 0.0, least, most};
     if (blocks_.empty() || blocks_.back().count >= double(blockLength_)) {
         if (blocks_.size() == mostBlocks) {
             for (std::size_t i = 0; i < mostBlocks / 2; ++i) {
@@ -43,6 +44,13 @@ void BlockStatistics::add(double value)
     } else {
         blocks_.back().merge(one);
     }
+}
+
+void BlockStatistics::extend(double least, double most)
+{
+    if (blocks_.empty()) return;
+    blocks_.back().min = std::min(blocks_.back().min, least);
+    blocks_.back().max = std::max(blocks_.back().max, most);
 }
 
 Statistics BlockStatistics::over(double begin, double end) const
@@ -67,31 +75,66 @@ WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
     return options;
 }
 
+TouchColumns::TouchColumns(const Case& c, const std::vector<Quantity>& quantities)
+    : contact_(findQuantity(quantities, "contact_force")),
+      adhesion_(findQuantity(quantities, "adhesion_force")),
+      menisci_(c.contact == ContactKind::OnoYamane)
+{}
+
+Touch TouchColumns::between(std::span<const double> least, std::span<const double> most) const
+{
+    const bool any = touches([&](std::size_t column) { return std::max(-least[column], most[column]); });
+    if (!any) return Touch::Never;
+    // Forces of contact are positive, of adhesion negative: zero is their smallest size.
+    const bool always = touches([&](std::size_t column) {
+        return column == static_cast<std::size_t>(contact_) ? least[column] : most[column];
+    });
+    return always ? Touch::Always : Touch::AtTimes;
+}
+
 RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantities)
-    : case_(c), quantities_(quantities), oscillates_(c.model != ModelKind::Contact)
+    : case_(c), quantities_(quantities), oscillates_(c.model != ModelKind::Contact), touch_(c, quantities)
 {
     for (const char* name : {"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"}) {
         const int column = findQuantity(quantities, name);
         if (column >= 0) columns_.push_back(static_cast<std::size_t>(column));
     }
     blocks_.resize(columns_.size());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    extremes_.assign(quantities.size(), {infinity, -infinity});
     spacingColumn_ = static_cast<std::size_t>(findQuantity(quantities, "minimum_spacing"));
+    motion_.interval = c.run.sampleInterval;
+    motion_.movingSurface = c.model == ModelKind::Film && c.disk.speed != 0.0 &&
+                            c.diskSurface.kind != DiskSurfaceKind::Flat &&
+                            c.diskSurface.motion == SurfaceMotion::Moving;
 }
 
-void RunStatistics::add(const SampleBatch& batch)
+void RunStatistics::addSample(double time, std::span<const double> values, std::span<const double> least,
+                              std::span<const double> most)
 {
     for (std::size_t i = 0; i < columns_.size(); ++i)
-        for (const double value : batch.columns[columns_[i]]) blocks_[i].add(value);
-    const std::vector<double>& spacing = batch.columns[spacingColumn_];
-    spacing_.insert(spacing_.end(), spacing.begin(), spacing.end());
-    for (const double time : batch.time)
-        if (time < case_.spectrum.start) ++beforeSpectrum_;
-    if (spacing_.size() > 2 * mostSpectrumSamples) {
-        const std::size_t dropped = spacing_.size() - mostSpectrumSamples;
-        spacing_.erase(spacing_.begin(), spacing_.begin() + static_cast<std::ptrdiff_t>(dropped));
+        blocks_[i].add(values[columns_[i]], least[columns_[i]], most[columns_[i]]);
+    for (std::size_t i = 0; i < extremes_.size(); ++i) {
+        extremes_[i].least = std::min(extremes_[i].least, least[i]);
+        extremes_[i].most = std::max(extremes_[i].most, most[i]);
+    }
+    motion_.add(values[spacingColumn_], least[spacingColumn_], most[spacingColumn_], touch_.between(least, most));
+    if (time < case_.spectrum.start) ++beforeSpectrum_;
+    if (motion_.spacing.size() > 2 * mostSpectrumSamples) {
+        const std::size_t dropped = motion_.spacing.size() - mostSpectrumSamples;
+        motion_.dropFirst(dropped);
         beforeSpectrum_ -= std::min(beforeSpectrum_, dropped);
     }
-    samples_ += batch.size();
+    ++samples_;
+}
+
+void RunStatistics::addExtremes(std::span<const double> least, std::span<const double> most)
+{
+    for (std::size_t i = 0; i < columns_.size(); ++i) blocks_[i].extend(least[columns_[i]], most[columns_[i]]);
+    for (std::size_t i = 0; i < extremes_.size(); ++i) {
+        extremes_[i].least = std::min(extremes_[i].least, least[i]);
+        extremes_[i].most = std::max(extremes_[i].most, most[i]);
+    }
 }
 
 void RunStatistics::finish(Summary& summary) const
@@ -101,48 +144,18 @@ void RunStatistics::finish(Summary& summary) const
         const std::string& name = quantities_[columns_[i]].name;
         summary.tail.emplace_back(name, blocks_[i].over(0.9, 1.0));
     }
+    for (std::size_t i = 0; i < extremes_.size(); ++i) summary.extremes.emplace_back(quantities_[i].name, extremes_[i]);
     if (!oscillates_) return;
-    if (summary.status != RunStatus::Cancelled) judgeMotion(summary);
-    const Spectrum spectrum = welch(std::span(spacing_).subspan(beforeSpectrum_), case_.run.sampleInterval,
+    const Spectrum spectrum = welch(std::span(motion_.spacing).subspan(beforeSpectrum_), case_.run.sampleInterval,
                                     welchOptions(case_.spectrum, case_.run.sampleInterval));
     summary.peaks = findPeaks(spectrum, case_.spectrum.scaling);
-}
-
-void RunStatistics::judgeMotion(Summary& summary) const
-{
-    for (const bool third : {false, true}) {
-        const MotionEvidence evidence = evidenceOf(summary, third);
-        summary.motion = motionOf(evidence);
-        summary.bouncingRule = motionRule(evidence);
-        if (summary.motion != Motion::TooShort || evidence.swing <= smallestSwing) return;
-    }
-}
-
-MotionEvidence RunStatistics::evidenceOf(const Summary& summary, bool third) const
-{
-    const double share = third ? 1.0 / 3.0 : 0.1;
-    const auto last = [&](double part) {
-        const auto count = static_cast<std::size_t>(part * static_cast<double>(samples_));
-        return std::span(spacing_).last(std::min(spacing_.size(), count));
-    };
-    MotionEvidence evidence{.third = third,
-                            .periods = periodsOf(last(share)),
-                            .movesOn = movesOn(last(0.5)),
-                            .samples = last(share).size()};
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const Statistics window = blocks_[i].over(1.0 - share, 1.0);
-        const Statistics before = blocks_[i].over(1.0 - 2.0 * share, 1.0 - share);
-        const std::string& name = quantities_[columns_[i]].name;
-        if (name == "minimum_spacing") {
-            evidence.swing = window.max - window.min;
-            evidence.swingBefore = before.max - before.min;
-        }
-        if (name == "contact_force") evidence.touches = window.max > 0.0;
-    }
-    // Contact shorter than the interval of the samples.
+    if (summary.status == RunStatus::Cancelled) return;
+    MotionSamples samples = motion_;
     for (const RunEvent& event : summary.events)
-        if (event.time >= (1.0 - share) * summary.endTime && event.name == "touch-down") evidence.touches = true;
-    return evidence;
+        if (event.name == "touch-down" || event.name == "take-off") samples.switches.push_back(event.time);
+    summary.verdict = judgeMotion(samples);
+    // The periods of a random motion are not counted.
+    if (summary.verdict.forced && !summary.peaks.empty()) summary.verdict.frequency = summary.peaks.front().frequency;
 }
 
 } // namespace touchdown

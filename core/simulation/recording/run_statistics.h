@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/case/case.h"
@@ -15,7 +16,11 @@ namespace touchdown {
 /// Count, mean, variance and extremes of blocks of equal length; when there are too many, neighbours are merged.
 class BlockStatistics {
 public:
-    void add(double value);
+    void add(double value) { add(value, value, value); }
+    /// A sample, and the extremes since the sample before.
+    void add(double value, double least, double most);
+    /// Extremes after the last sample.
+    void extend(double least, double most);
     /// Over the samples from the share `begin` to `end` of all (0..1), to whole blocks. At least one block.
     Statistics over(double begin, double end) const;
 
@@ -30,25 +35,58 @@ private:
     std::size_t blockLength_ = 1; // samples
 };
 
+/// What acts between pad and disk in a sample. Ono & Yamane's menisci hold the pad where its asperities do not touch
+/// any more; adhesion of surfaces reaches beyond contact.
+class TouchColumns {
+public:
+    TouchColumns(const Case& c, const std::vector<Quantity>& quantities);
+    /// `valueOf(column)` is the value of a column [N].
+    template <class ValueOf>
+    bool touches(ValueOf&& valueOf) const
+    {
+        return acts(contact_, valueOf) || (menisci_ && acts(adhesion_, valueOf));
+    }
+    /// From afar, too.
+    template <class ValueOf>
+    bool acts(ValueOf&& valueOf) const
+    {
+        return acts(contact_, valueOf) || acts(adhesion_, valueOf);
+    }
+    /// Between two samples, from the extremes of each column there.
+    Touch between(std::span<const double> least, std::span<const double> most) const;
+
+private:
+    template <class ValueOf>
+    static bool acts(int column, ValueOf&& valueOf)
+    {
+        return column >= 0 && valueOf(static_cast<std::size_t>(column)) != 0.0;
+    }
+    int contact_, adhesion_;
+    bool menisci_;
+};
+
 /// Takes the samples of a run and fills the statistical part of its Summary.
 class RunStatistics {
 public:
     RunStatistics(const Case& c, const std::vector<Quantity>& quantities);
-    void add(const SampleBatch& batch);
-    /// Sets tail, motion, bouncingRule and peaks of a summary with its end time and events.
+    /// By quantity: the values, and their extremes since the sample before.
+    void addSample(double time, std::span<const double> values, std::span<const double> least,
+                   std::span<const double> most);
+    /// Extremes after the last sample.
+    void addExtremes(std::span<const double> least, std::span<const double> most);
+    /// Sets tail, extremes, verdict and peaks of a summary with its end time and events.
     void finish(Summary& summary) const;
 
 private:
-    void judgeMotion(Summary& summary) const;
-    MotionEvidence evidenceOf(const Summary& summary, bool third) const;
-
     const Case& case_;
     const std::vector<Quantity>& quantities_;
     bool oscillates_;                  // a pad that is moved does not
     std::vector<std::size_t> columns_; // of the tail quantities
     std::vector<BlockStatistics> blocks_;
+    std::vector<Extremes> extremes_; // of all quantities over the whole run
     std::size_t spacingColumn_;
-    std::vector<double> spacing_;    // the newest samples of the minimum spacing [m]
+    TouchColumns touch_;
+    MotionSamples motion_;           // the newest samples
     std::size_t beforeSpectrum_ = 0; // of these, before the spectrum's start
     std::size_t samples_ = 0;
 };

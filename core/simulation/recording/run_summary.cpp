@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/recording/run_summary.h"
 
+#include "core/formats/units.h"
+
 namespace touchdown {
 
 std::string_view name(RunStatus status)
@@ -21,10 +23,30 @@ std::string_view name(Motion motion)
     case Motion::AtRest: return "at rest";
     case Motion::Settles: return "settles";
     case Motion::Swings: return "swings";
+    case Motion::Vibrates: return "vibrates in contact";
     case Motion::Bounces: return "bounces";
     case Motion::TooShort: return "too short to tell";
     }
     return {};
+}
+
+std::string_view name(Touch touch)
+{
+    switch (touch) {
+    case Touch::Never: return "flying";
+    case Touch::AtTimes: return "in and out of contact";
+    case Touch::Always: return "contact";
+    }
+    return {};
+}
+
+std::string textOf(const MotionVerdict& verdict)
+{
+    std::string text(name(verdict.motion));
+    if (!lasts(verdict.motion) || verdict.frequency == 0.0) return text;
+    const std::string frequency = fewDigits(verdict.frequency, "kHz", 3);
+    if (!verdict.forced) return text + " at " + frequency;
+    return text + ", forced by the disk (" + frequency + ", " + fewDigits(verdict.rms, "nm") + " rms)";
 }
 
 std::string_view name(RunFailure failure)

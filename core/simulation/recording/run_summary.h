@@ -23,10 +23,32 @@ struct RecordedFields;
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);
 
-/// What the motion comes to: core/simulation/recording/motion_verdict.h.
-enum class Motion : std::uint8_t { NotJudged, AtRest, Settles, Swings, Bounces, TooShort };
+/// How the motion ends: core/simulation/recording/motion_verdict.h.
+enum class Motion : std::uint8_t { NotJudged, AtRest, Settles, Swings, Vibrates, Bounces, TooShort };
 /// "bounces"; "not judged" of a pad that is moved.
 std::string_view name(Motion motion);
+/// The motion is sustained.
+constexpr bool lasts(Motion motion)
+{
+    return motion == Motion::Swings || motion == Motion::Vibrates || motion == Motion::Bounces;
+}
+
+/// Whether the slider touches the disk during some time. Menisci that hold the pad count as contact.
+enum class Touch : std::uint8_t { Never, AtTimes, Always };
+/// "flying", "in and out of contact", "contact".
+std::string_view name(Touch touch);
+
+struct MotionVerdict {
+    Motion motion = Motion::NotJudged;
+    Touch touch = Touch::Never; // in the judged last part of the run
+    bool forced = false;        // a sustained motion that the moving surface of the disk drives
+    double swing = 0.0;         // of the minimum spacing there, peak to peak [m]
+    double rms = 0.0;           // its standard deviation there [m]
+    double frequency = 0.0;     // of the main motion [Hz]; 0 where there is none
+    std::string rule;           // that decided, with its figures
+};
+/// "bounces at 273 kHz", "vibrates in contact, forced by the disk (837 kHz, 0.099 nm rms)", "at rest".
+std::string textOf(const MotionVerdict& verdict);
 
 /// Why a run did not complete; the message states it for a person.
 enum class RunFailure : std::uint8_t {
@@ -61,8 +83,12 @@ struct RunUpdate {
 /// Return false to stop the run; may block to pause it. Called on the thread of `run`.
 using RunCallback = std::function<bool(const RunUpdate&)>;
 
+/// `min` and `max` are those of the motion between the samples, too.
 struct Statistics {
     double mean = 0.0, std = 0.0, min = 0.0, max = 0.0; // [unit of the quantity]
+};
+struct Extremes {
+    double least = 0.0, most = 0.0; // [unit of the quantity]
 };
 
 /// What halving a fixed step changes.
@@ -95,9 +121,10 @@ struct Summary {
     std::vector<std::pair<std::string, double>> final;    // quantity name -> value; only finite ones
     std::vector<std::pair<std::string, Statistics>> tail; // over the last 10 % of the duration
     std::vector<RunEvent> events;                         // the first 100 000
-    Motion motion = Motion::NotJudged;
-    std::string bouncingRule; // the rule that decided on the motion, with its figures
-    bool bouncing() const { return motion == Motion::Bounces; }
+    /// Extremes over the whole run, between samples too: quantity name -> values.
+    std::vector<std::pair<std::string, Extremes>> extremes;
+    MotionVerdict verdict;
+    bool bouncing() const { return verdict.motion == Motion::Bounces; }
     std::vector<Peak> peaks; // of the minimum spacing, largest first
     std::optional<StepCheck> stepCheck;
     std::vector<std::string> warnings;

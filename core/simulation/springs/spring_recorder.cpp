@@ -15,13 +15,14 @@ SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const Ru
       points_(RunRecorder::samplesInBatch),
       interval_(c.run.sampleInterval),
       slack_(std::max(1e-9 * c.run.sampleInterval, 4.0 * std::numeric_limits<double>::epsilon() * c.run.duration)),
+      pointInterval_(model.shortestPeriod() / 20.0),
       values_(run_.quantities().size()),
       energyColumn_(static_cast<std::size_t>(findQuantity(run_.quantities(), "energy")))
 {}
 
 void SpringRecorder::begin(const State& y, Mode mode)
 {
-    last_ = lastGood_ = points_[0] = {0.0, y, mode};
+    last_ = lastGood_ = points_[0] = {0.0, y, mode, true};
     filled_ = 1;
     index_ = 1;
     nextTime_ = interval_;
@@ -32,6 +33,11 @@ void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode
 {
     if (guard != SpringModel::Pad) lostSince_[guard == SpringModel::Front ? 0 : 1] = upper ? -1.0 : time;
     run_.addEvent(time, model_.eventName(guard, before, after));
+    // The forces may jump here: both sides count. rk4 switches within its next step.
+    const bool ends = time <= last_.time;
+    if (ends && time > newest_) put({time, last_.y, before});
+    smooth_ = false;
+    if (ends) put({time, last_.y, after});
 }
 
 void SpringRecorder::lookAtClock()
@@ -67,15 +73,23 @@ void SpringRecorder::flush()
     for (std::size_t i = 0; i < filled_ && end_.completed(); ++i) {
         const Point& point = points_[i];
         model_.observe(point.y, point.mode, values_.data());
+        if (!point.sample) {
+            run_.addPoint(point.time, values_, point.smooth);
+            continue;
+        }
         if (!judge(point, values_.data())) break;
         lastGood_ = point;
-        run_.addSample(point.time, values_);
+        run_.addSample(point.time, values_, point.smooth);
     }
     filled_ = 0;
     // The newest step ends beyond the newest sample, unless it is not yet recorded to its end.
     if (end_.completed() && last_.time > lastGood_.time) {
         model_.observe(last_.y, last_.mode, values_.data());
-        if (judge(last_, values_.data())) lastGood_ = last_;
+        if (judge(last_, values_.data())) {
+            lastGood_ = last_;
+            if (last_.time > newest_) run_.addPoint(last_.time, values_, smooth_);
+            if (last_.time >= newest_) run_.keepPoints();
+        }
     }
     last_ = lastGood_;
     if (!run_.send(last_.time, begin) && end_.completed()) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Turns the accepted steps of the spring model into batches of samples.
+// Turns the accepted steps of the spring model into batches of samples. The ends of the steps, and where samples are
+// far apart more points of a step's dense output, find the extremes between them.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "core/simulation/recording/run_recorder.h"
@@ -21,6 +23,8 @@ public:
         double time = 0.0; // [s]
         State y;
         Mode mode;
+        bool sample = false;
+        bool smooth = false; // the same law has held since the point before
     };
 
     SpringRecorder(const SpringModel& model, const Case& c, const RunCallback& callback);
@@ -30,13 +34,15 @@ public:
     template <class At>
     bool step(double t1, const State& y1, Mode mode, At&& at)
     {
-        while (nextTime_ <= t1 + slack_) {
-            points_[filled_++] = {nextTime_, nextTime_ >= t1 - slack_ ? y1 : at(nextTime_), mode};
-            nextTime_ = double(++index_) * interval_;
-            if (filled_ == points_.size()) {
-                flush();
-                if (!goOn_) return false;
-            }
+        const double t0 = last_.time;
+        const bool due = t1 - newest_ >= 0.1 * pointInterval_;
+        const double most = interval_ > pointInterval_ ? double(mostParts) : 1.0;
+        const int parts = due ? std::max(1, int(std::min((t1 - t0) / pointInterval_ + 0.5, most))) : 0;
+        for (int k = 1; k <= std::max(parts, 1); ++k) {
+            const double until = k < parts ? t0 + (t1 - t0) * k / parts : t1;
+            for (; nextTime_ <= until + slack_; nextTime_ = double(++index_) * interval_)
+                if (!put({nextTime_, nextTime_ >= t1 - slack_ ? y1 : at(nextTime_), mode, true})) return false;
+            if (k <= parts && until > newest_ + slack_ && !put({until, k < parts ? at(until) : y1, mode})) return false;
         }
         last_ = {t1, y1, mode};
         if (balance) balance->add(t1, y1, mode);
@@ -60,6 +66,16 @@ public:
 
 private:
     static constexpr int stepsBetweenLooks = 1024;
+    static constexpr int mostParts = 64; // of a step, for points
+    bool put(const Point& point)
+    {
+        points_[filled_] = point;
+        points_[filled_++].smooth = smooth_;
+        smooth_ = true;
+        newest_ = point.time;
+        if (filled_ == points_.size()) flush();
+        return goOn_;
+    }
     void lookAtClock();
     bool judge(const Point& point, const double* values);
 
@@ -68,10 +84,13 @@ private:
     std::vector<Point> points_;
     std::size_t filled_ = 0;
     double interval_, slack_; // [s]
+    double pointInterval_;    // between points that find extremes [s]
+    double newest_ = 0.0;     // time of the newest point [s]
     double nextTime_ = 0.0;   // of the next sample [s]
     long long index_ = 0;     // of the next sample
     int stepsSinceLook_ = 0;
     bool goOn_ = true;
+    bool smooth_ = true; // the same law holds since the newest point
     Point last_;
     Point lastGood_; // the newest that was looked at and sane
     RunEnd end_;

@@ -82,14 +82,15 @@ RunEnd lostSpring(const SpringRecorder& recorder, const SpringModel& model, doub
     for (const int guard : {SpringModel::Rear, SpringModel::Front}) {
         const double since = recorder.lostSince(guard);
         if (since < 0.0 || since > 0.9 * duration) continue;
-        const auto& [t, y, mode] = recorder.last();
-        const bool pressed = mode.contact == ContactRegion::Pressed || mode.contact == ContactRegion::Lifting;
+        const SpringRecorder::Point& last = recorder.last();
+        const bool pressed = last.mode.contact == ContactRegion::Pressed || last.mode.contact == ContactRegion::Lifting;
         const RunFailure failure =
             guard == SpringModel::Rear ? RunFailure::RearSpringLost : RunFailure::FrontSpringLost;
         return {RunStatus::Failed, failure,
                 std::string(name(failure)) + " since " + time(since) +
                     (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") +
-                    spacing(model.guards(y.head<2>())[SpringModel::Pad]) + ", " + angle(y[1]) + ": outside the model"};
+                    spacing(model.guards(last.y.head<2>())[SpringModel::Pad]) + ", " + angle(last.y[1]) +
+                    ": outside the model"};
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/run.h"
 #include "core/studies/runs/measured_run.h"
 
@@ -57,7 +58,7 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     quiet.run.sampleInterval = pilotInterval(c);
     const std::vector<Quantity> quantities = recordedQuantities(quiet);
     const auto spacing = static_cast<std::size_t>(findQuantity(quantities, spacingOf(quiet)));
-    const TouchColumns touch(quiet);
+    const TouchColumns touch(quiet, quantities);
 
     PilotRun pilot;
     pilot.samples.interval = quiet.run.sampleInterval;
@@ -69,9 +70,10 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
         for (std::size_t k = 0; k < batch.size(); ++k) {
             const double value = batch.columns[spacing][k];
             pilot.samples.spacing.push_back(value);
-            pilot.samples.touching.push_back(touch.touches(batch, k));
+            const auto valueOf = [&](std::size_t column) { return batch.columns[column][k]; };
+            pilot.samples.touching.push_back(touch.touches(valueOf));
             pilot.lowest = std::min(pilot.lowest, value);
-            pilot.contactActs = pilot.contactActs || touch.acts(batch, k);
+            pilot.contactActs = pilot.contactActs || touch.acts(valueOf);
         }
         if (batch.size() > 0) pilot.course.emplace_back(update.time, threadSeconds() - begin);
         if (goOn && !goOn()) {

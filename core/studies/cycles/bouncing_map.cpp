@@ -29,13 +29,6 @@ std::optional<Case> caseAt(const BouncingMapTask& task, double x, double y, std:
     return c;
 }
 
-BouncingEnd endOf(const BouncingRun& run)
-{
-    if (run.end == BouncingEnd::Failed) return BouncingEnd::Failed;
-    if (run.touchDowns >= fewestCrossings) return BouncingEnd::Bounces;
-    return run.touches ? BouncingEnd::Caught : BouncingEnd::Flies;
-}
-
 std::optional<double> workAt(const BouncingMapTask& task, double x, double y)
 {
     std::string problem;
@@ -74,6 +67,7 @@ MapClass MapCell::kind() const
 {
     if (runs(BouncingEnd::Bounces) > 0) return MapClass::Bounces;
     if (runs(BouncingEnd::Failed) > 0) return MapClass::Fails;
+    if (runs(BouncingEnd::Unknown) > 0) return MapClass::Unknown;
     if (runs(BouncingEnd::Caught) == 0) return MapClass::Flies;
     return runs(BouncingEnd::Flies) == 0 ? MapClass::Caught : MapClass::FliesOrCaught;
 }
@@ -88,7 +82,7 @@ MapCount countOf(const std::vector<MapCell>& cells)
         const MapClass kind = cell.kind();
         if (kind == MapClass::Bounces)
             ++(creates ? count.creating : count.taking);
-        else if (kind != MapClass::Fails && creates)
+        else if (kind != MapClass::Fails && kind != MapClass::Unknown && creates)
             ++(kind == MapClass::Flies ? count.quietFlying : count.quietOther);
     }
     return count;
@@ -113,7 +107,7 @@ MapCell judgeCell(const BouncingMapTask& task, double x, double y, const std::fu
         cell.done = cell.done && (!goOn || goOn());
         if (!cell.done) return cell;
         if (run.end == BouncingEnd::Failed) cell.problem = run.problem;
-        ++cell.ends[static_cast<std::size_t>(endOf(run))];
+        ++cell.ends[static_cast<std::size_t>(run.end)];
     }
     return cell;
 }

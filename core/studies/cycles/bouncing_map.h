@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Does the slider fly, is it caught, or does it bounce for ever? A map over two values of the case. Each cell is run
-// from several starts (caseOfStart), and the last tenth of each run is judged:
-//
-//   bounces     it touches down from flying at least `fewestCrossings` times
-//   caught      it does not, and is on the take-off branch at the end
-//   flies       it does not, and is on the touch-down branch at the end
-//
-// Oscillations within the contact that never reach d_e count as caught. Beside each cell stands W, which one loop of
+// from several starts (caseOfStart), each with a verdict (bouncing_run.h). Oscillations within the contact that never
+// reach d_e count as caught. Beside each cell stands W, which one loop of
 // its contact law takes out of the slider (core/physics/contact/ono_yamane.h).
 #pragma once
 
@@ -48,23 +43,23 @@ struct BouncingMapTask {
     std::vector<MapMark> marks{};
 };
 
-enum class MapClass : std::uint8_t { Flies, FliesOrCaught, Caught, Bounces, Fails };
-inline constexpr std::size_t mapClasses = 5;
+enum class MapClass : std::uint8_t { Flies, FliesOrCaught, Caught, Bounces, Unknown, Fails };
+inline constexpr std::size_t mapClasses = 6;
 inline std::string_view name(MapClass kind)
 {
-    constexpr std::array<std::string_view, mapClasses> names{"flies", "flies or is caught", "caught",
-                                                             "bounces for ever", "fails"};
+    constexpr std::array<std::string_view, mapClasses> names{
+        "flies", "flies or is caught", "caught", "bounces for ever", "too short to tell", "fails"};
     return names[static_cast<std::size_t>(kind)];
 }
 
 struct MapCell {
-    double x = 0.0, y = 0.0;   // [units of the axes]
-    bool done = false;         // all its runs have an end
-    double cycleWork = 0.0;    // W; 0 where the case is not valid [J]
-    std::array<int, 4> ends{}; // number of runs by BouncingEnd
-    std::string problem{};     // of a run that failed
+    double x = 0.0, y = 0.0;              // [units of the axes]
+    bool done = false;                    // all its runs have an end
+    double cycleWork = 0.0;               // W; 0 where the case is not valid [J]
+    std::array<int, bouncingEnds> ends{}; // number of runs by BouncingEnd
+    std::string problem{};                // of a run that failed
     int runs(BouncingEnd end) const { return ends[static_cast<std::size_t>(end)]; }
-    /// Bounces where one start does; else fails where one run does.
+    /// Bounces where one start does; else fails where one run does; else unknown where the end of one run is.
     MapClass kind() const;
 };
 

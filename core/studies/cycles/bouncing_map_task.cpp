@@ -19,7 +19,7 @@ namespace {
 constexpr int fewestPoints = 2, mostPoints = 100, standardPoints = 20; // of an axis
 constexpr int mostStarts = 8;
 const std::vector<std::string> scales{"linear", "logarithmic"};
-constexpr std::array severities{0, 1, 2, 3, 3}; // by MapClass
+constexpr std::array severities{0, 1, 2, 3, 1, 3}; // by MapClass
 
 std::optional<double> readEnd(StudyReader& reader, const std::string& name, const DesignKey& keys, bool logarithmic)
 {

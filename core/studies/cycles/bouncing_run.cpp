@@ -7,6 +7,7 @@
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/adaptive.h"
+#include "core/simulation/recording/motion_verdict.h"
 
 namespace touchdown {
 
@@ -16,14 +17,19 @@ constexpr double judgedShare = 0.1;    // of a run, at its end [-]
 constexpr double nearReturn = 0.05;    // distance of a state that returns nearly, of its size [-]
 constexpr std::size_t keptStates = 64; // on the section
 constexpr int stepsBetweenAsking = 4096;
+constexpr double samplesInPeriod = 32.0; // of the shortest motion
+constexpr double leastSamples = 2000.0;  // of a run
 
-/// The states on the section, the newest last, and the swing in the last tenth.
+/// The states on the section, the newest last, the swing in the last tenth, and what the verdict needs.
 class BouncingRecorder {
 public:
     BouncingRecorder(const ReturnMap& map, const BouncingSearch& search, const SpringModel::State& start,
                      SpringModel::Mode mode)
         : map_(map), search_(search), last_(start), mode_(mode), judgedFrom_((1.0 - judgedShare) * search.duration)
-    {}
+    {
+        samples_.interval = std::min(map.model().shortestPeriod() / samplesInPeriod, search.duration / leastSamples);
+        addSample(start);
+    }
 
     template <class At>
     bool step(double t, const SpringModel::State& y, SpringModel::Mode, At&& at)
@@ -33,6 +39,7 @@ public:
                 const double time = std::lerp(time_, t, s);
                 if (time >= judgedFrom_) spacing_.add(map_.model().guards(at(time).template head<2>()).minCoeff());
             }
+        for (double time; (time = double(samples_.spacing.size()) * samples_.interval) <= t;) addSample(at(time));
         time_ = t;
         last_ = y;
         return ++steps_ % stepsBetweenAsking != 0 || !search_.goOn || search_.goOn();
@@ -40,11 +47,10 @@ public:
     void event(double time, int guard, bool, SpringModel::Mode before, SpringModel::Mode after)
     {
         mode_ = after;
+        if ((before.contact == ContactRegion::Apart) != (after.contact == ContactRegion::Apart))
+            samples_.switches.push_back(time);
         if (!ReturnMap::crosses(guard, before, after)) return;
-        if (time >= judgedFrom_) {
-            ++crossings_;
-            touchDowns_ += before.contact == ContactRegion::Apart ? 1 : 0;
-        }
+        if (time >= judgedFrom_) ++crossings_;
         states_[next_ % keptStates] = map_.coordinates(last_);
         times_[next_ % keptStates] = time;
         ++next_;
@@ -55,11 +61,22 @@ public:
     double time(std::size_t k) const { return times_[(next_ - 1 - k) % keptStates]; }
     std::size_t kept() const { return std::min(next_, keptStates); }
     std::size_t crossings() const { return crossings_; } // in the last tenth
-    std::size_t touchDowns() const { return touchDowns_; }
     const SwingOf& spacing() const { return spacing_; }
-    SpringModel::Mode mode() const { return mode_; }
+    BouncingEnd end() const
+    {
+        const MotionVerdict verdict = judgeMotion(samples_);
+        if (verdict.motion == Motion::Bounces) return BouncingEnd::Bounces;
+        if (verdict.touch == Touch::AtTimes) return BouncingEnd::Unknown;
+        return verdict.touch == Touch::Always ? BouncingEnd::Caught : BouncingEnd::Flies;
+    }
 
 private:
+    void addSample(const SpringModel::State& y)
+    {
+        samples_.add(map_.model().guards(y.template head<2>()).minCoeff(),
+                     mode_.contact == ContactRegion::Apart ? Touch::Never : Touch::Always);
+    }
+
     const ReturnMap& map_;
     const BouncingSearch& search_;
     SpringModel::State last_;
@@ -68,7 +85,8 @@ private:
     long long steps_ = 0;
     std::array<Vector3, keptStates> states_;
     std::array<double, keptStates> times_{}; // [s]
-    std::size_t next_ = 0, crossings_ = 0, touchDowns_ = 0;
+    std::size_t next_ = 0, crossings_ = 0;
+    MotionSamples samples_;
     SwingOf spacing_;
 };
 
@@ -106,14 +124,8 @@ BouncingRun searchCycle(const Case& c, double value, const Vector3& units, const
         return run;
     }
     run.minimumSpacing = recorder.spacing();
-    run.touches = recorder.mode().contact != ContactRegion::Apart;
-    run.touchDowns = recorder.touchDowns();
-    if (recorder.crossings() < fewestCrossings) {
-        run.end = run.touches ? BouncingEnd::Caught : BouncingEnd::Flies;
-        return run;
-    }
-    run.end = BouncingEnd::Bounces;
-    if (search.mostCrossings == 0) return run;
+    run.end = recorder.end();
+    if (recorder.crossings() < fewestCrossings || search.mostCrossings == 0) return run;
     const std::size_t most = std::min<std::size_t>(static_cast<std::size_t>(search.mostCrossings), recorder.kept() - 1);
     const Vector3& last = recorder.state(0);
     const auto frequencyOf = [&](std::size_t crossings) { // of cycles with so many

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long run of the spring model, judged by its last tenth: it flies, it is caught, or it bounces. A bouncing run is
-// the start of the search for its cycle: the smallest number n of crossings of the section after which a state returns
-// nearly, then Newton's method.
+// A long run of the spring model, with the verdict on its motion (core/simulation/recording/motion_verdict.h): it
+// flies, it is caught, or it bounces. A run that does not come to rest is the start of the search for its cycle: the
+// smallest number n of crossings of the section after which a state returns nearly, then Newton's method.
 #pragma once
 
 #include <array>
@@ -16,15 +16,24 @@
 
 namespace touchdown {
 
-enum class BouncingEnd : std::uint8_t { Flies, Caught, Bounces, Failed };
+/// The verdict on a run, as far as the cycles need it.
+enum class BouncingEnd : std::uint8_t {
+    Flies,   // without contact at the end
+    Caught,  // in contact at the end, at rest or vibrating
+    Bounces, // to the end
+    Unknown, // takes off in the last part, while the motion still decays
+    Failed
+};
+inline constexpr std::size_t bouncingEnds = 5;
 inline std::string_view name(BouncingEnd end)
 {
-    constexpr std::array<std::string_view, 4> names{"flies", "caught", "bounces", "failed"};
+    constexpr std::array<std::string_view, bouncingEnds> names{"flies", "caught", "bounces", "too short to tell",
+                                                               "failed"};
     static_assert(names.size() == static_cast<std::size_t>(BouncingEnd::Failed) + 1);
     return names[static_cast<std::size_t>(end)];
 }
 
-inline constexpr std::size_t fewestCrossings = 3; // of the section in the last tenth, by a slider that bounces
+inline constexpr std::size_t fewestCrossings = 3; // of the section in the last tenth, by a slider on a cycle
 
 struct BouncingSearch {
     double duration = 2e-3;  // of the run [s]
@@ -37,12 +46,10 @@ struct BouncingRun {
     double value = 0.0;  // of the parameter [its unit]
     double height = 0.0; // flying height at the start [m]
     BouncingEnd end = BouncingEnd::Failed;
-    std::size_t touchDowns = 0;      // from flying, in the last tenth
-    bool touches = false;            // at the end: on the take-off branch
     SwingOf minimumSpacing;          // in the last tenth [m]
     double frequency = 0.0;          // of the last crossings of the run, at most 64, by those of the cycle [Hz]
     std::optional<LimitCycle> cycle; // where one was found
-    std::string problem;             // why a bouncing run has none, or why the run failed
+    std::string problem;             // why a run that still crosses the section has none, or why the run failed
     double amplitude() const { return 0.5 * (minimumSpacing.most - minimumSpacing.least); }
 };
 

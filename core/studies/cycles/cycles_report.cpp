@@ -50,7 +50,7 @@ void addLongRuns(ChartPanel& panel, const CyclesResult& result,
 {
     ChartSeries series{.name = "ends of long runs", .line = ChartLine::None};
     for (const BouncingRun& run : result.runs)
-        if (run.end == BouncingEnd::Bounces && run.cycle) series.points.push_back({.x = run.value, .y = ordinate(run)});
+        if (run.cycle) series.points.push_back({.x = run.value, .y = ordinate(run)});
     if (!series.points.empty()) panel.series.push_back(std::move(series));
 }
 
@@ -170,7 +170,7 @@ StudyTable longRunTable(const CyclesTask& task, const CyclesResult& result)
                      {"amplitude", "m", "nm", "Amplitude at the end, half the swing of the minimum spacing"},
                      {"remark", "", "", "Remark"}};
     for (const BouncingRun& run : result.runs) {
-        const bool bounces = run.end == BouncingEnd::Bounces;
+        const bool bounces = run.end == BouncingEnd::Bounces || run.cycle;
         table.rows.push_back({run.value, run.height, std::string(name(run.end)), known(bounces, run.frequency),
                               known(bounces, run.amplitude()), run.problem});
     }

@@ -73,8 +73,8 @@ private:
             say(of(neutral, true) +
                 " an equilibrium is neutral: its oscillations neither grow nor decay, without damping");
         if (const auto bounces = bouncing(); !bounces.empty())
-            say("In and out of contact until the end: " + counted(bounces.size(), "run") + " of " +
-                std::to_string(validEnds()) + " (" + text(rangesAmong(task_.values, bounces), text_) + ")");
+            say("Bounces to the end: " + counted(bounces.size(), "run") + " of " + std::to_string(validEnds()) + " (" +
+                text(rangesAmong(task_.values, bounces), text_) + ")");
     }
 
     void addCoexistence()
@@ -128,7 +128,7 @@ private:
     {
         std::vector<double> values;
         for (const HeldStep& step : result_.steps)
-            if (step.done && step.end.kind == EndKind::Intermittent) values.push_back(step.value);
+            if (step.done && bounces(step.end)) values.push_back(step.value);
         return values;
     }
     std::ptrdiff_t validEnds() const { return std::ranges::count_if(result_.steps, ended); }
@@ -153,10 +153,10 @@ private:
         };
         if (!excited.empty())
             say("Self-excited: " + where(excited) +
-                " the slider ends in and out of contact, and no equilibrium was found that it could reach");
+                " the slider bounces to the end, and no equilibrium was found that it could reach");
         if (!quiet.empty())
             say(where(quiet, true) +
-                " no equilibrium was found, and no run ends in and out of contact; one may have been missed");
+                " no equilibrium was found, and no run bounces to the end; one may have been missed");
         if (!unsought.empty()) say("Not known: " + where(unsought) + " the search for equilibria was not complete");
         return !excited.empty() || !quiet.empty() || !unsought.empty();
     }
@@ -177,9 +177,9 @@ private:
             sentence += ". The slowest disturbance decays by a factor of e within " + fewDigitsOfTime(-1.0 / slowest);
         say(sentence);
         if (bouncing().empty() && validEnds() > 0)
-            say(validEnds() == 1 ? "No such cycle occurred: the run does not end in and out of contact"
+            say(validEnds() == 1 ? "No such cycle occurred: the run does not bounce to the end"
                                  : "No such cycle occurred: none of the " + std::to_string(validEnds()) +
-                                       " runs ends in and out of contact");
+                                       " runs bounces to the end");
     }
 
     void addFlutter(const std::vector<ValueRange>& flutter)
@@ -283,6 +283,12 @@ private:
                              : "at " + std::to_string(loop.moving) + " of these " + std::to_string(loop.values.size()) +
                                    " values a run is not at rest") +
                         ", and only a longer hold shows whether it is a lag";
+        if (const auto bounced = std::ranges::find_if(
+                loop.ends, [](const auto& ends) { return bounces(ends.first) != bounces(ends.second); });
+            bounced != loop.ends.end())
+            sentence += ". At " + text_.of(loop.values[std::size_t(bounced - loop.ends.begin())]) + " the slider " +
+                        endText(bounced->first) + " on the way there and " + endText(bounced->second) +
+                        " on the way back";
         say(sentence + ". The loop of the mean spacing has an area of " +
             fewDigits(loop.area / (1e-9 * factor), "", 3) + unit +
             (loop.whole ? "" : ", without the values at which a run failed"));

@@ -15,10 +15,10 @@ namespace {
 
 constexpr double rounding = 1e-6; // of a span between two points of a line [-]
 
-/// Of two that touch, one may be seen leaving the disk while it still rings.
+/// Of two that touch, one may be seen leaving the disk while it still rings. One that bounces on is another state.
 bool differ(EndState a, EndState b)
 {
-    if (touches(a) != touches(b)) return true;
+    if (touches(a) != touches(b) || bounces(a) != bounces(b)) return true;
     b.kind = a.kind;
     a.spread = b.spread = 0.5 * (a.spread + b.spread); // how it rings there is no matter of the way
     return !sameEnd(a, b);
@@ -59,6 +59,8 @@ std::string EquilibriumLine::state() const
 
 bool touches(const EndState& end) { return end.kind == EndKind::Contact || end.kind == EndKind::Intermittent; }
 
+bool bounces(const EndState& end) { return end.motion == Motion::Bounces; }
+
 bool HysteresisResult::doubtful(const StudiedEquilibrium& at) const
 {
     return !at.edge && at.stability == Stability::Flutter && !at.eigenvalues.empty() &&
@@ -80,7 +82,7 @@ std::vector<Transition> transitionsOf(const std::vector<HeldStep>& steps)
 
 bool stillMoves(const HeldStep& step)
 {
-    return step.done && step.end.kind != EndKind::Failed && step.end.kind != EndKind::Intermittent && !step.atRest();
+    return step.done && step.end.kind != EndKind::Failed && !bounces(step.end) && !step.atRest();
 }
 
 bool allFailed(const std::vector<HeldStep>& steps)
@@ -103,14 +105,19 @@ LoopOf loopOf(const std::vector<HeldStep>& steps)
         if (known) ++loop.known;
         const bool moving = stillMoves(there) || stillMoves(back);
         // Two that fly, or touch, and have not come to rest are no two states.
-        if (known && differ(there.end, back.end) && !(moving && touches(there.end) == touches(back.end))) {
+        const bool alike = touches(there.end) == touches(back.end) && bounces(there.end) == bounces(back.end);
+        if (known && differ(there.end, back.end) && !(moving && alike)) {
             loop.values.push_back(there.value);
+            loop.ends.push_back({there.end, back.end});
             if (moving) ++loop.moving;
         }
         if (i > 0 && known)
             loop.area += 0.5 * (differences[i] + differences[i - 1]) * std::abs(there.value - steps[i - 1].value);
     }
-    std::ranges::sort(loop.values);
+    if (loop.values.size() > 1 && loop.values.front() > loop.values.back()) {
+        std::ranges::reverse(loop.values);
+        std::ranges::reverse(loop.ends);
+    }
     return loop;
 }
 

@@ -73,6 +73,9 @@ void addFilmEquilibria(const EquilibriumBranches& found, HysteresisResult& resul
 /// In contact, at every sample or at some.
 bool touches(const EndState& end);
 
+/// By the verdict on its motion.
+bool bounces(const EndState& end);
+
 /// A change of the end's kind between neighbouring values of one way.
 struct Transition {
     bool down = false;                // touch-down; else take-off
@@ -90,11 +93,12 @@ bool allFailed(const std::vector<HeldStep>& steps);
 
 /// Values at which the two ways end in different states, and the area between the ways.
 struct LoopOf {
-    std::vector<double> values; // [unit of the parameter], rising
-    std::size_t moving = 0;     // of these: still moving on one way or both
-    std::size_t known = 0;      // values that have a valid end on both ways
-    double area = 0.0;          // between the mean spacings of both ways [m unit]
-    bool whole = true;          // every value has a valid end on both ways
+    std::vector<double> values;                        // [unit of the parameter], rising
+    std::vector<std::pair<EndState, EndState>> ends{}; // there and back, at each of these
+    std::size_t moving = 0;                            // of these: still moving on one way or both
+    std::size_t known = 0;                             // values that have a valid end on both ways
+    double area = 0.0;                                 // between the mean spacings of both ways [m unit]
+    bool whole = true;                                 // every value has a valid end on both ways
 };
 LoopOf loopOf(const std::vector<HeldStep>& steps);
 

@@ -48,7 +48,7 @@ MeasuredRun measureSteady(const Case& c, const std::vector<std::string>& names, 
     for (const SteadyQuantity& each : steadyQuantities(state))
         for (std::size_t i = 0; i < names.size(); ++i)
             if (each.quantity.name == names[i] && std::isfinite(each.value)) run.columns[i] = {each.value};
-    run.end = {EndKind::Flying, state.minimumSpacing, 0.0};
+    run.end = {EndKind::Flying, state.minimumSpacing, 0.0, Motion::AtRest};
     return run;
 }
 

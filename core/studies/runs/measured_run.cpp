@@ -11,13 +11,6 @@
 
 namespace touchdown {
 
-TouchColumns::TouchColumns(const Case& c) : menisci_(c.contact == ContactKind::OnoYamane)
-{
-    const std::vector<Quantity> quantities = recordedQuantities(c);
-    contact_ = findQuantity(quantities, "contact_force");
-    adhesion_ = findQuantity(quantities, "adhesion_force");
-}
-
 std::string_view spacingOf(const Case& c)
 {
     return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing";
@@ -32,13 +25,11 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
     const std::vector<Quantity> all = recordedQuantities(c);
     std::vector<int> columns;
     for (const std::string& quantity : quantities) columns.push_back(findQuantity(all, quantity));
-    const TouchColumns touch(c);
     const int spacing = findQuantity(all, spacingOf(c));
     const double tailBegin = (1.0 - tailShare) * c.run.duration;
 
     MeasuredRun run;
     run.columns.resize(quantities.size());
-    std::size_t touching = 0;
     std::vector<double> tail; // of the spacing
     run.summary = touchdown::run(
         c,
@@ -53,16 +44,13 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 if (batch.time[i] < tailBegin || spacing < 0) continue;
                 tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
-                touching += touch.touches(batch, i);
             }
             return !goOn || goOn();
         },
         options);
     if (!run.valid() || tail.empty()) return run;
     const Moments moments = momentsOf(tail);
-    run.end.kind = touching == 0 ? EndKind::Flying : touching == tail.size() ? EndKind::Contact : EndKind::Intermittent;
-    run.end.spacing = moments.mean;
-    run.end.spread = moments.deviation;
+    run.end = {endKindOf(run.summary.verdict.touch), moments.mean, moments.deviation, run.summary.verdict.motion};
     return run;
 }
 
@@ -83,14 +71,20 @@ bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance)
 
 std::string outcomeText(const MeasuredRun& run)
 {
-    if (!run.valid()) return "fails: " + run.summary.message;
+    return run.valid() ? endText(run.end) : "fails: " + run.summary.message;
+}
+
+std::string endText(const EndState& end)
+{
     constexpr double rest = 0.1 * sameSpacing;
     const std::string at =
-        fewDigits(run.end.spacing, "nm", 3) + (run.end.spread > rest ? " +- " + fewDigits(run.end.spread, "nm") : "");
-    switch (run.end.kind) {
+        fewDigits(end.spacing, "nm", 3) + (end.spread > rest ? " +- " + fewDigits(end.spread, "nm") : "");
+    switch (end.kind) {
     case EndKind::Flying: return "flies at " + at;
-    case EndKind::Contact: return "ends in contact at " + at;
-    case EndKind::Intermittent: return "goes in and out of contact about " + at;
+    case EndKind::Contact:
+        return (end.motion == Motion::Vibrates ? "vibrates in contact at " : "ends in contact at ") + at;
+    case EndKind::Intermittent:
+        return (end.motion == Motion::Bounces ? "bounces about " : "goes in and out of contact about ") + at;
     case EndKind::Failed: break;
     }
     return "has no end";

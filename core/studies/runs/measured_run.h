@@ -3,7 +3,7 @@
 // One run of a case as studies need it: its summary, its samples of a few quantities, and the state in which it ends.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,48 +18,30 @@ struct Case;
 /// The last part of a run, by which its end is judged [-].
 inline constexpr double tailShare = 0.1;
 
-/// What acts between pad and disk at one sample. Ono & Yamane's menisci hold the pad where its asperities do not touch
-/// any more; adhesion of surfaces reaches beyond contact.
-class TouchColumns {
-public:
-    explicit TouchColumns(const Case& c);
-    bool touches(const SampleBatch& batch, std::size_t i) const
-    {
-        return acts(contact_, batch, i) || (menisci_ && acts(adhesion_, batch, i));
-    }
-    /// From afar, too.
-    bool acts(const SampleBatch& batch, std::size_t i) const
-    {
-        return acts(contact_, batch, i) || acts(adhesion_, batch, i);
-    }
-
-private:
-    static bool acts(int column, const SampleBatch& batch, std::size_t i)
-    {
-        return column >= 0 && batch.columns[static_cast<std::size_t>(column)][i] != 0.0;
-    }
-    int contact_, adhesion_;
-    bool menisci_;
-};
-
-/// Where a run ends, by the last tenth of its duration.
+/// Where a run ends: the contact of its verdict (core/simulation/recording/motion_verdict.h), where it has a valid end.
 enum class EndKind : std::uint8_t {
-    Flying,       // no contact at any sample
-    Contact,      // contact at every sample
+    Flying,
+    Contact,
     Intermittent, // in and out of contact
     Failed        // no valid end: the summary tells why
 };
 inline std::string_view name(EndKind kind)
 {
-    constexpr std::array<std::string_view, 4> names{"flying", "contact", "in and out of contact", "failed"};
-    static_assert(names.size() == static_cast<std::size_t>(EndKind::Failed) + 1);
-    return names[static_cast<std::size_t>(kind)];
+    return kind == EndKind::Flying         ? name(Touch::Never)
+           : kind == EndKind::Contact      ? name(Touch::Always)
+           : kind == EndKind::Intermittent ? name(Touch::AtTimes)
+                                           : "failed";
+}
+inline EndKind endKindOf(Touch touch)
+{
+    return touch == Touch::Never ? EndKind::Flying : touch == Touch::Always ? EndKind::Contact : EndKind::Intermittent;
 }
 
 struct EndState {
     EndKind kind = EndKind::Failed;
-    double spacing = 0.0; // mean of the spacing over the tail [m]
-    double spread = 0.0;  // its standard deviation there [m]
+    double spacing = 0.0;              // mean of the spacing over the tail [m]
+    double spread = 0.0;               // its standard deviation there [m]
+    Motion motion = Motion::NotJudged; // of the verdict
 };
 
 struct MeasuredRun {
@@ -85,8 +67,10 @@ inline constexpr double sameSpacing = 0.1e-9;
 bool sameEnd(const EndState& a, const EndState& b, double distance = sameSpacing);
 /// The same end state, or the same failure.
 bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance = sameSpacing);
-/// "flies at 7 nm", "flies at 7 nm +- 0.14 nm" where it has not come to rest, "ends in contact at 1.59 nm", "fails:
-/// chattering at 12 us".
+/// "flies at 7 nm", "flies at 7 nm +- 0.14 nm" where it has not come to rest, "ends in contact at 1.59 nm", "bounces
+/// about 6.1 nm +- 2.1 nm", "fails: chattering at 12 us". What follows +- is the standard deviation.
 std::string outcomeText(const MeasuredRun& run);
+/// The same of a valid end.
+std::string endText(const EndState& end);
 
 } // namespace touchdown

@@ -112,7 +112,7 @@ private slots:
         for (std::size_t i = 0; i < 200; ++i)
             QVERIFY(std::abs(trace.column("contact_force")[i] - trace.column("contact_force")[400 - i]) < 2e-6 * force);
         QCOMPARE(trace.summary.tail.size(), std::size_t{2});
-        QVERIFY(trace.summary.motion == Motion::NotJudged && trace.summary.peaks.empty());
+        QVERIFY(trace.summary.verdict.motion == Motion::NotJudged && trace.summary.peaks.empty());
         QCOMPARE(trace.summary.model, std::string("contact"));
     }
 

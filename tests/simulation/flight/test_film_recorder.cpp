@@ -130,6 +130,32 @@ private slots:
             }
         }
     }
+    /// The height turns at two places within 1 us, between two samples: extremes against 10 000 points.
+    void extremesBetweenSamples()
+    {
+        Case c = plainSlider();
+        c.run.sampleInterval = 1e-6;
+        Recording recording(c);
+        std::vector<double> ends;
+        for (int i = 1; i <= 10; ++i) ends.push_back(1e-7 * i);
+        recording.record(ends);
+        recording.run.send(1e-6);
+        double least = 1.0, most = 0.0;
+        for (int i = 0; i <= 10000; ++i) {
+            const double value = polynomial(1e-10 * i).q[0];
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+        const Summary summary = recording.recorder.summary({});
+        bool found = false;
+        for (const auto& [name, extremes] : summary.extremes) {
+            if (name != "height") continue;
+            found = true;
+            QVERIFY(std::abs(extremes.least - least) < 1e-3 * (most - least));
+            QVERIFY(std::abs(extremes.most - most) < 1e-3 * (most - least));
+        }
+        QVERIFY(found);
+    }
     /// A step of no length is where it is.
     void stepWithoutLength()
     {

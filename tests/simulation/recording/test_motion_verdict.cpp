@@ -63,41 +63,125 @@ private slots:
         QVERIFY(movesOn(signal(1e-9, 0.25)));
         QVERIFY(!movesOn({}));
     }
+    /// Each row of the rule, at its border.
     void verdicts()
     {
-        const MotionEvidence lasting{.swing = 1e-9, .swingBefore = 1e-9, .periods = 3.0};
-        QCOMPARE(motionOf(lasting), Motion::Swings);
+        const MotionEvidence lasting{
+            .swings = {1e-9, 1e-9}, .parts = 2, .rms = 0.3e-9, .rmsBefore = 0.3e-9, .periods = 3.0};
+        QCOMPARE(verdictOf(lasting).motion, Motion::Swings);
         const auto with = [&](auto change) {
             MotionEvidence evidence = lasting;
             change(evidence);
-            return motionOf(evidence);
+            return verdictOf(evidence).motion;
         };
-        QCOMPARE(with([](MotionEvidence& e) { e.touches = true; }), Motion::Bounces);
-        QCOMPARE(with([](MotionEvidence& e) { e.periods = 2.5; }), Motion::TooShort);
-        QCOMPARE(with([](MotionEvidence& e) { e.samples = 9; }), Motion::TooShort);
-        QCOMPARE(with([](MotionEvidence& e) { e.samples = 9, e.swing = 0.0; }), Motion::TooShort);
-        QCOMPARE(with([](MotionEvidence& e) { e.swingBefore = 1.12e-9; }), Motion::Settles);
-        QCOMPARE(with([](MotionEvidence& e) { e.swingBefore = 1.10e-9; }), Motion::Swings);
-        QCOMPARE(with([](MotionEvidence& e) { e.swing = 0.019e-9; }), Motion::AtRest);
-        QCOMPARE(with([](MotionEvidence& e) { e.swing = 0.019e-9, e.movesOn = true; }), Motion::TooShort);
-        QCOMPARE(with([](MotionEvidence& e) { e.swing = e.swingBefore = 0.021e-9; }), Motion::Swings);
+        using E = MotionEvidence&;
+        const auto touching = [](E e) { e.touch = Touch::Always; };
+        const auto leaving = [](E e) { e.touch = Touch::AtTimes; };
+        QCOMPARE(with(touching), Motion::Vibrates);
+        QCOMPARE(with(leaving), Motion::Bounces);
+        QCOMPARE(with([](E e) { e.periods = 2.5; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.samples = 9; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.samples = 9, e.swings[0] = 0.0; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.swings[1] = 1.12e-9; }), Motion::Settles);
+        QCOMPARE(with([&](E e) { e.swings[1] = 1.12e-9, touching(e); }), Motion::Settles);
+        // A slider that still takes off may bounce on.
+        QCOMPARE(with([&](E e) { e.swings[1] = 1.12e-9, leaving(e); }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.swings[1] = 1.10e-9; }), Motion::Swings);
+        QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9; }), Motion::AtRest);
+        QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9, e.movesOn = true; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.swings = {0.021e-9, 0.021e-9}; }), Motion::Swings);
+        // From part to part by 7 %, over four by a quarter; one that is not in order is sustained.
+        QCOMPARE(with([](E e) {
+                     e.parts = 5, e.swings = {0.75e-9, 0.81e-9, 0.87e-9, 0.93e-9, 1e-9};
+                 }),
+                 Motion::Settles);
+        QCOMPARE(with([](E e) { e.parts = 5, e.swings = {0.75e-9, 0.81e-9, 0.80e-9, 0.93e-9, 1e-9}; }), Motion::Swings);
+        // Small, but half as large again in each part: an instability at its beginning.
+        QCOMPARE(with([](E e) { e.parts = 3, e.swings = {16e-12, 10e-12, 6e-12}; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.parts = 3, e.swings = {16e-12, 11e-12, 6e-12}; }), Motion::AtRest);
+        QCOMPARE(with([](E e) { e.parts = 3, e.swings = {0.9e-13, 0.5e-13, 0.3e-13}; }), Motion::AtRest); // round-off
     }
+    /// Over a moving surface the swing of a part is random: its standard deviation decides, and nothing settles.
+    void aMovingSurfaceForces()
+    {
+        MotionEvidence evidence{.swings = {0.5e-9, 0.7e-9},
+                                .parts = 2,
+                                .rms = 0.1e-9,
+                                .rmsBefore = 0.16e-9,
+                                .periods = 10.0,
+                                .frequency = 8e5,
+                                .touch = Touch::Always,
+                                .movingSurface = true};
+        const MotionVerdict forced = verdictOf(evidence);
+        QCOMPARE(forced.motion, Motion::Vibrates);
+        QVERIFY(forced.forced);
+        QCOMPARE(forced.rms, 0.1e-9);
+        QCOMPARE(textOf(forced), std::string("vibrates in contact, forced by the disk (800 kHz, 0.1 nm rms)"));
+        evidence.rmsBefore = 0.17e-9;
+        QCOMPARE(verdictOf(evidence).motion, Motion::TooShort);
+        QVERIFY(!verdictOf(evidence).forced);
+        evidence.movingSurface = false;
+        QCOMPARE(verdictOf(evidence).motion, Motion::Settles);
+    }
+    /// A drop from 100 nm within 3 % of the run, then a swing of constant size in and out of contact: the third that
+    /// holds three periods begins after the landing. Without it the swing before would be 100 nm.
+    void theLandingIsLeftOut()
+    {
+        MotionSamples samples;
+        samples.interval = 1e-8;
+        const int count = 1000, landing = 30, period = 100;
+        for (int i = 0; i < count; ++i) {
+            const double s = i < landing ? 100e-9 * (1.0 - double(i) / landing) + 6e-9
+                                         : 5e-9 + 1e-9 * std::cos(2 * std::numbers::pi * (i - landing) / period);
+            samples.add(s, s < 5e-9 ? Touch::Always : Touch::Never);
+        }
+        const MotionVerdict verdict = judgeMotion(samples);
+        QCOMPARE(verdict.motion, Motion::Bounces);
+        QVERIFY(std::abs(verdict.swing - 2e-9) < 1e-12);
+        QVERIFY(std::abs(verdict.frequency - 1e6) < 0.02e6); // 100 samples of 10 ns
+    }
+    /// The contact ends and begins between two samples that both touch.
+    void aTakeOffBetweenSamples()
+    {
+        MotionSamples samples;
+        samples.interval = 1e-8;
+        for (int i = 0; i < 1000; ++i)
+            samples.add(3e-9 + 1e-9 * std::cos(2 * std::numbers::pi * i / 20), Touch::Always);
+        QCOMPARE(judgeMotion(samples).motion, Motion::Vibrates);
+        samples.switches = {9.5012e-6, 9.5014e-6};
+        QCOMPARE(judgeMotion(samples).motion, Motion::Bounces);
+        samples.switches = {5.5012e-6, 5.5014e-6}; // before the judged part
+        QCOMPARE(judgeMotion(samples).motion, Motion::Vibrates);
+    }
+    void theOldestSamplesGo()
+    {
+        MotionSamples samples;
+        samples.interval = 1e-6;
+        for (int i = 0; i < 5; ++i) samples.add(i, i - 0.5, i + 0.5, Touch::Never);
+        samples.dropFirst(2);
+        QCOMPARE(samples.spacing, (std::vector<double>{2, 3, 4}));
+        QCOMPARE(samples.least.front(), 1.5);
+        QCOMPARE(samples.most.front(), 2.5);
+        QCOMPARE(samples.touch.size(), std::size_t(3));
+        QCOMPARE(samples.first, 2e-6);
+    }
+    void nothingToJudge() { QCOMPARE(judgeMotion({}).motion, Motion::NotJudged); }
     void theRuleHasTheFigures()
     {
         const QString rule = QString::fromStdString(
-            motionRule({.swing = 1.25e-9, .swingBefore = 1.3e-9, .periods = 20.5, .touches = true}));
-        for (const char* part : {"1.25 nm", "1.3 nm", "20.5 periods", "touches", "90 %"})
+            verdictOf({.swings = {1.25e-9, 1.3e-9}, .parts = 2, .periods = 20.5, .touch = Touch::AtTimes}).rule);
+        for (const char* part : {"1.25 nm", "1.3 nm", "20.5 periods", "takes off", "90 %"})
             QVERIFY2(rule.contains(part), qPrintable(rule));
-        QVERIFY(QString::fromStdString(motionRule({.swing = 1e-9, .swingBefore = 1e-9, .periods = 1.0}))
+        QVERIFY(QString::fromStdString(verdictOf({.swings = {1e-9, 1e-9}, .parts = 2, .periods = 1.0}).rule)
                     .contains("3 periods are needed"));
     }
     void namesAreDifferent()
     {
         std::set<std::string_view> names;
-        for (const Motion motion :
-             {Motion::NotJudged, Motion::AtRest, Motion::Settles, Motion::Swings, Motion::Bounces, Motion::TooShort})
+        for (const Motion motion : {Motion::NotJudged, Motion::AtRest, Motion::Settles, Motion::Swings,
+                                    Motion::Vibrates, Motion::Bounces, Motion::TooShort})
             names.insert(name(motion));
-        QCOMPARE(names.size(), std::size_t(6));
+        QCOMPARE(names.size(), std::size_t(7));
     }
 };
 

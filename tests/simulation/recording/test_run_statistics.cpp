@@ -65,7 +65,7 @@ private slots:
         row("constant after a larger one", 1e-9, 1.0, Motion::Bounces, 10.0, 1e-3);
         row("growing swing", 1e-9, 1.5, Motion::Swings, 1.0, 0.0);
         row("decaying swing", 1e-9, 0.7, Motion::Settles, 1.0, 0.0);
-        row("decaying swing that touches", 1e-9, 0.7, Motion::Settles, 1.0, 1e-3);
+        row("decaying swing that still takes off", 1e-9, 0.7, Motion::TooShort, 1.0, 1e-3);
         row("too small to matter", 0.005e-9, 1.0, Motion::AtRest, 1.0, 1e-3);
     }
     void motion()
@@ -78,24 +78,22 @@ private slots:
         Case c;
         const std::vector<Quantity> quantities = recordedQuantities(c);
         RunStatistics statistics(c, quantities);
-        SampleBatch batch;
-        batch.columns.resize(quantities.size());
+        std::vector<double> values(quantities.size());
         const int count = 20001;
         for (int i = 0; i < count; ++i) {
             const double t = 1e-7 * i;
-            batch.time.push_back(t);
             const double amplitude =
                 swing * std::pow(decay, 10.0 * (double(i) / count - 1.0)) * (2 * i < count ? early : 1.0);
             const double spacing = 7e-9 + amplitude * std::sin(2 * std::numbers::pi * 100e3 * t);
-            for (auto& column : batch.columns) column.push_back(spacing);
-            batch.columns[static_cast<std::size_t>(findQuantity(quantities, "contact_force"))].back() =
-                spacing < 7e-9 ? touch : 0.0;
+            values.assign(values.size(), spacing);
+            values[static_cast<std::size_t>(findQuantity(quantities, "adhesion_force"))] = 0.0;
+            values[static_cast<std::size_t>(findQuantity(quantities, "contact_force"))] = spacing < 7e-9 ? touch : 0.0;
+            statistics.addSample(t, values, values, values);
         }
-        statistics.add(batch);
         Summary summary;
         statistics.finish(summary);
-        QCOMPARE(static_cast<int>(summary.motion), expected);
-        QVERIFY(!summary.bouncingRule.empty());
+        QCOMPARE(static_cast<int>(summary.verdict.motion), expected);
+        QVERIFY(!summary.verdict.rule.empty());
         if (swing > 0.1e-9) QVERIFY(std::abs(summary.peaks.front().frequency - 100e3) < 1e3);
         // Quantities that this model lacks are absent, not zero.
         for (const auto& [name, tail] : summary.tail) QVERIFY(name != "roll");
@@ -111,22 +109,67 @@ private slots:
                 c.spectrum.start = start * duration;
                 const std::vector<Quantity> quantities = recordedQuantities(c);
                 RunStatistics statistics(c, quantities);
-                SampleBatch batch;
-                batch.columns.resize(quantities.size());
+                c.run.sampleInterval = duration / 10000;
                 for (int i = 0; i <= 10000; ++i) {
                     const double t = duration * i / 10000;
-                    batch.time.push_back(t);
-                    for (auto& column : batch.columns)
-                        column.push_back(7e-9 + 1e-9 * std::sin(2 * std::numbers::pi * t / period));
+                    const std::vector<double> values(quantities.size(),
+                                                     7e-9 + 1e-9 * std::sin(2 * std::numbers::pi * t / period));
+                    statistics.addSample(t, values, values, values);
                 }
-                statistics.add(batch);
                 Summary summary;
                 summary.endTime = duration;
                 statistics.finish(summary);
-                QCOMPARE(summary.motion, periods > 1.0 ? Motion::Bounces : Motion::TooShort);
-                QVERIFY(summary.bouncing() == (periods > 1.0));
-                QCOMPARE(summary.bouncingRule.find("last tenth") != std::string::npos, periods == 4.0);
+                QCOMPARE(summary.verdict.motion, periods > 1.0 ? Motion::Vibrates : Motion::TooShort);
+                QVERIFY(!summary.bouncing());
+                QCOMPARE(summary.verdict.rule.find("last tenth") != std::string::npos, periods == 4.0);
             }
+    }
+    /// Extremes between samples reach the tail, the whole run and the swing; those before the tail do not reach it.
+    void extremesBetweenSamples()
+    {
+        Case c;
+        const std::vector<Quantity> quantities = recordedQuantities(c);
+        RunStatistics statistics(c, quantities);
+        const std::vector<double> values(quantities.size(), 7e-9), low(quantities.size(), 6e-9),
+            high(quantities.size(), 9e-9);
+        for (int i = 0; i < 1000; ++i) statistics.addSample(1e-7 * i, values, i == 100 ? low : values, values);
+        statistics.addExtremes(values, high);
+        Summary summary;
+        statistics.finish(summary);
+        for (const auto& [name, tail] : summary.tail) {
+            QCOMPARE(tail.min, 7e-9);
+            QCOMPARE(tail.max, 9e-9);
+            QCOMPARE(tail.mean, 7e-9);
+        }
+        QCOMPARE(summary.extremes.size(), quantities.size());
+        for (const auto& [name, extremes] : summary.extremes) {
+            QCOMPARE(extremes.least, 6e-9);
+            QCOMPARE(extremes.most, 9e-9);
+        }
+    }
+    /// The menisci of Ono & Yamane hold a pad that its asperities do not touch; adhesion of surfaces does not.
+    void touching()
+    {
+        Case c;
+        const std::vector<Quantity> quantities = recordedQuantities(c);
+        const auto between = [&](ContactKind contact, Extremes force, Extremes adhesion) {
+            c.contact = contact;
+            std::vector<double> least(quantities.size()), most(quantities.size());
+            const auto set = [&](const char* name, Extremes value) {
+                least[static_cast<std::size_t>(findQuantity(quantities, name))] = value.least;
+                most[static_cast<std::size_t>(findQuantity(quantities, name))] = value.most;
+            };
+            set("contact_force", force);
+            set("adhesion_force", adhesion);
+            return TouchColumns(c, quantities).between(least, most);
+        };
+        using enum ContactKind;
+        QCOMPARE(between(OnoYamane, {0, 0}, {0, 0}), Touch::Never);
+        QCOMPARE(between(OnoYamane, {1e-3, 2e-3}, {-1e-3, -1e-3}), Touch::Always);
+        QCOMPARE(between(OnoYamane, {0, 0}, {-1e-3, -1e-3}), Touch::Always);
+        QCOMPARE(between(OnoYamane, {0, 1e-3}, {-1e-3, 0}), Touch::AtTimes);
+        QCOMPARE(between(Elastic, {0, 1e-3}, {-1e-3, -1e-3}), Touch::AtTimes);
+        QCOMPARE(between(Elastic, {0, 0}, {-1e-3, -1e-3}), Touch::Never);
     }
     void nothingFromNothing()
     {
@@ -134,7 +177,7 @@ private slots:
         const std::vector<Quantity> quantities = recordedQuantities(c);
         Summary summary;
         RunStatistics(c, quantities).finish(summary);
-        QVERIFY(summary.tail.empty() && summary.peaks.empty() && summary.motion == Motion::NotJudged);
+        QVERIFY(summary.tail.empty() && summary.peaks.empty() && summary.verdict.motion == Motion::NotJudged);
     }
     void welchOptionsOfACase()
     {

@@ -75,7 +75,7 @@ private slots:
         QVERIFY(within.warnings.empty() && tailOf(within, &Statistics::std) < 1e-12);
         for (const IntegratorKind kind : {IntegratorKind::Rk4, IntegratorKind::Rk4Events}) {
             const Summary beyond = runWith(smallSwing(), kind, 1.7e-6);
-            QVERIFY(beyond.motion == Motion::Swings && std::abs(tailOf(beyond) - 7e-9) < 0.1e-9);
+            QVERIFY(beyond.verdict.motion == Motion::Swings && std::abs(tailOf(beyond) - 7e-9) < 0.1e-9);
             QVERIFY2(beyond.stepCheck && !beyond.stepCheck->sameEndState, beyond.stepCheck->message.c_str());
             QVERIFY(warns(beyond, "has not converged in time"));
         }

@@ -124,9 +124,9 @@ private slots:
 
     void classes()
     {
-        const auto kind = [](int flies, int caught, int bounces, int failed) {
+        const auto kind = [](int flies, int caught, int bounces, int failed, int unknown = 0) {
             MapCell cell;
-            cell.ends = {flies, caught, bounces, failed};
+            cell.ends = {flies, caught, bounces, unknown, failed};
             return cell.kind();
         };
         QCOMPARE(kind(3, 0, 0, 0), MapClass::Flies);
@@ -134,6 +134,9 @@ private slots:
         QCOMPARE(kind(1, 2, 0, 0), MapClass::FliesOrCaught);
         QCOMPARE(kind(1, 0, 1, 1), MapClass::Bounces);
         QCOMPARE(kind(2, 0, 0, 1), MapClass::Fails);
+        QCOMPARE(kind(1, 1, 0, 0, 1), MapClass::Unknown);
+        QCOMPARE(kind(1, 0, 1, 0, 1), MapClass::Bounces);
+        QCOMPARE(kind(1, 0, 0, 1, 1), MapClass::Fails);
     }
 
     /// A take-off height below that of touch-down is no case.

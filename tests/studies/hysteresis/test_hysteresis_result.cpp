@@ -61,6 +61,24 @@ private slots:
         QCOMPARE(loopOf(steps).values, std::vector{1e-3});
     }
 
+    /// At 3 mN it bounces on the way there and rests in contact on the way back, at mean spacings that are alike.
+    void bouncingIsAnotherStateThanContact()
+    {
+        std::vector<HeldStep> steps = loop();
+        steps[3].end = {EndKind::Intermittent, 2.05e-9, 0.3e-9, Motion::Bounces};
+        QVERIFY(!stillMoves(steps[3]));
+        const LoopOf found = loopOf(steps);
+        QCOMPARE(found.values, (std::vector{1e-3, 3e-3}));
+        QCOMPARE(found.moving, std::size_t(0));
+        HysteresisResult result;
+        result.steps = steps;
+        const std::vector<std::string> findings = hysteresisFindings(task(), result);
+        QVERIFY(!says(findings, "No hysteresis"));
+        QVERIFY(says(findings,
+                     "At 3 mN the slider bounces about 2.05 nm +- 0.3 nm on the way there and ends in contact "
+                     "at 2 nm on the way back"));
+    }
+
     void betweenThePointsOfALine()
     {
         const std::vector<EquilibriumLine> lines{

@@ -190,7 +190,7 @@ private slots:
             if (!each.kind.empty()) continue;
             const Summary summary = run(caseOf(each));
             QString text = summary.status == RunStatus::Failed ? QStringLiteral("failed")
-                                                               : QString::fromUtf8(name(summary.motion));
+                                                               : QString::fromUtf8(name(summary.verdict.motion));
             for (const RunFigure& figure : summary.figures)
                 if (figure.quantity.name == "touch_downs" && summary.status == RunStatus::Completed)
                     text += QStringLiteral(" %1").arg(figure.value);
