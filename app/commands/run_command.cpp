@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "app/commands/case_commands.h"
@@ -10,7 +11,9 @@
 #include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/words.h"
@@ -309,20 +312,18 @@ private:
 
 int runCommand(const CommandArguments& arguments)
 {
-    const CaseDocument document = openCaseOrComplain(arguments);
-    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name);
-    if (!document.valid() || !good) return exitWrongInput;
-    if (const std::string reason = reasonNotToRun(document.value); !reason.empty()) {
-        complain(document.name + ": " + reason);
-        return exitWrongInput;
-    }
+    const CaseDocument document = openCaseToUse(arguments);
+    std::vector<InputProblem> problems = document.problems;
+    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name),
+                      std::back_inserter(problems));
+    if (problems.empty())
+        if (const std::string reason = reasonNotToRun(document.value); !reason.empty())
+            problems.push_back({document.name, 0, "", reason});
+    if (!problems.empty()) return refuse(problems, arguments.json);
 
     ProgressLine line(arguments.progress);
     RunOutput output(arguments, document);
-    if (!output.problem().empty()) {
-        complain(output.problem());
-        return exitWrongInput;
-    }
+    if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
     const int spacing = findQuantity(output.quantities(), "minimum_spacing");
     std::optional<double> least; // of all samples so far [m]
     Summary summary = run(document.value, [&](const RunUpdate& update) {
