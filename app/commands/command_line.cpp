@@ -2,9 +2,11 @@
 //
 // The program `touchdown`: parses the arguments and calls the command.
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -23,6 +25,7 @@
 #include "app/terminal/freed_memory.h"
 #include "app/terminal/mistaken_words.h"
 #include "app/terminal/refusal.h"
+#include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 #include "core/studies/study_plan.h"
@@ -140,6 +143,13 @@ int finishOutput(int code)
     return exitNoAnswer;
 }
 
+/// The other commands have no step at which they could stop: a signal ends them at once.
+bool runsLong(const std::string& command)
+{
+    constexpr std::array commands{"run", "steady", "modes", "study", "advise"};
+    return std::ranges::find(commands, command) != commands.end();
+}
+
 /// The message of CLI11, which also names --help, and the object of `--json`.
 int refuseArguments(const CLI::App& app, const CLI::ParseError& error, bool json)
 {
@@ -152,6 +162,8 @@ int refuseArguments(const CLI::App& app, const CLI::ParseError& error, bool json
 int commandLine(int argc, char** argv)
 {
     const std::vector<std::string> words = argumentsOf(argc, argv);
+    std::optional<StopSignals> signals;
+    if (!words.empty() && runsLong(words.front())) signals.emplace();
     CLI::App app("Touchdown: dynamics of hard-disk sliders at the edge of contact", "touchdown");
     app.set_version_flag("--version", "touchdown " TOUCHDOWN_VERSION);
     app.require_subcommand(0, 1); // a missing one is refused below, after misspelt words

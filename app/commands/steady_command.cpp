@@ -14,6 +14,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
+#include "app/terminal/stop_signals.h"
 #include "app/terminal/text_table.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
@@ -315,7 +316,7 @@ int steadyCommand(CommandArguments arguments)
         });
         if (file) problem = file->add(point, result);
         states.push_back({point, withoutFields(std::move(result))});
-        if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || line.stopRequested()) break;
+        if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || stopRequested()) break;
     }
     line.end();
 
