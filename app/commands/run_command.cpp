@@ -16,6 +16,7 @@
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
+#include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_writer.h"
@@ -165,6 +166,14 @@ std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
     return text;
 }
 
+/// The time of a run that did not complete is written as in its message.
+std::string endText(const Summary& summary)
+{
+    const bool completed = summary.status == RunStatus::Completed;
+    return std::string(name(summary.status)) + " at " +
+           (completed ? displayed(summary.endTime, "ms") : fewDigitsOfTime(summary.endTime, 4));
+}
+
 std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
 
 /// Without those of the case, which were told before the run.
@@ -182,7 +191,7 @@ std::string warningRows(const Case& c, const std::vector<std::string>& warnings)
 std::string contactText(const Case& c, const Summary& summary)
 {
     std::string text = c.title + "\n";
-    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    text += reportRow("status", endText(summary));
     text += figureRows(c, summary.figures);
     text += eventRows(c, summary.events);
     if (summary.fit) text += fitText(*summary.fit);
@@ -230,7 +239,7 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
 {
     if (c.model == ModelKind::Contact) return contactText(c, summary);
     std::string text = c.title + "\n";
-    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    text += reportRow("status", endText(summary));
     for (const auto& [key, label] :
          {std::pair{"flying_height", "final flying height"}, std::pair{"pitch", "final pitch"},
           std::pair{"roll", "final roll"}, std::pair{"air_bearing_force", "final bearing force"},

@@ -33,7 +33,7 @@ constexpr double chatterSpan = 1e-7;     // within which many switches are chatt
 constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
 
-std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
+std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
 class FilmRun {
 public:

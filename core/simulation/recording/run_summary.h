@@ -84,7 +84,7 @@ struct Summary {
     RunStatus status = RunStatus::Completed;
     RunFailure failure = RunFailure::None;
     std::string message;  // why it ended, for a person
-    double endTime = 0.0; // [s]
+    double endTime = 0.0; // reached; of a failed run the time that its message names [s]
     long long steps = 0;  // accepted
     long long rejectedSteps = 0;
     long long evaluations = 0;  // of the right-hand side

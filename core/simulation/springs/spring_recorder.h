@@ -3,6 +3,7 @@
 // Turns the accepted steps of the spring model into batches of samples.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/simulation/recording/run_recorder.h"
@@ -49,6 +50,8 @@ public:
 
     /// The last state that can be trusted.
     const Point& last() const { return last_; }
+    /// The time of the state that ended the run by failing, else of the last state [s].
+    double endTime() const { return failedAt_.value_or(last_.time); }
     /// How the run ends when its samples say so.
     const RunEnd& end() const { return end_; }
     const RunRecorder& run() const { return run_; }
@@ -73,7 +76,8 @@ private:
     int stepsSinceLook_ = 0;
     bool goOn_ = true;
     Point last_;
-    Point lastGood_; // the newest that was looked at and sane
+    Point lastGood_;                 // the newest that was looked at and sane
+    std::optional<double> failedAt_; // [s]
     RunEnd end_;
     std::vector<double> values_;
     std::size_t energyColumn_;
