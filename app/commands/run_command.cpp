@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 
@@ -82,7 +83,7 @@ Json stepCheckJson(const std::optional<StepCheck>& check)
 Json figuresJson(const std::vector<RunFigure>& figures)
 {
     Json result = Json::object();
-    for (const auto& [quantity, value] : figures) result[quantity.name] = jsonNumber(value);
+    for (const RunFigure& figure : figures) result[figure.quantity.name] = jsonNumber(figure.value);
     return result;
 }
 
@@ -157,11 +158,14 @@ std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
 std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
 {
     std::string text;
-    for (const auto& [quantity, value] : figures) {
+    for (const RunFigure& figure : figures) {
+        const Quantity& quantity = figure.quantity;
         if (c.contact == ContactKind::None && quantity.name.starts_with("contact_")) continue;
         std::string label = quantity.name;
         std::ranges::replace(label, '_', ' ');
-        text += reportRow(label, displayed(value, quantity.displayUnit == "1" ? "" : quantity.displayUnit, 5));
+        const std::string unit = quantity.displayUnit == "1" ? "" : quantity.displayUnit;
+        text += reportRow(label, figure.isCount ? std::to_string(std::llround(figure.value))
+                                                : displayed(figure.value, unit, 5));
     }
     return text;
 }

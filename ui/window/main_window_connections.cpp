@@ -202,7 +202,7 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
     updateRunActions();
     const RunRecord& run = *runs().find(number);
     const QString result = resultText(run);
-    aboutCase_->setResult(result, sentence(summary.bouncingRule), figuresText(summary));
+    aboutCase_->setResult(result, sentence(summary.bouncingRule), figuresText(summary), solverText(summary));
     QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
     MessageStrip::Kind kind = MessageStrip::Kind::Success;
     for (const std::string& warning : summary.warnings) lines << sentence(warning);

@@ -127,7 +127,9 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback, const R
     if (options.energyBalance)
         summary.figures.push_back(
             {{"energy_balance", "1", "1", "Energy imbalance, against the largest change of a part"},
-             balance.imbalance()});
+             balance.imbalance(),
+             false,
+             true});
     recorder.run().setTimes(summary);
     summary.solverSeconds = solverSeconds;
     return summary;
