@@ -20,6 +20,7 @@
 #include "core/formats/toml_document.h"
 #include "core/formats/words.h"
 #include "core/studies/study/study_file.h"
+#include "core/studies/study/study_verdict.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -146,6 +147,13 @@ std::string tableText(const StudyTable& table, std::size_t width, const std::str
     return text;
 }
 
+/// Null where the study checks nothing.
+Json verdictJson(const StudyReport& report)
+{
+    const StudyVerdict verdict = verdictOf(report);
+    return verdict == StudyVerdict::None ? Json(nullptr) : Json(name(verdict));
+}
+
 /// One object, with the charts; numbers in SI, unknown numbers as null.
 std::string studyJson(const StudyReport& report)
 {
@@ -156,6 +164,7 @@ std::string studyJson(const StudyReport& report)
                      {"title", report.title},
                      {"status", name(report.status)},
                      {"message", report.message},
+                     {"verdict", verdictJson(report)},
                      {"wall_seconds", jsonNumber(report.wallSeconds)},
                      {"findings", report.findings},
                      {"warnings", report.warnings},
@@ -169,6 +178,9 @@ std::string studyText(const StudyReport& report, std::size_t width)
 {
     std::string text = report.title + "\n";
     text += reportRow("status", statusText(name(report.status), report.message));
+    if (const StudyVerdict verdict = verdictOf(report);
+        verdict != StudyVerdict::None && report.status == StudyStatus::Completed)
+        text += reportRow("verdict", std::string(name(verdict)));
     text += reportRow("time", displayed(report.wallSeconds, "s", 3));
     if (!report.findings.empty()) text += "\n";
     for (const std::string& finding : report.findings) text += finding + "\n";
