@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -278,6 +279,7 @@ int commandLine(int argc, char** argv)
 int main(int argc, char** argv)
 {
     touchdown::keepFreedMemory();
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     try {
         return touchdown::commandLine(argc, argv);
     } catch (const std::exception& error) {
