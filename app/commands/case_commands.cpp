@@ -6,7 +6,7 @@
 
 #include "app/commands/study_command.h"
 #include "app/terminal/console.h"
-#include "app/terminal/json_text.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/text_table.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
@@ -25,26 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Json jsonList(const std::vector<InputProblem>& problems)
-{
-    Json list = Json::array();
-    for (const InputProblem& problem : problems)
-        list.push_back({{"file", problem.file},
-                        {"line", problem.line > 0 ? Json(problem.line) : Json(nullptr)},
-                        {"key", problem.key},
-                        {"message", problem.message}});
-    return list;
-}
-
 Json validation(const char* what, const CaseDocument& document, const std::string& title,
                 const std::vector<InputProblem>& problems)
 {
     return {{what, document.name},
             {"title", title},
             {"valid", problems.empty()},
-            {"problems", jsonList(problems)},
-            {"warnings", jsonList(document.warnings)},
-            {"unused", jsonList(document.unused)}};
+            {"problems", problemsJson(problems)},
+            {"warnings", problemsJson(document.warnings)},
+            {"unused", problemsJson(document.unused)}};
 }
 
 /// The problem of the kind that a study names, if there is one.
@@ -67,7 +56,8 @@ int validateStudy(const CommandArguments& arguments, const StudySource& study)
         plan = openStudy(study.kind, arguments.name, arguments.settings);
     CaseDocument& start = plan.start;
     start.name = arguments.name;
-    complainOf(plan);
+    warnOf(plan);
+    for (const InputProblem& problem : plan.problems) complain(problem.text());
     if (arguments.json) {
         Json object = validation("study", start, plan.title, plan.problems);
         object["kind"] = study.kind;
@@ -113,23 +103,21 @@ CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::stri
         applySettings(document, settings);
     }
     for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
-    for (const InputProblem& problem : document.problems) complain(problem.text());
     return document;
 }
 
-CaseDocument openCaseOrComplain(const CommandArguments& arguments)
+CaseDocument openCaseToUse(const CommandArguments& arguments)
 {
     CaseDocument document = openCaseToKeep(arguments.name, arguments.settings);
     for (const InputProblem& unused : document.unused) complain("warning: " + unused.text());
     return document;
 }
 
-CaseDocument openFilmCaseOrComplain(const CommandArguments& arguments)
+CaseDocument openFilmCase(const CommandArguments& arguments)
 {
-    CaseDocument document = openCaseOrComplain(arguments);
+    CaseDocument document = openCaseToUse(arguments);
     if (!document.valid() || document.value.model == ModelKind::Film) return document;
     document.problems.push_back({document.name, 0, "model", "must be \"film\" for a static state on an air film"});
-    complain(document.problems.back().text());
     return document;
 }
 
@@ -159,7 +147,8 @@ int listCommand(bool json)
 int validateCommand(const CommandArguments& arguments)
 {
     if (const auto study = findStudySource(arguments.name)) return validateStudy(arguments, *study);
-    const CaseDocument document = openCaseOrComplain(arguments);
+    const CaseDocument document = openCaseToUse(arguments);
+    for (const InputProblem& problem : document.problems) complain(problem.text());
     if (arguments.json)
         print(jsonText(validation("case", document, document.value.title, document.problems)));
     else if (document.valid())
@@ -171,7 +160,7 @@ int convertCommand(const std::string& from, const std::string& to)
 {
     // Values without effect are kept, so that converting back loses nothing.
     const CaseDocument document = openCaseToKeep(from);
-    if (!document.valid()) return exitWrongInput;
+    if (!document.valid()) return refuse(document.problems, false);
     const bool toml = fs::path(to).extension() == ".toml";
     const std::string problem = toml ? writeToml(document, to) : writeCml(document, to);
     if (problem.empty()) return exitDone;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // `touchdown list`, `touchdown validate` and `touchdown convert`; the arguments of the commands, and how they open a
-// case. Warnings and problems of a case go to standard error.
+// case. Warnings of a case go to standard error; its problems are left to the command.
 #pragma once
 
 #include <string>
@@ -30,9 +30,9 @@ struct CommandArguments {
 /// The case with its settings. Keys without effect are not reported.
 CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings = {});
 /// The same; keys without effect are reported.
-CaseDocument openCaseOrComplain(const CommandArguments& arguments);
+CaseDocument openCaseToUse(const CommandArguments& arguments);
 /// The same for a case that must have an air film.
-CaseDocument openFilmCaseOrComplain(const CommandArguments& arguments);
+CaseDocument openFilmCase(const CommandArguments& arguments);
 
 int listCommand(bool json);
 /// Every problem of a case, or of a study and its case.

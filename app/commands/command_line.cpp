@@ -2,9 +2,12 @@
 //
 // The program `touchdown`: parses the arguments and calls the command.
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -22,6 +25,8 @@
 #include "app/terminal/console.h"
 #include "app/terminal/freed_memory.h"
 #include "app/terminal/mistaken_words.h"
+#include "app/terminal/refusal.h"
+#include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 #include "core/studies/study_plan.h"
@@ -139,9 +144,27 @@ int finishOutput(int code)
     return exitNoAnswer;
 }
 
+/// The other commands have no step at which they could stop: a signal ends them at once.
+bool runsLong(const std::string& command)
+{
+    constexpr std::array commands{"run", "steady", "modes", "study", "advise"};
+    return std::ranges::find(commands, command) != commands.end();
+}
+
+/// The message of CLI11, which also names --help, and the object of `--json`.
+int refuseArguments(const CLI::App& app, const CLI::ParseError& error, bool json)
+{
+    app.exit(error);
+    if (json) print(refusalJson({{"", 0, "", error.what()}}));
+    return finishOutput(exitWrongInput);
+}
+
 /// Parses the arguments, runs the command and returns an ExitCode.
 int commandLine(int argc, char** argv)
 {
+    const std::vector<std::string> words = argumentsOf(argc, argv);
+    std::optional<StopSignals> signals;
+    if (!words.empty() && runsLong(words.front())) signals.emplace();
     CLI::App app("Touchdown: dynamics of hard-disk sliders at the edge of contact", "touchdown");
     app.set_version_flag("--version", "touchdown " TOUCHDOWN_VERSION);
     app.require_subcommand(0, 1); // a missing one is refused below, after misspelt words
@@ -217,11 +240,11 @@ int commandLine(int argc, char** argv)
         ->expected(0, 3);
     addJson(describe, arguments);
 
+    // An option that is not understood may stand before --json.
+    const bool json = std::ranges::find(words, "--json") != words.end();
     try {
-        std::vector<std::string> words = argumentsOf(argc, argv);
         checkWords(app, words);
-        std::ranges::reverse(words); // as CLI11 wants them
-        app.parse(std::move(words));
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend())); // as CLI11 wants them
         if (app.get_subcommands().empty()) checkWords(app, {});
         for (const CLI::App* command : {&run, &steady, &modes, &validate})
             if (command->parsed()) findCase(*command, arguments, "CASE, a file or a sample case of `touchdown list`,");
@@ -234,10 +257,10 @@ int commandLine(int argc, char** argv)
         addShortcut(arguments.kind, "tolerance", tolerance, arguments.options);
         addShortcut(arguments.kind, "levels", levels, arguments.options);
     } catch (const CLI::ExtrasError& error) {
-        app.exit(CLI::ParseError(notTakenBy(app), error.get_exit_code()));
-        return exitWrongInput;
+        return refuseArguments(app, CLI::ParseError(notTakenBy(app), error.get_exit_code()), json);
     } catch (const CLI::ParseError& error) {
-        return finishOutput(app.exit(error) == 0 ? exitDone : exitWrongInput);
+        if (error.get_exit_code() == 0) return finishOutput(app.exit(error)); // --help, --version
+        return refuseArguments(app, error, json);
     }
     if (run.parsed()) return finishOutput(runCommand(arguments));
     if (steady.parsed()) return finishOutput(steadyCommand(arguments));
@@ -256,6 +279,7 @@ int commandLine(int argc, char** argv)
 int main(int argc, char** argv)
 {
     touchdown::keepFreedMemory();
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     try {
         return touchdown::commandLine(argc, argv);
     } catch (const std::exception& error) {

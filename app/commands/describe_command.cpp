@@ -10,6 +10,7 @@
 #include "app/commands/study_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
 #include "app/terminal/text_table.h"
 #include "core/case/parameters.h"
@@ -226,8 +227,8 @@ int describeKind(const StudyKind& kind, const std::string& wanted, bool json)
             return each.key.key != wanted && !each.key.key.starts_with(wanted + '.');
         });
     if (keys.empty()) {
-        complain(wanted + ": unknown key of a study of kind " + kind.name + didYouMean(nearestName(wanted, names)));
-        return exitWrongInput;
+        const std::string message = "unknown key of a study of kind " + kind.name;
+        return refuse({{"", 0, wanted, message + didYouMean(nearestName(wanted, names))}}, json);
     }
     if (json) {
         print(jsonText({{"kind", kind.name}, {"keys", keysJson(keys)}}));
@@ -253,9 +254,8 @@ std::optional<int> describeStudy(const std::string& key, bool json)
     }
     if (!key.starts_with(prefix)) return {};
     const std::vector<std::string> kinds = studyKindNames();
-    complain(key + ": unknown kind of study: allowed is one of " + joined(kinds) +
-             didYouMean(nearestName(name, kinds)));
-    return exitWrongInput;
+    const std::string message = "unknown kind of study: allowed is one of " + joined(kinds);
+    return refuse({{"", 0, key, message + didYouMean(nearestName(name, kinds))}}, json);
 }
 
 } // namespace
@@ -270,8 +270,7 @@ int describeCommand(const std::string& key, bool asJson)
     }
     if (selection.empty()) {
         if (const auto code = describeStudy(key, asJson)) return *code;
-        complain(key + ": unknown key" + didYouMean(nearest(key)));
-        return exitWrongInput;
+        return refuse({{"", 0, key, "unknown key" + didYouMean(nearest(key))}}, asJson);
     }
     if (asJson) {
         Json all = Json::array();

@@ -8,6 +8,7 @@
 #include "app/commands/steady_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/progress_line.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
 #include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady_quantities.h"
@@ -94,8 +95,8 @@ std::string modesText(const Case& c, const ModesResult& result)
 
 int modesCommand(const CommandArguments& arguments)
 {
-    const CaseDocument document = openFilmCaseOrComplain(arguments);
-    if (!document.valid()) return exitWrongInput;
+    const CaseDocument document = openFilmCase(arguments);
+    if (!document.valid()) return refuse(document.problems, arguments.json);
     ProgressLine line(arguments.progress);
     const ModesResult result =
         modes(document.value, [&](const SteadyProgress& update) { return line.show(progressOf(update)); });

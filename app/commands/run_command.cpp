@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "app/commands/case_commands.h"
@@ -10,9 +12,12 @@
 #include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
+#include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_writer.h"
@@ -86,7 +91,7 @@ Json stepCheckJson(const std::optional<StepCheck>& check)
 Json figuresJson(const std::vector<RunFigure>& figures)
 {
     Json result = Json::object();
-    for (const auto& [quantity, value] : figures) result[quantity.name] = jsonNumber(value);
+    for (const RunFigure& figure : figures) result[figure.quantity.name] = jsonNumber(figure.value);
     return result;
 }
 
@@ -161,13 +166,24 @@ std::string eventRows(const Case& c, const std::vector<RunEvent>& events)
 std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
 {
     std::string text;
-    for (const auto& [quantity, value] : figures) {
+    for (const RunFigure& figure : figures) {
+        const Quantity& quantity = figure.quantity;
         if (c.contact == ContactKind::None && quantity.name.starts_with("contact_")) continue;
         std::string label = quantity.name;
         std::ranges::replace(label, '_', ' ');
-        text += reportRow(label, displayed(value, quantity.displayUnit == "1" ? "" : quantity.displayUnit, 5));
+        const std::string unit = quantity.displayUnit == "1" ? "" : quantity.displayUnit;
+        text += reportRow(label, figure.isCount ? std::to_string(std::llround(figure.value))
+                                                : displayed(figure.value, unit, 5));
     }
     return text;
+}
+
+/// The time of a run that did not complete is written as in its message.
+std::string endText(const Summary& summary)
+{
+    const bool completed = summary.status == RunStatus::Completed;
+    return std::string(name(summary.status)) + " at " +
+           (completed ? displayed(summary.endTime, "ms") : fewDigitsOfTime(summary.endTime, 4));
 }
 
 std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
@@ -187,7 +203,7 @@ std::string warningRows(const Case& c, const std::vector<std::string>& warnings)
 std::string contactText(const Case& c, const Summary& summary)
 {
     std::string text = c.title + "\n";
-    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    text += reportRow("status", endText(summary));
     text += figureRows(c, summary.figures);
     text += eventRows(c, summary.events);
     if (summary.fit) text += fitText(*summary.fit);
@@ -241,7 +257,7 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
 {
     if (c.model == ModelKind::Contact) return contactText(c, summary);
     std::string text = c.title + "\n";
-    text += reportRow("status", std::string(name(summary.status)) + " at " + displayed(summary.endTime, "ms"));
+    text += reportRow("status", endText(summary));
     for (const auto& [key, label] :
          {std::pair{"flying_height", "final flying height"}, std::pair{"pitch", "final pitch"},
           std::pair{"roll", "final roll"}, std::pair{"air_bearing_force", "final bearing force"},
@@ -327,20 +343,18 @@ private:
 
 int runCommand(const CommandArguments& arguments)
 {
-    const CaseDocument document = openCaseOrComplain(arguments);
-    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name);
-    if (!document.valid() || !good) return exitWrongInput;
-    if (const std::string reason = reasonNotToRun(document.value); !reason.empty()) {
-        complain(document.name + ": " + reason);
-        return exitWrongInput;
-    }
+    const CaseDocument document = openCaseToUse(arguments);
+    std::vector<InputProblem> problems = document.problems;
+    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name),
+                      std::back_inserter(problems));
+    if (problems.empty())
+        if (const std::string reason = reasonNotToRun(document.value); !reason.empty())
+            problems.push_back({document.name, 0, "", reason});
+    if (!problems.empty()) return refuse(problems, arguments.json);
 
     ProgressLine line(arguments.progress);
     RunOutput output(arguments, document);
-    if (!output.problem().empty()) {
-        complain(output.problem());
-        return exitWrongInput;
-    }
+    if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
     const int spacing = findQuantity(output.quantities(), "minimum_spacing");
     std::optional<double> least; // of all samples so far [m]
     Summary summary = run(document.value, [&](const RunUpdate& update) {

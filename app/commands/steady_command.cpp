@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,7 +12,9 @@
 #include "app/terminal/console.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
+#include "app/terminal/stop_signals.h"
 #include "app/terminal/text_table.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
@@ -289,19 +292,17 @@ Json steadyObject(const Case& c, const SteadyResult& r)
 int steadyCommand(CommandArguments arguments)
 {
     if (arguments.fixedAttitude) arguments.settings.emplace_back("steady.fixed_attitude=true");
-    const CaseDocument document = openFilmCaseOrComplain(arguments);
-    const bool good = targetsAreGood({{"--out", arguments.out}}, arguments.name);
-    if (!document.valid() || !good) return exitWrongInput;
+    const CaseDocument document = openFilmCase(arguments);
+    std::vector<InputProblem> problems = document.problems;
+    std::ranges::move(targetProblems({{"--out", arguments.out}}, arguments.name), std::back_inserter(problems));
+    if (!problems.empty()) return refuse(problems, arguments.json);
     const Case& c = document.value;
 
     ProgressLine line(arguments.progress);
     std::optional<SteadyWriter> file;
     std::string problem;
     if (!arguments.out.empty()) problem = file.emplace().open(arguments.out, c, updateCaseText(document.text, c));
-    if (!problem.empty()) {
-        complain(problem);
-        return exitWrongInput;
-    }
+    if (!problem.empty()) return refuse({{"", 0, "", problem}}, arguments.json);
 
     const std::vector<SteadySeriesPoint> series = seriesOf(c);
     std::vector<SteadyState> states;
@@ -315,7 +316,7 @@ int steadyCommand(CommandArguments arguments)
         });
         if (file) problem = file->add(point, result);
         states.push_back({point, withoutFields(std::move(result))});
-        if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || line.stopRequested()) break;
+        if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || stopRequested()) break;
     }
     line.end();
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <thread>
 
 #include "app/commands/case_commands.h"
@@ -11,6 +12,7 @@
 #include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
 #include "app/terminal/progress_line.h"
+#include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
 #include "app/terminal/text_table.h"
 #include "core/case_files/case_file.h"
@@ -18,6 +20,7 @@
 #include "core/formats/toml_document.h"
 #include "core/formats/words.h"
 #include "core/studies/study/study_file.h"
+#include "core/studies/study/study_verdict.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -144,6 +147,13 @@ std::string tableText(const StudyTable& table, std::size_t width, const std::str
     return text;
 }
 
+/// Null where the study checks nothing.
+Json verdictJson(const StudyReport& report)
+{
+    const StudyVerdict verdict = verdictOf(report);
+    return verdict == StudyVerdict::None ? Json(nullptr) : Json(name(verdict));
+}
+
 /// One object, with the charts; numbers in SI, unknown numbers as null.
 std::string studyJson(const StudyReport& report)
 {
@@ -154,6 +164,7 @@ std::string studyJson(const StudyReport& report)
                      {"title", report.title},
                      {"status", name(report.status)},
                      {"message", report.message},
+                     {"verdict", verdictJson(report)},
                      {"wall_seconds", jsonNumber(report.wallSeconds)},
                      {"findings", report.findings},
                      {"warnings", report.warnings},
@@ -167,6 +178,9 @@ std::string studyText(const StudyReport& report, std::size_t width)
 {
     std::string text = report.title + "\n";
     text += reportRow("status", statusText(name(report.status), report.message));
+    if (const StudyVerdict verdict = verdictOf(report);
+        verdict != StudyVerdict::None && report.status == StudyStatus::Completed)
+        text += reportRow("verdict", std::string(name(verdict)));
     text += reportRow("time", displayed(report.wallSeconds, "s", 3));
     if (!report.findings.empty()) text += "\n";
     for (const std::string& finding : report.findings) text += finding + "\n";
@@ -200,21 +214,28 @@ std::vector<std::string> writeFiles(const CommandArguments& arguments, const Stu
     return problems;
 }
 
-/// A user who names a case file with --out may expect the found case in it.
-bool outIsGood(const CommandArguments& arguments)
+/// Of the study and its case, and of the files that are to be written.
+std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArguments& arguments)
 {
+    std::vector<InputProblem> problems = plan.problems;
+    // A user who names a case file with --out may expect the found case in it.
     const auto kind = std::ranges::find(studyKinds(), arguments.kind, &StudyKind::name);
-    if (kind == studyKinds().end() || !kind->findsCase || !arguments.out.ends_with(".toml")) return true;
-    complain("--out: writes findings, charts and tables as HDF5; write the case that was found with --apply " +
-             arguments.out);
-    return false;
+    if (kind != studyKinds().end() && kind->findsCase && arguments.out.ends_with(".toml"))
+        problems.push_back({"", 0, "--out",
+                            "writes findings, charts and tables as HDF5; write the case that was found with --apply " +
+                                arguments.out});
+    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}},
+                                     arguments.name),
+                      std::back_inserter(problems));
+    return problems;
 }
 
 /// Prints the study that the arguments name, or one of their case with the defaults.
 int printTemplate(const CommandArguments& arguments)
 {
     const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings);
-    complainOf(plan);
+    warnOf(plan);
+    std::vector<InputProblem> problems = plan.problems;
     const bool isStudy = !plan.text.empty();
     const char* ignored = !arguments.options.empty()               ? "--option"
                           : isStudy && !arguments.settings.empty() ? "--set"
@@ -223,9 +244,10 @@ int printTemplate(const CommandArguments& arguments)
                                  : arguments.kind == "convergence" ? "--levels"
                                                                    : "";
     if (*ignored != 0)
-        complain(std::string(ignored) + ": has no effect" + (shortcut.empty() ? "" : ", nor has " + shortcut + ",") +
-                 " on what --template prints; write it into the file");
-    if (!plan.valid() || *ignored != 0) return exitWrongInput;
+        problems.push_back({"", 0, ignored,
+                            "has no effect" + (shortcut.empty() ? "" : ", nor has " + shortcut + ",") +
+                                " on what --template prints; write it into the file"});
+    if (!problems.empty()) return refuse(problems, arguments.json);
     if (isStudy) {
         print(plan.text);
         return exitDone;
@@ -248,21 +270,18 @@ std::vector<std::string> studyKindNames()
     return names;
 }
 
-void complainOf(const StudyPlan& plan)
+void warnOf(const StudyPlan& plan)
 {
     for (const auto* list : {&plan.start.warnings, &plan.start.unused})
         for (const InputProblem& warning : *list) complain("warning: " + warning.text());
-    for (const InputProblem& problem : plan.problems) complain(problem.text());
 }
 
 int studyCommand(const CommandArguments& arguments)
 {
     if (arguments.asTemplate) return printTemplate(arguments);
     const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options);
-    complainOf(plan);
-    const bool good = targetsAreGood({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}},
-                                     arguments.name);
-    if (!plan.valid() || !outIsGood(arguments) || !good) return exitWrongInput;
+    warnOf(plan);
+    if (const auto problems = problemsOf(plan, arguments); !problems.empty()) return refuse(problems, arguments.json);
 
     ProgressLine line(arguments.progress);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));

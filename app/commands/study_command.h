@@ -13,8 +13,8 @@ struct StudyPlan;
 
 std::vector<std::string> studyKindNames();
 
-/// Writes warnings and problems of a study and its case to standard error.
-void complainOf(const StudyPlan& plan);
+/// Writes the warnings of a study and its case to standard error.
+void warnOf(const StudyPlan& plan);
 
 int studyCommand(const CommandArguments& arguments);
 

@@ -6,7 +6,6 @@
 
 #include <unistd.h>
 
-#include "app/terminal/console.h"
 #include "core/formats/output_file.h"
 
 namespace touchdown {
@@ -37,21 +36,18 @@ std::string problemOf(const OutputTarget& target, const std::string& input)
 
 } // namespace
 
-bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string& input)
+std::vector<InputProblem> targetProblems(const std::vector<OutputTarget>& targets, const std::string& input)
 {
-    bool good = true;
-    const auto refuse = [&good](const std::string& sentence) {
-        complain(sentence);
-        good = false;
-    };
+    std::vector<InputProblem> problems;
     for (auto one = targets.begin(); one != targets.end(); ++one) {
         if (one->file.empty()) continue;
-        if (const std::string problem = problemOf(*one, input); !problem.empty()) refuse(one->option + ": " + problem);
+        if (const std::string problem = problemOf(*one, input); !problem.empty())
+            problems.push_back({"", 0, one->option, problem});
         for (auto other = targets.begin(); other != one; ++other)
             if (!other->file.empty() && sameFile(other->file, one->file))
-                refuse(other->option + " and " + one->option + ": both name " + other->file);
+                problems.push_back({"", 0, other->option + " and " + one->option, "both name " + one->file});
     }
-    return good;
+    return problems;
 }
 
 } // namespace touchdown

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/input_problem.h"
+
 namespace touchdown {
 
 /// A file that a command may write, by the option that names it; "" for none.
@@ -15,7 +17,7 @@ struct OutputTarget {
     bool mayBeStream = false; // a device or a pipe, too
 };
 
-/// Writes a complaint to standard error about every file that cannot be written, is the input, or is named twice.
-bool targetsAreGood(const std::vector<OutputTarget>& targets, const std::string& input);
+/// A problem, with the option as its key, for every file that cannot be written, is the input, or is named twice.
+std::vector<InputProblem> targetProblems(const std::vector<OutputTarget>& targets, const std::string& input);
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "app/terminal/report_text.h"
+#include "app/terminal/stop_signals.h"
 #include "core/numerics/wall_clock.h"
 
 namespace touchdown {
@@ -16,28 +17,11 @@ namespace {
 constexpr std::chrono::milliseconds redrawInterval(100);
 constexpr std::chrono::seconds lineInterval(1);
 
-volatile std::sig_atomic_t stopSignal = 0; // a signal handler can only reach a global
-
 } // namespace
 
 ProgressLine::ProgressLine(bool always)
     : terminal_(::isatty(STDERR_FILENO) == 1), shown_(terminal_ || always), next_(Clock::now() + redrawInterval)
-{
-    stopSignal = 0;
-    struct sigaction action {};
-    action.sa_handler = [](int) { stopSignal = 1; };
-    action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    sigaction(SIGINT, &action, &interrupt_);
-    sigaction(SIGTERM, &action, &terminate_);
-}
-
-ProgressLine::~ProgressLine()
-{
-    sigaction(SIGINT, &interrupt_, nullptr);
-    sigaction(SIGTERM, &terminate_, nullptr);
-}
-
-bool ProgressLine::stopRequested() const { return stopSignal != 0; }
+{}
 
 bool ProgressLine::show(Progress progress)
 {

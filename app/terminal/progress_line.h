@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Progress of a calculation on standard error: one line that is redrawn on a terminal; elsewhere, if asked for, one
-// line a second. SIGINT or SIGTERM asks the calculation to stop; a second signal ends the program at once. One at a
-// time.
+// line a second.
 #pragma once
 
 #include <chrono>
-#include <csignal>
 #include <string>
 
 #include "core/simulation/recording/progress.h"
@@ -17,13 +15,9 @@ class ProgressLine {
 public:
     /// `always`: not only on a terminal.
     explicit ProgressLine(bool always);
-    ~ProgressLine();
-    ProgressLine(const ProgressLine&) = delete;
-    ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// False when the calculation is to stop.
+    /// False when the calculation is to stop (app/terminal/stop_signals.h).
     bool show(Progress progress);
-    bool stopRequested() const;
     /// Removes the line from a terminal; elsewhere writes the last state.
     void end();
 
@@ -38,8 +32,6 @@ private:
     Clock::time_point next_; // no line before
     Progress progress_;
     TimeLeft timeLeft_;
-    struct sigaction interrupt_ {}; // the actions before
-    struct sigaction terminate_ {};
 };
 
 } // namespace touchdown

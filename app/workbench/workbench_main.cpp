@@ -2,6 +2,7 @@
 //
 // touchdown-workbench: the window; with --export, --screenshot or --study, pictures of it.
 #include <clocale>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -125,6 +126,7 @@ void checkRun(const QString& file, bool pictures)
 int main(int argc, char** argv)
 {
     using namespace touchdown;
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     // Before anything that needs a display.
     const Arguments arguments = [&] {
         int count = 1;

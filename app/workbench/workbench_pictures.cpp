@@ -137,10 +137,8 @@ int takePictures(MainWindow& window, const PictureRequest& request)
     bool written = true;
     if (!request.exportFolder.isEmpty()) written = exportPlots(window, request.exportFolder, request.staticState);
     if (!request.screenshot.isEmpty()) {
-        const bool saved = window.grab().save(request.screenshot);
-        written = report(saved ? QString() : QStringLiteral("%1 cannot be written.").arg(request.screenshot),
-                         request.screenshot) &&
-                  written;
+        const QString problem = saveImage(window.grab().toImage(), request.screenshot);
+        written = report(problem, request.screenshot) && written;
     }
     if (!written) return exitWrongInput;
     if (valid) return exitDone;

@@ -9,5 +9,6 @@ Case::Case(Case&&) noexcept = default;
 Case& Case::operator=(const Case&) = default;
 Case& Case::operator=(Case&&) noexcept = default;
 Case::~Case() = default;
+bool Case::operator==(const Case&) const = default;
 
 } // namespace touchdown

@@ -47,6 +47,7 @@ struct About {
     std::string paper;   // what the paper saw
     std::string watch;   // what to watch
     std::string assumed; // what is a stand-in, because the paper's tables are lost
+    bool operator==(const About&) const = default;
 };
 
 struct SliderCase {
@@ -56,6 +57,7 @@ struct SliderCase {
     double length = 1.25e-3;       // L [m], along x
     double width = 1.00e-3;        // W [m], along y
     double thickness = 0.3e-3;     // b [m]
+    bool operator==(const SliderCase&) const = default;
 };
 
 /// The lumped air bearing of Ono & Yamane: two springs, two dashpots.
@@ -70,6 +72,7 @@ struct SpringsCase {
     double flyingHeight = 7e-9;      // FH of the static state, at the contact pad [m]
     double pitch = 90.6e-6;          // theta_0 of the static state [rad]
     PotentialBelowCutoff potential = PotentialBelowCutoff::Held;
+    bool operator==(const SpringsCase&) const = default;
 };
 
 struct SuspensionCase {
@@ -89,6 +92,7 @@ struct SuspensionCase {
     bool holdsAttitude = false;        // film: torques come from the stiffness and the static attitude below
     double staticPitch = 0.0;          // film: of the unloaded suspension [rad]
     double staticRoll = 0.0;           // film [rad]
+    bool operator==(const SuspensionCase&) const = default;
 };
 
 struct AirCase {
@@ -97,6 +101,7 @@ struct AirCase {
     double altitude = 0.0;       // [m]
     double temperature = 298.15; // [K]
     Slip slip;
+    bool operator==(const AirCase&) const = default;
 };
 
 /// The film's discretisation and its solution.
@@ -109,6 +114,7 @@ struct FilmCase {
     double tolerance = 1e-7; // residual: net mass flow of the cells, summed, against the flow through the film [-]
     int maximumIterations = 60;
     FilmCoupling coupling = FilmCoupling::Monolithic; // of film and slider in a step of time
+    bool operator==(const FilmCase&) const = default;
 };
 
 /// What `steady` computes and with which conventions.
@@ -124,6 +130,7 @@ struct SteadyCase {
     std::vector<double> skews;     // one per radius; empty: disk.skew [rad]
     std::vector<double> speeds;    // empty: disk.speed [rad/s]
     std::vector<double> altitudes; // empty: the air as it is [m]
+    bool operator==(const SteadyCase&) const = default;
 };
 
 /// Elastic contact of the deformable equivalent disk with the smooth pad.
@@ -137,6 +144,7 @@ struct ElasticCase {
     bool periodic = false;      // the patch repeats in both directions
     double patchPitch = 100e-6; // film: at which the parts of the surface are sought that can touch [rad]
     double patchReach = 5e-9;   // film: how high above the lowest point they may lie there [m]
+    bool operator==(const ElasticCase&) const = default;
 };
 
 /// The pad of model "contact".
@@ -145,12 +153,14 @@ struct PadCase {
     double length = 20e-6; // flat, sphere: of the patch [m], along x
     double width = 20e-6;  // [m], along y
     double radius = 1e-3;  // sphere [m]
+    bool operator==(const PadCase&) const = default;
 };
 
 /// How the pad of model "contact" moves: at constant speed from `start` to `closest` and back within run.duration.
 struct ApproachCase {
     double start = 5e-9;    // separation of the pad's lowest point and the disk's mean plane [m]
     double closest = -1e-9; // [m], less than start; may be negative
+    bool operator==(const ApproachCase&) const = default;
 };
 
 struct InitialCase {
@@ -167,6 +177,7 @@ struct InitialCase {
     double pitchOffset = 0.0;  // [rad]
     double rollOffset = 0.0;   // [rad]
     double rollVelocity = 0.0; // film [rad/s]
+    bool operator==(const InitialCase&) const = default;
 };
 
 struct RunCase {
@@ -181,6 +192,7 @@ struct RunCase {
     double sampleInterval = 0.1e-6; // [s]
     bool stepCheck = true;          // fixed-step methods: compare with half the step
     int fieldSnapshots = 50;        // of the fields, evenly over the run; 0: none
+    bool operator==(const RunCase&) const = default;
 };
 
 /// How power spectra are estimated (Welch 1967).
@@ -190,6 +202,7 @@ struct SpectrumCase {
     double segment = 0.2e-3; // length of one segment [s]
     double overlap = 0.5;    // shared by neighbouring segments [-]
     double start = 0.0;      // what comes before is left out [s]
+    bool operator==(const SpectrumCase&) const = default;
 };
 
 struct Case {
@@ -226,6 +239,9 @@ struct Case {
     Case& operator=(const Case&);
     Case& operator=(Case&&) noexcept;
     ~Case();
+
+    /// The same values and the same folder, hence the same run. No accepted case holds a NaN, which equals nothing.
+    bool operator==(const Case&) const;
 };
 
 } // namespace touchdown

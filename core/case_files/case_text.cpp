@@ -67,13 +67,6 @@ std::string tomlValue(const Case& c, const Parameter& parameter)
     return {};
 }
 
-bool sameCase(const Case& a, const Case& b)
-{
-    return a.surface == b.surface && std::ranges::all_of(parameters(), [&](const Parameter& parameter) {
-               return parameter.get(a) == parameter.get(b);
-           });
-}
-
 /// The tables [[abs.rail]] or [[abs.wall]]: equal tables at the front and at the back are kept, the tables between them
 /// are changed in place, and surplus tables are removed or missing ones inserted there.
 template <typename Item>
@@ -175,10 +168,11 @@ std::string updateCaseText(const std::string& text, const Case& c, const std::fi
     if (!toml.problem.empty()) return formatCase(c);
     const std::string updated = changedText(text, toml, parseCase(text, "", folder), c);
     // A new text is better than a wrong one, should the editor not handle some form of TOML.
-    const CaseDocument check = parseCase(updated, "", folder);
+    CaseDocument check = parseCase(updated, "", folder);
+    check.value.folder = c.folder; // a text does not say where it is
     const bool broken =
         std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });
-    return !broken && sameCase(check.value, c) ? updated : formatCase(c);
+    return !broken && check.value == c ? updated : formatCase(c);
 }
 
 } // namespace touchdown

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include "core/formats/csv_cell.h"
+#include "core/formats/output_file.h"
 
 namespace touchdown {
 namespace {
@@ -24,6 +26,7 @@ constexpr std::size_t longestNumber = 32;                // [byte], "-1.23456789
 
 struct CsvWriter::File {
     std::filesystem::path path;
+    std::optional<PartFile> part; // of a regular file; none for a device or a pipe
     int descriptor = -1;
     std::vector<char> buffer = std::vector<char>(bufferSize);
     std::size_t used = 0;
@@ -32,7 +35,7 @@ struct CsvWriter::File {
 
     ~File()
     {
-        write();
+        if (!part) write();
         if (descriptor >= 0) ::close(descriptor);
     }
 
@@ -80,7 +83,11 @@ std::string CsvWriter::open(const std::filesystem::path& path, const std::vector
 {
     auto file = std::make_unique<File>();
     file->path = path;
-    file->descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    std::error_code none;
+    const std::filesystem::file_status status = std::filesystem::status(path, none);
+    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) file->part.emplace(path);
+    file->descriptor = file->part ? ::open(file->part->path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
+                                  : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file->descriptor < 0) {
         file->fail(errno);
         return file->problem;
@@ -111,9 +118,17 @@ std::string CsvWriter::close()
 {
     if (!file_) return "no CSV file is open";
     file_->write();
-    // Some network file systems report a failure only here.
+    // Some file systems report a failure only here.
+    if (file_->part && ::fsync(file_->descriptor) != 0) file_->fail(errno);
     const int descriptor = std::exchange(file_->descriptor, -1);
     if (::close(descriptor) != 0 && errno != EINTR) file_->fail(errno);
+    if (file_->part && file_->problem.empty()) {
+        try {
+            file_->part->show();
+        } catch (const std::system_error& error) {
+            file_->fail(error.code().value());
+        }
+    }
     const std::string problem = file_->problem;
     file_.reset();
     return problem;

@@ -99,8 +99,8 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
     writePeaks(group, quantities, summary.peaks);
     if (!summary.figures.empty()) {
         const Hdf5Group figures = group.create("figures");
-        for (const auto& [quantity, value] : summary.figures)
-            putFinite(figures, quantity.name, value, quantity.unit, quantity.longName);
+        for (const RunFigure& figure : summary.figures)
+            putFinite(figures, figure.quantity.name, figure.value, figure.quantity.unit, figure.quantity.longName);
     }
     if (summary.fit) writeFit(group.create("fit"), *summary.fit);
 

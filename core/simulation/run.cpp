@@ -59,7 +59,7 @@ void addCharacteristicFigures(const OnoYamane& parameters, Summary& summary)
     const double each = law.storedEnergy(ContactRegion::Pressed, parameters.touchDown);
     summary.figures.push_back(
         {{"cycle_work", "J", "pJ", "Work W that a touch-down and take-off takes out of the slider"}, law.cycleWork()});
-    summary.figures.push_back({{"touch_downs", "1", "1", "Touch-downs"}, static_cast<double>(touchDowns)});
+    summary.figures.push_back({{"touch_downs", "1", "1", "Touch-downs"}, static_cast<double>(touchDowns), true});
     summary.figures.push_back({{"touch_down_energy", "J", "pJ", "Elastic energy that the touch-downs brought"},
                                static_cast<double>(touchDowns) * each});
 }

@@ -40,6 +40,7 @@ private slots:
     void fullDisk();
     void signalEndsARunInOrder_data();
     void signalEndsARunInOrder();
+    void aFailureHasOneTime();
     void progressIsSilentUnlessAskedFor();
 
 private:
@@ -263,7 +264,7 @@ void TestRunCommand::badInput()
     folder_->put("old.csv", "older results");
     const Outcome o = folder_->touchdown({"run", "bad.toml", "--out", "a.h5", "--csv", "old.csv", "--json"});
     QCOMPARE(o.code, 2);
-    QCOMPARE(o.out, QByteArray());
+    QVERIFY2(isRefusal(o, {"--json"}), o.out);
     QCOMPARE(o.errorLines().size(), 1);
     // A second key is on the line below the first.
     const bool placed = o.err.startsWith("bad.toml:" + QByteArray::number(number) + ": ") ||
@@ -412,6 +413,17 @@ void TestRunCommand::signalEndsARunInOrder()
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QCOMPARE(static_cast<std::size_t>(csv.readAll().count('\n')), run.samples.size() + 1);
     QCOMPARE(folder_->files(), QStringList({"a.csv", "a.h5"}));
+}
+
+/// Report, message and object name one time.
+void TestRunCommand::aFailureHasOneTime()
+{
+    const QStringList arguments{"run", "fig12b", "--set", "springs.potential=as-printed"};
+    const Outcome o = folder_->touchdown(arguments);
+    QCOMPARE(o.code, 1);
+    QVERIFY2(o.out.contains("failed at 25.3 us\n"), o.out);
+    QVERIFY2(o.err.contains(" at 25.3 us:"), o.err);
+    QCOMPARE(folder_->touchdown(arguments + QStringList{"--json"}).json()["end_time"].toDouble(), 25.3e-6);
 }
 
 void TestRunCommand::progressIsSilentUnlessAskedFor()

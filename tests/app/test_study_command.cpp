@@ -181,7 +181,7 @@ private slots:
         folder_->put("a.toml", "kind = \"hysteresis\"\ncase = \"fig10a\"\n");
         const Outcome o = folder_->touchdown(arguments);
         QCOMPARE(o.code, 2);
-        QCOMPARE(o.out, QByteArray());
+        QVERIFY2(isRefusal(o, arguments), o.out);
         QVERIFY2(o.err.contains(says.toUtf8()), o.err);
         QCOMPARE(folder_->files(), QStringList{"a.toml"});
         QVERIFY2(o.errorLines().size() == 1 || o.err.endsWith("Run with --help for more information.\n"), o.err);
@@ -192,6 +192,34 @@ private slots:
             folder_->touchdown({"study", "hysteresis", "fig10a", "--option", "step=1", "hold=x", "--csv", "."});
         QCOMPARE(o.code, 2);
         QCOMPARE(o.errorLines().size(), 3);
+    }
+    /// A study that checks something says by a key whether it holds.
+    void verdict_data()
+    {
+        QTest::addColumn<QByteArrayList>("ends");
+        QTest::addColumn<QString>("verdict");
+        QTest::newRow("holds") << QByteArrayList{"flying"} << "holds";
+        QTest::newRow("partly") << QByteArrayList{"flying", "contact"} << "holds partly";
+        QTest::newRow("not") << QByteArrayList{"contact"} << "does not hold";
+    }
+    void verdict()
+    {
+        QFETCH(QByteArrayList, ends);
+        QFETCH(QString, verdict);
+        QByteArray study("kind = \"statements\"\ncase = \"fig10a\"\n");
+        for (const QByteArray& end : ends)
+            study += "[[statement]]\nfigure = \"1\"\nquote = \"q\"\nend = [\"" + end + "\"]\n";
+        folder_->put("a.toml", study);
+        const Outcome o = folder_->touchdown({"study", "statements", "a.toml", "--json"});
+        QCOMPARE(o.code, 0);
+        QCOMPARE(o.json()["verdict"].toString(), verdict);
+        const Outcome plain = folder_->touchdown({"study", "statements", "a.toml"});
+        QVERIFY2(plain.out.contains("verdict               " + verdict.toUtf8() + "\n"), plain.out);
+    }
+    void othersHaveNoVerdict()
+    {
+        const Outcome o = folder_->touchdown(QStringList{"study", "hysteresis", "fig10a", "--json"} + quick_);
+        QVERIFY(o.json().contains("verdict") && o.json()["verdict"].isNull());
     }
 
 private:

@@ -58,6 +58,8 @@ private slots:
         const CaseDocument document = parseCase(written, "");
         QVERIFY(document.valid());
         QCOMPARE(updateCaseText(written, document.value), written);
+        // A text does not say where it is.
+        QCOMPARE(updateCaseText(written, document.value, "/elsewhere"), written);
     }
     void aChangedValueChangesItsLineAlone()
     {

@@ -3,6 +3,7 @@
 
 #include <QtTest>
 
+#include "tests/support/file_size_limit.h"
 #include "tests/support/sample_results.h"
 #include "tests/support/test_program.h"
 
@@ -20,6 +21,8 @@ private slots:
     void csvReadsBackExactly();
     void csvProblems_data();
     void csvProblems();
+    void fullDiskKeepsTheOldFile();
+    void withoutItsEndThereIsNoFile();
 
 private:
     fs::path path(const char* name = "run.h5") const { return fs::path(folder_->path().toStdString()) / name; }
@@ -77,6 +80,33 @@ void TestCsvWriter::csvProblems()
     if (problem.empty()) problem = writer.close();
     QVERIFY2(problem.find(says.toStdString()) != std::string::npos, problem.c_str());
     QVERIFY(problem.find(target.toStdString()) != std::string::npos);
+}
+
+void TestCsvWriter::fullDiskKeepsTheOldFile()
+{
+    std::ofstream(path("run.csv")) << "older results";
+    std::string problem;
+    {
+        const test::FileSizeLimit full(50'000);
+        CsvWriter writer;
+        QCOMPARE(writer.open(path("run.csv"), sampleQuantities), std::string());
+        problem = writer.append(sampleBatch(0, 100'000));
+        QVERIFY(!problem.empty());
+        QCOMPARE(writer.close(), problem);
+    }
+    QVERIFY2(problem.find("File too large") != std::string::npos, problem.c_str());
+    QCOMPARE(bytes(path("run.csv")), std::string("older results"));
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList{"run.csv"});
+}
+
+void TestCsvWriter::withoutItsEndThereIsNoFile()
+{
+    {
+        CsvWriter writer;
+        QCOMPARE(writer.open(path("run.csv"), sampleQuantities), std::string());
+        QCOMPARE(writer.append(sampleBatch(0, 100'000)), std::string());
+    }
+    QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList());
 }
 
 TOUCHDOWN_TEST(TestCsvWriter)

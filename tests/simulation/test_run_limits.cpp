@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where methods and models end: runs that fail say so, and runs that only look like failures do not.
+#include "core/formats/units.h"
 #include "core/simulation/run.h"
 
 #include <cmath>
@@ -111,6 +112,10 @@ private slots:
         QVERIFY(QByteArray(summary.message.c_str()).contains("energy became negative"));
         QVERIFY(summary.endTime < 0.1e-3);
         QVERIFY(trace.time.back() <= summary.endTime);
+        // The message and the summary name one time: that of the state which failed.
+        QVERIFY2(summary.message.find(" at " + fewDigitsOfTime(summary.endTime, 4) + ":") != std::string::npos,
+                 summary.message.c_str());
+        QCOMPARE(summary.endTime, 25.3e-6);
     }
 
     /// A spring without stiffness is not there: no height loses it, and z = 0 is a place as any other.

@@ -23,6 +23,15 @@ struct Outcome {
     }
 };
 
+/// Whether standard output is that of refused arguments or input: empty or, with --json, one object with the problems.
+inline bool isRefusal(const Outcome& o, const QStringList& arguments)
+{
+    if (!arguments.contains(QStringLiteral("--json"))) return o.out.isEmpty();
+    const QJsonObject json = o.json();
+    return json["status"] == "wrong input" && !json["message"].toString().isEmpty() &&
+           !json["problems"].toArray().isEmpty();
+}
+
 inline Outcome outcome(QProcess& process)
 {
     if (!process.waitForFinished(100000) || process.exitStatus() != QProcess::NormalExit) return {};

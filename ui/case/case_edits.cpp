@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/case/case_edits.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "ui/case/parameter_text.h"
@@ -70,10 +69,7 @@ bool CaseEdits::changed(const Parameter& parameter) const
     return badEntry(parameter) != nullptr || parameter.get(state_.value) != parameter.get(opened_);
 }
 
-bool CaseEdits::anyChanged() const
-{
-    return std::ranges::any_of(parameters(), [this](const Parameter& parameter) { return changed(parameter); });
-}
+bool CaseEdits::anyChanged() const { return anyBadEntry() || state_.value != opened_; }
 
 const BadEntry* CaseEdits::badEntry(const Parameter& parameter) const
 {

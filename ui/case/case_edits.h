@@ -44,10 +44,12 @@ public:
     void setAll(const Case& value, const QString& text);
 
     bool changed(const Parameter& parameter) const;
+    /// Any value at all, also of rails, walls and points of interest.
     bool anyChanged() const;
 
     /// nullptr when the entry was taken.
     const BadEntry* badEntry(const Parameter& parameter) const;
+    bool anyBadEntry() const { return !state_.bad.empty(); }
     /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
     const std::vector<CaseProblem>& warnings() const { return warnings_; }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/case/case_files.h"
 
-#include <algorithm>
-
 #include <QAbstractButton>
 #include <QDir>
 #include <QFileDialog>
@@ -190,7 +188,7 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
         return;
     }
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                tr("The parameters of \"%1\" have changed.").arg(shortName()),
+                                tr("The case \"%1\" has changed.").arg(shortName()),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
     box->setObjectName(QStringLiteral("unsavedChanges"));
     box->setInformativeText(tr("Do you want to save them?"));
@@ -208,11 +206,8 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
 
 bool CaseFiles::modified() const
 {
-    if (edits_.undoStack().isClean()) return false;
     // Values that were changed and changed back leave nothing to save.
-    return std::ranges::any_of(parameters(), [this](const Parameter& parameter) {
-        return edits_.badEntry(parameter) != nullptr || parameter.get(edits_.value()) != parameter.get(saved_);
-    });
+    return !edits_.undoStack().isClean() && (edits_.anyBadEntry() || edits_.value() != saved_);
 }
 
 QString CaseFiles::shortName() const

@@ -6,9 +6,11 @@
 
 #include <QRegularExpression>
 
+#include "core/case/case_difference.h"
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
@@ -32,6 +34,15 @@ QString numberEntry(QString text, const Parameter& parameter, const QLocale& loc
     if (!parameter.displayUnit.empty() && bareNumber.match(text).hasMatch())
         text += QLatin1Char(' ') + QString::fromStdString(parameter.displayUnit);
     return text;
+}
+
+/// "0.1 um" as people read it: "0.1 µm".
+QString quantityText(const std::string& text, const QLocale& locale = QLocale())
+{
+    const auto space = text.find(' ');
+    QString number = QString::fromStdString(text.substr(0, space));
+    if (space == std::string::npos) return number;
+    return number.replace(QLatin1Char('.'), locale.decimalPoint()) + QChar(0x00A0) + unitText(text.substr(space + 1));
 }
 
 } // namespace
@@ -77,15 +88,22 @@ QString valueText(const Case& c, const Parameter& parameter, const QLocale& loca
 
 QStringList caseDifference(const Case& before, const Case& after)
 {
-    QStringList changes;
-    for (const Parameter& parameter : parameters()) {
-        if (parameter.kind == ParameterKind::Text || parameter.get(before) == parameter.get(after)) continue;
-        if (!parameter.used(before) && !parameter.used(after)) continue;
-        changes << QStringLiteral("%1 %2 → %3")
-                       .arg(QString::fromStdString(parameter.label), valueText(before, parameter),
-                            valueText(after, parameter));
+    QStringList texts;
+    for (const CaseChange& change : caseChanges(before, after)) {
+        const QString label = QString::fromStdString(change.label);
+        const Parameter* parameter = findParameter(change.key);
+        switch (change.kind) {
+        case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
+        case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
+        case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
+        case CaseChangeKind::Value:
+            texts << QStringLiteral("%1 %2 → %3")
+                         .arg(label, parameter ? valueText(before, *parameter) : quantityText(change.before),
+                              parameter ? valueText(after, *parameter) : quantityText(change.after));
+            break;
+        }
     }
-    return changes;
+    return texts;
 }
 
 } // namespace touchdown

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include <QBuffer>
 #include <QClipboard>
 #include <QDir>
 #include <QFileInfo>
@@ -12,11 +13,11 @@
 #include <QImage>
 #include <QPageSize>
 #include <QPdfWriter>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include "ui/plot/plot_widget.h"
 #include "ui/style/translate.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -63,15 +64,13 @@ void writePdf(const Picture& picture, QIODevice& device)
     picture.paint(painter);
 }
 
-/// An empty string, or why `path` could not be written. Writes all or nothing.
+/// What `write` writes, as a file. Qt's generators do not report a device that fails, so they write into memory.
 QString writeFile(const QString& path, const std::function<void(QIODevice&)>& write)
 {
-    const QString shown = QDir::toNativeSeparators(path);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly)) return tr("%1 could not be written: %2.").arg(shown, file.errorString());
-    write(file);
-    if (!file.commit()) return tr("%1 could not be written: %2.").arg(shown, file.errorString());
-    return {};
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    write(buffer);
+    return writeWholeFile(path, buffer.data());
 }
 
 Picture pictureOf(QWidget& shown, const PlotTheme& theme)
@@ -112,6 +111,16 @@ QByteArray number(std::optional<double> value, double factor)
 }
 
 } // namespace
+
+QString saveImage(const QImage& image, const QString& path)
+{
+    const QByteArray format = QFileInfo(path).suffix().toLatin1();
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, format.constData()))
+        return tr("%1 does not end in the name of an image format.").arg(QDir::toNativeSeparators(path));
+    return writeWholeFile(path, buffer.data());
+}
 
 QString savePicture(const Picture& picture, const QString& path)
 {

@@ -4,12 +4,14 @@
 // states the problem.
 //
 // The ending of the file name chooses the format: .png (twice the pixels of the screen), .svg and .pdf (vectors and
-// text). Files are written in the light theme, for paper; the clipboard gets the theme of the screen.
+// text). A file appears whole or not at all. Files are written in the light theme, for paper; the clipboard gets the
+// theme of the screen.
 #pragma once
 
 #include <functional>
 
 #include <QIODevice>
+#include <QImage>
 #include <QPainter>
 #include <QString>
 
@@ -38,6 +40,8 @@ public:
 [[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
 /// A PagePart, or a page with every visible PagePart inside it at its place.
 [[nodiscard]] QString savePicture(QWidget& shown, const QString& path);
+/// Pixels as they are; the ending is that of an image format of Qt.
+[[nodiscard]] QString saveImage(const QImage& image, const QString& path);
 void copyPicture(QWidget& shown);
 
 /// Every sample of the visible curves that lies in the visible range of x, in display units, with a column for each

@@ -2,8 +2,10 @@
 #include "ui/runs/about_case_pane.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QEvent>
+#include <QScrollBar>
 
 #include "core/formats/units.h"
 #include "core/simulation/recording/run_statistics.h"
@@ -13,11 +15,30 @@
 
 namespace touchdown {
 
+namespace {
+
+constexpr auto detailsLink = "#details";
+
+QStringList figureLines(const Summary& summary, bool ofSolver)
+{
+    QStringList lines;
+    for (const RunFigure& figure : summary.figures)
+        if (figure.ofSolver == ofSolver)
+            lines << AboutCasePane::tr("%1: %2").arg(QString::fromStdString(figure.quantity.longName),
+                                                     figureText(figure));
+    return lines;
+}
+
+} // namespace
+
 AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
 {
     setAccessibleName(tr("About this case"));
     setFrameShape(QFrame::NoFrame);
-    setOpenExternalLinks(false);
+    setOpenLinks(false);
+    connect(this, &QTextBrowser::anchorClicked, this, [this](const QUrl& link) {
+        if (link == QUrl(QLatin1String(detailsLink))) showDetails(!detailsShown_);
+    });
     document()->setDocumentMargin(8);
     setMinimumHeight(80);
 }
@@ -33,16 +54,27 @@ void AboutCasePane::setCase(const Case& c)
     result_.clear();
     rule_.clear();
     figures_.clear();
+    details_.clear();
     write();
 }
 
-void AboutCasePane::setResult(const QString& result, const QString& rule, const QString& figures)
+void AboutCasePane::setResult(const QString& result, const QString& rule, const QString& figures,
+                              const QString& details)
 {
-    if (result == result_ && rule == rule_ && figures == figures_) return;
+    if (result == result_ && rule == rule_ && figures == figures_ && details == details_) return;
     result_ = result;
     rule_ = rule;
     figures_ = figures;
+    details_ = details;
     write();
+}
+
+void AboutCasePane::showDetails(bool shown)
+{
+    detailsShown_ = shown;
+    const int place = verticalScrollBar()->value();
+    write();
+    verticalScrollBar()->setValue(place);
 }
 
 void AboutCasePane::setWarnings(const QStringList& warnings)
@@ -74,6 +106,14 @@ void AboutCasePane::write()
     part(tr("Result of this run"), result_, colours.change);
     part(tr("Criterion"), rule_, colours.muted);
     part(tr("Its figures"), figures_, colours.muted);
+    if (!details_.isEmpty())
+        html += QStringLiteral("<p style='margin:6px 0 0 0'><a href='%1' style='color:%2; font-weight:600; "
+                               "text-decoration:none'>%3 %4</a></p>")
+                    .arg(QLatin1String(detailsLink), colours.muted.name(),
+                         detailsShown_ ? QStringLiteral("▾") : QStringLiteral("▸"), tr("Details of the solver"));
+    if (detailsShown_ && !details_.isEmpty())
+        html += QStringLiteral("<p style='margin:0'>%1</p>")
+                    .arg(details_.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     part(tr("⚠ Entries of the file without effect"), warnings_.join(QLatin1Char('\n')), colours.warning);
     part(tr("≈ Assumptions"), QString::fromStdString(about_.assumed), colours.warning);
     setHtml(html);
@@ -140,19 +180,23 @@ QString resultText(const RunRecord& run)
 
 QString figureText(const RunFigure& figure)
 {
-    // Between sliders and single asperities forces differ by powers of ten.
-    QString text =
-        figure.quantity.unit == "N" ? forceText(figure.value) : readout(figure.value, figure.quantity).trimmed();
+    const Quantity& quantity = figure.quantity;
+    if (figure.isCount) return QLocale().toString(std::llround(figure.value));
+    if (quantity.unit == "s") return timeText(figure.value);
+    // Between sliders and single asperities forces differ by powers of ten, and so do the errors of a solver.
+    QString text = quantity.unit == "N" ? forceText(figure.value)
+                   : figure.ofSolver    ? roundedText(figure.value, quantity.displayUnit, 3)
+                                        : readout(figure.value, quantity).trimmed();
     return text.replace(QLatin1Char('-'), QChar(0x2212)); // a true minus sign
 }
 
 QString figuresText(const Summary& summary)
 {
-    QStringList lines;
-    for (const RunFigure& figure : summary.figures)
-        lines << AboutCasePane::tr("%1: %2").arg(QString::fromStdString(figure.quantity.longName), figureText(figure));
+    QStringList lines = figureLines(summary, false);
     if (summary.fit) lines << sentence(summary.fit->message);
     return lines.join(QLatin1Char('\n'));
 }
+
+QString solverText(const Summary& summary) { return figureLines(summary, true).join(QLatin1Char('\n')); }
 
 } // namespace touchdown

@@ -20,8 +20,11 @@ public:
     explicit AboutCasePane(QWidget* parent = nullptr);
 
     void setCase(const Case& c);
-    /// Result of the last run of this case, its criterion and its figures; empty during a run.
-    void setResult(const QString& result, const QString& rule = {}, const QString& figures = {});
+    /// Result of the last run of this case, its criterion, its figures and those of the solver; empty during a run.
+    void setResult(const QString& result, const QString& rule = {}, const QString& figures = {},
+                   const QString& details = {});
+    /// The figures of the solver, which are folded away at first; a click on their heading does the same.
+    void showDetails(bool shown);
     /// Entries of the file that have no effect or are not modelled.
     void setWarnings(const QStringList& warnings);
 
@@ -36,14 +39,18 @@ private:
     QString result_;
     QString rule_;
     QString figures_;
+    QString details_;
+    bool detailsShown_ = false;
     QStringList warnings_;
 };
 
 /// Result of a run in a few sentences, without warnings and the check of the step.
 QString resultText(const RunRecord& run);
-/// The value of one figure: "3.577 mN".
+/// The value of one figure: "3.577 mN"; "6" for a count.
 QString figureText(const RunFigure& figure);
-/// Figures of a contact run, a line for each.
+/// Figures of the slider or the pad, a line for each.
 QString figuresText(const Summary& summary);
+/// Figures of the solver, a line for each.
+QString solverText(const Summary& summary);
 
 } // namespace touchdown

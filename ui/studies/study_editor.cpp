@@ -9,7 +9,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QSaveFile>
 #include <QVBoxLayout>
 
 #include "core/formats/toml_document.h"
@@ -17,6 +16,7 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -272,9 +272,7 @@ QString StudyEditor::open(const QString& path)
 
 QString StudyEditor::save(const QString& path)
 {
-    QSaveFile file(path);
-    const bool written = file.open(QIODevice::WriteOnly) && file.write(toText().toUtf8()) >= 0 && file.commit();
-    if (!written) return tr("%1 cannot be written: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
+    if (QString problem = writeWholeFile(path, toText().toUtf8()); !problem.isEmpty()) return problem;
     drafts_[kind()].file = path;
     stale_ = true;
     replan();

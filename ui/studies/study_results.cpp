@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "core/studies/study/study_file.h"
+#include "core/studies/study/study_verdict.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
 #include "ui/style/quantity_format.h"
@@ -239,8 +240,17 @@ void StudyResults::writeFindings()
     if (report_->status == StudyStatus::Failed) add(QStringLiteral("✕"), colours.failure, sentence(report_->message));
     if (report_->status == StudyStatus::Cancelled)
         add(QStringLiteral("◼"), colours.muted, tr("Stopped: these are the results up to that point."));
-    for (const std::string& finding : report_->findings)
-        add(QStringLiteral("•"), colours.change, QString::fromStdString(finding));
+    // The first finding of a study that checks something is its verdict.
+    const StudyVerdict verdict = report_->status == StudyStatus::Completed ? verdictOf(*report_) : StudyVerdict::None;
+    for (std::size_t i = 0; i < report_->findings.size(); ++i) {
+        const QString finding = QString::fromStdString(report_->findings[i]);
+        if (i == 0 && verdict == StudyVerdict::Holds)
+            add(QStringLiteral("✓"), colours.success, finding);
+        else if (i == 0 && verdict != StudyVerdict::None)
+            add(QStringLiteral("⚠"), colours.warning, finding);
+        else
+            add(QStringLiteral("•"), colours.change, finding);
+    }
     for (const std::string& warning : report_->warnings)
         add(QStringLiteral("⚠"), colours.warning, QString::fromStdString(warning));
     html = QStringLiteral("<table cellspacing='0'>%1</table>").arg(html);

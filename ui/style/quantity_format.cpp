@@ -84,6 +84,7 @@ QString sentence(std::string_view reason)
 
 QString readout(double value, std::string_view displayUnit, int decimals, const QLocale& locale)
 {
+    if (displayUnit == "1") displayUnit = {};
     double scaled = displayUnit.empty() ? value : value / unitFactor(displayUnit);
     // No "-0.000".
     if (std::abs(scaled) < 0.5 * std::pow(10.0, -decimals)) scaled = 0.0;
@@ -100,6 +101,7 @@ QString roundedText(double value, std::string_view displayUnit, int digits, cons
 {
     if (displayUnit == "ms") return timeText(value, locale);
     if (displayUnit == "nm") return lengthText(value, digits, locale);
+    if (displayUnit == "1") displayUnit = {};
     const double shown = displayUnit.empty() ? value : value / unitFactor(displayUnit);
     const QString number = trueMinus(locale.toString(shown, 'g', digits));
     return displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(displayUnit);

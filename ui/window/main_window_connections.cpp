@@ -9,6 +9,7 @@
 
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/study.h"
+#include "core/studies/study/study_verdict.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -33,6 +34,18 @@
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
+
+namespace {
+
+/// How a completed study is shown: what it checks may not hold.
+MessageStrip::Kind kindOf(const StudyReport& report)
+{
+    const StudyVerdict verdict = verdictOf(report);
+    if (!report.warnings.empty() || verdict == StudyVerdict::HoldsNot) return MessageStrip::Kind::Warning;
+    return verdict == StudyVerdict::HoldsPartly ? MessageStrip::Kind::Information : MessageStrip::Kind::Success;
+}
+
+} // namespace
 
 void MainWindow::connectFiles()
 {
@@ -187,10 +200,7 @@ void MainWindow::onStudied(const StudyReport& report)
                                               : QString::fromStdString(report.findings.front())};
     if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
     switch (report.status) {
-    case StudyStatus::Completed:
-        messages_->show(report.warnings.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
-                        lines.join(QLatin1Char('\n')));
-        break;
+    case StudyStatus::Completed: messages_->show(kindOf(report), lines.join(QLatin1Char('\n'))); break;
     case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
     case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
     }
@@ -202,7 +212,7 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
     updateRunActions();
     const RunRecord& run = *runs().find(number);
     const QString result = resultText(run);
-    aboutCase_->setResult(result, sentence(summary.verdict.rule), figuresText(summary));
+    aboutCase_->setResult(result, sentence(summary.verdict.rule), figuresText(summary), solverText(summary));
     QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
     MessageStrip::Kind kind = MessageStrip::Kind::Success;
     for (const std::string& warning : summary.warnings) lines << sentence(warning);

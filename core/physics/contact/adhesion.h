@@ -28,6 +28,7 @@ struct Adhesion {
     double voltage = 0.0;                // V [V] between slider and disk
 
     bool acts() const { return kind != AdhesionKind::None || voltage != 0.0; }
+    bool operator==(const Adhesion&) const = default;
 };
 
 class AdhesionLaw {

@@ -14,6 +14,7 @@ struct ElasticPair {
     double diskPoissonRatio = 0.25;   // [-]
     double sliderModulus = 390e9;     // [Pa]
     double sliderPoissonRatio = 0.24; // [-]
+    bool operator==(const ElasticPair&) const = default;
 };
 
 /// E* [Pa].
@@ -37,6 +38,7 @@ struct Asperities {
     double planeHeight = 2.1e-9;     // y_s of the summits' mean plane above the disk's mean plane [m]
     double yieldStrength = 2e9;      // Y [Pa], elastic-plastic
     double friction = 0.3;           // mu [-]
+    bool operator==(const Asperities&) const = default;
 };
 
 /// Of each wetted asperity: 2 pi R gamma (1 + cos theta) while the liquid bridge stands.
@@ -45,6 +47,7 @@ struct Meniscus {
     double contactAngle = 0.0;      // theta [rad]
     double filmThickness = 0.5e-9;  // mobile lubricant: a meniscus forms when a summit comes this near [m]
     double breakingLength = 1.5e-9; // it breaks when the summit's gap exceeds this [m], >= filmThickness
+    bool operator==(const Meniscus&) const = default;
 };
 
 } // namespace touchdown

@@ -52,6 +52,7 @@ struct OnoYamane {
     double friction = 0.8;             // mu   [-], >= 0
     double padDistance = 0.575e-3;     // d_h  [m], mass centre to contact pad, positive towards the trailing edge
     TakeOffShape takeOffShape = TakeOffShape::Constant;
+    bool operator==(const OnoYamane&) const = default;
 };
 
 struct CharacteristicError {

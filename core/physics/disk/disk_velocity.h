@@ -24,6 +24,7 @@ struct DiskMotion {
     double radius = 23e-3;            // R, of the slider's centre [m]
     double skew = 0.0; // phi [rad]; positive: air flows from the outer leading to the inner trailing edge
     VelocityField field = VelocityField::Rotating;
+    bool operator==(const DiskMotion&) const = default;
 };
 
 /// The disk's velocity under the point (x, y) of a slider of this length and width [m].

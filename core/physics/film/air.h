@@ -16,6 +16,7 @@ struct Air {
     double pressure = 101325.0;    // p0 [Pa]
     double viscosity = 1.806e-5;   // mu [Pa s]
     double meanFreePath = 63.5e-9; // lambda at p0 [m]
+    bool operator==(const Air&) const = default;
 };
 
 /// What the established static program calls standard air (25 C), whatever its input file says.

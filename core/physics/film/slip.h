@@ -39,6 +39,7 @@ struct Slip {
     double accommodation = 1.0; // alpha [-], (0, 1]; Fukui-Kaneko and Hsia-Domoto: 1 only
     double switchGap = 0.3e-9;  // combination: gap of the switch [m]
     double blendWidth = 0.0;    // combination: width of the blend about the switch [m]; 0: the paper's hard switch
+    bool operator==(const Slip&) const = default;
 };
 
 /// A model: its kinetic flow rate, or else the expansion Q = 1 + first Kn + second Kn^2.

@@ -219,18 +219,16 @@ private:
     {
         if (!end_.completed()) return false; // stopped within the solution
         end_ = {RunStatus::Failed, RunFailure::NotConverged,
-                "no contact state was found at " + formatQuantity(std::round(time * 1e9) / 1e9, "us") +
-                    ", where the separation is " +
-                    formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + ": " +
-                    forces_.problem + "; the samples end with the last good state"};
+                "no contact state was found at a separation of " +
+                    formatQuantity(std::round(padSeparation(case_, time) * 1e13) / 1e13, "nm") + " after " +
+                    fewDigitsOfTime(time_, 4) + ": " + forces_.problem + "; the samples end with the last good state"};
         return false;
     }
 
     void flush()
     {
         if (!recorder_.send(time_) && end_.completed())
-            end_ = {RunStatus::Cancelled, RunFailure::None,
-                    "stopped at " + formatQuantity(std::round(time_ * 1e9) / 1e9, "us")};
+            end_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + fewDigitsOfTime(time_, 4)};
     }
 
     const Case& case_;

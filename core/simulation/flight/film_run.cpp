@@ -33,7 +33,7 @@ constexpr double chatterSpan = 1e-7;     // within which many switches are chatt
 constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
 
-std::string timeText(double t) { return formatQuantity(std::round(t * 1e10) / 1e10, "us"); }
+std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
 class FilmRun {
 public:
@@ -95,24 +95,25 @@ private:
     {
         const CoupledCost& cost = stepper_->cost();
         const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
-            summary.figures.push_back({{name, unit, unit, longName}, value});
+            summary.figures.push_back({{name, unit, unit, longName}, value, false, true});
+        };
+        const auto addCount = [&](const char* name, const char* longName, long long count) {
+            summary.figures.push_back({{name, "1", "1", longName}, static_cast<double>(count), true, true});
         };
         add("film_time", "s", "Wall time of the film's steps", cost.filmSeconds);
         add("response_time", "s", "Wall time of the film's responses to the attitude", cost.responseSeconds);
         add("force_time", "s", "Wall time of the film's forces", cost.forceSeconds);
         add("contact_time", "s", "Wall time of the contact", cost.contactSeconds);
         add("disk_time", "s", "Wall time of the disk's surface under the film", cost.diskSeconds);
-        add("film_solves", "1", "Attitudes at which the film was solved", static_cast<double>(cost.filmSolves));
-        add("linearisations", "1", "Linearisations of the film", static_cast<double>(cost.linearisations));
-        add("contact_solves", "1", "Attitudes at which the contact was asked", static_cast<double>(cost.contactSolves));
-        add("contact_skipped", "1", "Attitudes at which no contact was in reach",
-            static_cast<double>(cost.contactSkipped));
+        addCount("film_solves", "Attitudes at which the film was solved", cost.filmSolves);
+        addCount("linearisations", "Linearisations of the film", cost.linearisations);
+        addCount("contact_solves", "Attitudes at which the contact was asked", cost.contactSolves);
+        addCount("contact_skipped", "Attitudes at which no contact was in reach", cost.contactSkipped);
         const double perContact =
             cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
         add("contact_saved", "s", "Wall time that skipped contacts would have taken",
             perContact * static_cast<double>(cost.contactSkipped));
-        add("jacobians_kept", "1", "Attitudes at which the film needed no linearisation",
-            static_cast<double>(cost.jacobiansKept));
+        addCount("jacobians_kept", "Attitudes at which the film needed no linearisation", cost.jacobiansKept);
         add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load",
             worstBalance_);
         add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);

@@ -103,14 +103,16 @@ struct StepCheck {
 /// What one reads off a run: "pull_off_force".
 struct RunFigure {
     Quantity quantity;
-    double value = 0.0; // [unit of the quantity]; finite
+    double value = 0.0;    // [unit of the quantity]; finite
+    bool isCount = false;  // a whole number of things or events
+    bool ofSolver = false; // how the solver worked, not what the slider did
 };
 
 struct Summary {
     RunStatus status = RunStatus::Completed;
     RunFailure failure = RunFailure::None;
     std::string message;  // why it ended, for a person
-    double endTime = 0.0; // [s]
+    double endTime = 0.0; // reached; of a failed run the time that its message names [s]
     long long steps = 0;  // accepted
     long long rejectedSteps = 0;
     long long evaluations = 0;  // of the right-hand side

@@ -48,7 +48,7 @@ void SpringRecorder::lookAtClock()
 
 bool SpringRecorder::judge(const Point& point, const double* values)
 {
-    const auto at = [&] { return " at " + formatQuantity(std::round(point.time * 1e9) / 1e9, "us"); };
+    const auto at = [&] { return " at " + fewDigitsOfTime(point.time, 4); };
     const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
     const double energy = values[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
@@ -64,6 +64,7 @@ bool SpringRecorder::judge(const Point& point, const double* values)
         return true;
     }
     goOn_ = false;
+    failedAt_ = point.time;
     return false;
 }
 
@@ -93,8 +94,7 @@ void SpringRecorder::flush()
     }
     last_ = lastGood_;
     if (!run_.send(last_.time, begin) && end_.completed()) {
-        end_ = {RunStatus::Cancelled, RunFailure::None,
-                "stopped at " + formatQuantity(std::round(last_.time * 1e9) / 1e9, "us")};
+        end_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + fewDigitsOfTime(last_.time, 4)};
         goOn_ = false;
     }
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "core/simulation/recording/run_recorder.h"
@@ -55,6 +56,8 @@ public:
 
     /// The last state that can be trusted.
     const Point& last() const { return last_; }
+    /// The time of the state that ended the run by failing, else of the last state [s].
+    double endTime() const { return failedAt_.value_or(last_.time); }
     /// How the run ends when its samples say so.
     const RunEnd& end() const { return end_; }
     const RunRecorder& run() const { return run_; }
@@ -92,7 +95,8 @@ private:
     bool goOn_ = true;
     bool smooth_ = true; // the same law holds since the newest point
     Point last_;
-    Point lastGood_; // the newest that was looked at and sane
+    Point lastGood_;                 // the newest that was looked at and sane
+    std::optional<double> failedAt_; // [s]
     RunEnd end_;
     std::vector<double> values_;
     std::size_t energyColumn_;

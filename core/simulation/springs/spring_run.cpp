@@ -42,7 +42,7 @@ constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that coun
 constexpr double looseTolerance = 1e-4;     // from which on the energy of an adaptive run is looked at [-]
 constexpr double mostImbalance = 0.01;      // of the energy, of the largest change of a part [-]
 
-std::string time(double t) { return formatQuantity(std::round(t * 1e9) / 1e9, "us"); }
+std::string time(double t) { return fewDigitsOfTime(t, 4); }
 std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
 std::string angle(double a) { return formatQuantity(std::round(a * 1e10) / 1e10, "urad"); }
 
@@ -109,11 +109,15 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback, const R
     recorder.flush();
 
     RunEnd end = recorder.end();
-    if (end.completed()) end = explain(result);
+    double endTime = recorder.endTime();
+    if (end.completed()) {
+        end = explain(result);
+        if (!end.completed()) endTime = result.time;
+    }
     if (end.completed()) end = lostSpring(recorder, model, c.run.duration);
     std::vector<double> values(recorder.run().quantities().size());
     model.observe(recorder.last().y, recorder.last().mode, values.data());
-    Summary summary = recorder.run().summary(end, recorder.last().time, values);
+    Summary summary = recorder.run().summary(end, endTime, values);
     summary.steps = result.steps;
     summary.rejectedSteps = result.rejectedSteps;
     summary.evaluations = result.evaluations;
@@ -124,7 +128,9 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback, const R
     if (options.energyBalance)
         summary.figures.push_back(
             {{"energy_balance", "1", "1", "Energy imbalance, against the largest change of a part"},
-             balance.imbalance()});
+             balance.imbalance(),
+             false,
+             true});
     recorder.run().setTimes(summary);
     summary.solverSeconds = solverSeconds;
     return summary;

@@ -89,7 +89,8 @@ void readMethodsOf(StudyReader& reader, FilmConvergenceTask& task)
             reader.add(table, "has no name");
         else if (std::ranges::find(task.methods, name, &FilmMethod::name) != task.methods.end())
             reader.add(table + ".name", inQuotes(name) + " is the name of another method, too");
-        if (const std::string problem = problemOf(task, changes); !problem.empty()) reader.add(table, problem);
+        if (const std::string problem = problemOf(task, changes); !problem.empty())
+            reader.addOfSettings(table, {table + ".set"}, problem);
         task.methods.push_back(steadyMethod(name, changes));
     }
     if (tables.empty() && own != uniformPowerLaw)

@@ -203,6 +203,7 @@ void readMethods(StudyReader& reader, PrecisionTask& task)
     std::vector<MethodSpec> specs = readMethods(reader, true);
     const bool own = specs.empty();
     if (own) specs = defaultMethods(task.start, task.inTime);
+    const auto methodTable = [](std::size_t i) { return "method[" + std::to_string(i + 1) + ']'; };
     for (std::size_t i = 0; i < specs.size(); ++i) {
         SweptMethod method;
         const std::string problem = makeMethod(task.start, specs[i], method);
@@ -210,7 +211,7 @@ void readMethods(StudyReader& reader, PrecisionTask& task)
         if (problem.empty())
             task.methods.push_back(std::move(method));
         else if (!own)
-            reader.add("method[" + std::to_string(i + 1) + "]", problem);
+            reader.addOfSettings(methodTable(i), {methodTable(i) + ".set"}, problem);
     }
     const auto chosen = [](const SweptMethod& method) {
         return std::ranges::any_of(method.settings, &MethodSetting::chosen);
@@ -227,7 +228,7 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
         if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
         if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set")); !problem.empty())
-            reader.add(table, problem);
+            reader.addOfSettings(table, {table + ".set"}, problem);
         task.references.push_back(std::move(reference));
     }
     if (tables.empty()) task.references = defaultReferences(task.start, task.inTime, task.methods);
@@ -262,7 +263,7 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     for (const CaseSetting& setting : settings)
         task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
     if (const std::string problem = changeCase(task.ensembleReference.c, settings); !problem.empty())
-        reader.add("ensemble.set", problem);
+        reader.addOfSettings("ensemble.set", {"ensemble.set"}, problem);
 }
 
 } // namespace

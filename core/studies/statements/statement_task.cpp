@@ -54,6 +54,7 @@ std::string commandOf(const std::string& caseName, const std::vector<CaseSetting
 
 struct Candidate {
     std::string name;
+    std::string table; // of its settings
     std::vector<CaseSetting> set;
 };
 
@@ -68,7 +69,8 @@ public:
         std::vector<Candidate> candidates;
         StatementTask task;
         for (const std::string& table : reader_.tables("candidate")) {
-            candidates.push_back({needed(table, "name").value_or(table), reader_.settings(table + ".set")});
+            candidates.push_back(
+                {needed(table, "name").value_or(table), table + ".set", reader_.settings(table + ".set")});
             task.candidates.push_back(candidates.back().name);
         }
         if (candidates.empty()) candidates.emplace_back();
@@ -111,7 +113,7 @@ private:
         std::string problem = changeCase(c, changes);
         if (problem.empty()) problem = reasonNotToRun(c);
         if (problem.empty()) return c;
-        reader_.add(table, problem);
+        reader_.addOfSettings(table, {table + '.' + setKey, candidate.table}, problem);
         return {};
     }
 
@@ -129,6 +131,11 @@ private:
             commandOf(reader_.text(table + ".case").value_or(reader_.text("case").value_or("CASE")), shown);
         if (c) statement.c = *c;
         readEnds(table, statement);
+        const auto at = reader_.text(table + ".at");
+        const bool compares = at == "difference" || at == "distance"; // then its missing like is the problem
+        const bool changes = !reader_.settings(table + ".like_set").empty();
+        if (changes && !compares && !reader_.has(table + ".like"))
+            reader_.add(table + ".like_set", "changes a case that is not given; name it with like");
         if (c) {
             readQuantity(table, statement, candidate);
             readEnsemble(table, statement);
@@ -177,7 +184,8 @@ private:
             return reader_.number(table + leaf, q.unit, q.displayUnit, -INFINITY, INFINITY);
         };
         const std::optional<double> atLeast = bound(".at_least"), atMost = bound(".at_most");
-        if (!atLeast && !atMost) reader_.add(table, "has neither at_least nor at_most for its quantity");
+        if (!reader_.has(table + ".at_least") && !reader_.has(table + ".at_most"))
+            reader_.add(table, "has neither at_least nor at_most for its quantity");
         statement.atLeast = atLeast.value_or(statement.atLeast);
         statement.atMost = atMost.value_or(statement.atMost);
         if (statement.atLeast > statement.atMost) reader_.add(table, "has an at_least above its at_most");
@@ -185,7 +193,7 @@ private:
         if (compares != reader_.has(table + ".like"))
             reader_.add(table, compares ? "has no like: the case that it is compared with"
                                         : "has a like that it does not need; at = \"difference\" or \"distance\" does");
-        if (!compares) return;
+        if (!compares || !reader_.has(table + ".like")) return;
         statement.like = readCase(table, "like", "like_set", candidate);
         if (statement.like && findQuantity(recordedQuantities(*statement.like), *chosen) < 0)
             reader_.add(table + ".like", "does not record " + inQuotes(*chosen));

@@ -51,6 +51,13 @@ std::vector<TomlValue> elementsOf(const TomlEntry& entry)
     return values;
 }
 
+/// What is wrong with an entry that gives no element of a list.
+std::string faultOf(const TomlEntry& entry)
+{
+    const auto* array = std::get_if<TomlArray>(&entry.value);
+    return array != nullptr && array->elements.empty() ? "is empty; " : "has the wrong type; ";
+}
+
 } // namespace
 
 StudyReader::StudyReader(const TomlDocument& toml, std::string name, const Case& start,
@@ -161,7 +168,7 @@ std::optional<std::vector<std::string>> StudyReader::texts(const std::string& ke
         list.push_back(*value);
     }
     if (!list.empty()) return list;
-    add(key, "has the wrong type; " + needed + " is needed");
+    add(key, faultOf(*entry) + needed + " is needed");
     return {};
 }
 
@@ -178,7 +185,7 @@ std::optional<std::vector<double>> StudyReader::numbers(const std::string& key, 
     }
     if (!list.empty()) return list;
     const std::string one = displayUnit.empty() ? "1" : "\"1 " + displayUnit + '"';
-    add(key, "has the wrong type; a list such as [" + one + ", " + one + "] is needed");
+    add(key, faultOf(*entry) + "a list such as [" + one + ", " + one + "] is needed");
     return {};
 }
 
@@ -197,6 +204,20 @@ std::vector<CaseSetting> StudyReader::settings(const std::string& table)
                   "has the wrong type; a text, a number, true, false or a list of these is needed");
     }
     return list;
+}
+
+void StudyReader::addOfSettings(const std::string& owner, const std::vector<std::string>& tables,
+                                const std::string& problem)
+{
+    for (const std::string& table : tables)
+        for (const TomlEntry& entry : toml_.entries) {
+            if (!entry.key.starts_with(table + '.')) continue;
+            const std::string beginning = settingKey(entry.key, table) + ": ";
+            if (!problem.starts_with(beginning)) continue;
+            addAt(entry.line, entry.key, problem.substr(beginning.size()));
+            return;
+        }
+    add(owner, problem);
 }
 
 std::vector<std::string> StudyReader::tables(const std::string& list)
@@ -305,7 +326,9 @@ std::optional<double> StudyReader::inRange(const std::string& key, const TomlVal
 void StudyReader::addAt(int line, const std::string& key, std::string message)
 {
     const bool option = line == optionLine;
-    problems_.push_back({option ? "--option" : name_, option ? 0 : line, shortenedKey(key), std::move(message)});
+    InputProblem problem{option ? "--option" : name_, option ? 0 : line, shortenedKey(key), std::move(message)};
+    // A key may be read more than once.
+    if (told_.insert(std::to_string(line) + ' ' + problem.text()).second) problems_.push_back(std::move(problem));
 }
 
 } // namespace touchdown

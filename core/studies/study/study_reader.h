@@ -65,9 +65,12 @@ public:
                                                const std::string& displayUnit, double minimum, double maximum);
     /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.
     std::vector<CaseSetting> settings(const std::string& table);
+    /// A problem of values that these tables of settings gave: "run.step: is out of range" is one of the key in the
+    /// first table that has it, else of `owner`.
+    void addOfSettings(const std::string& owner, const std::vector<std::string>& tables, const std::string& problem);
     /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
     std::vector<std::string> tables(const std::string& list);
-    /// A problem of a key, or of a table.
+    /// A problem of a key, or of a table; told once, however often it is added.
     void add(const std::string& key, std::string message);
     /// The line of a key, or of the table in which it is missing; 0 if there is neither.
     int lineOf(const std::string& key) const;
@@ -95,6 +98,7 @@ private:
     std::set<std::string> known_;   // of keys_, with their tables; those of lists without numbers
     std::set<std::string> asked_;   // keys and tables that were read
     std::set<std::string> settled_; // tables whose keys are not checked any more
+    std::set<std::string> told_;    // problems, with their lines
 };
 
 } // namespace touchdown

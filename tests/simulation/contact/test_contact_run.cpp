@@ -9,6 +9,7 @@
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
+#include "core/formats/units.h"
 #include "core/physics/contact/contact_bodies.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
@@ -269,6 +270,8 @@ private slots:
         QCOMPARE(trace.samples.size(), std::size_t{7});
         QVERIFY(trace.finite);
         QCOMPARE(trace.summary.endTime, trace.samples.time.back());
+        QVERIFY(trace.summary.message.find(" after " + fewDigitsOfTime(trace.summary.endTime, 4) + ":") !=
+                std::string::npos);
         QVERIFY(trace.samples.time.back() < 1e-3);
     }
 

@@ -155,7 +155,7 @@ private slots:
             << "way = \"upp\""
             << "a.toml:1: way: \"upp\" is not known: allowed is one of up, down; did you mean up?\n";
         QTest::newRow("an empty list") << "list = []"
-                                       << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
+                                       << "a.toml:1: list: is empty; a list of texts or numbers is needed\n";
         QTest::newRow("a text for a list")
             << "list = \"a, b\""
             << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
@@ -163,7 +163,7 @@ private slots:
             << "list = [[1]]"
             << "a.toml:1: list: has the wrong type; a list of texts or numbers is needed\n";
         QTest::newRow("no numbers") << "numbers = []"
-                                    << "a.toml:1: numbers: has the wrong type; a list such as [1, 1] is needed\n";
+                                    << "a.toml:1: numbers: is empty; a list such as [1, 1] is needed\n";
         QTest::newRow("one number too small") << "numbers = [1, -1]"
                                               << "a.toml:1: numbers: must be from 0 to 2\n";
         QTest::newRow("an unknown key") << "cuont = 3"
@@ -217,6 +217,20 @@ private slots:
         a.reader.add("method[2].name", "is missing");
         a.reader.add("y", "is missing");
         QCOMPARE(text(a.said()), QString("a.toml:5: method[2].name: is missing\na.toml: y: is missing\n"));
+    }
+    /// A problem of a value is one of its key, in an inline table and below a header, and is told once.
+    void linesOfSettings()
+    {
+        Read a(
+            "[[method]]\nname = \"a\"\nset = { \"run.step\" = \"1 m\" }\n[common]\n[common.set]\nrun.duration = 1\n");
+        for (int i = 0; i < 2; ++i) {
+            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"}, "run.step: is too long");
+            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"}, "run.duration: is too short");
+            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"}, "run.stepp: is another key");
+        }
+        QCOMPARE(text(a.said()), QString("a.toml:3: method[1].set.\"run.step\": is too long\n"
+                                         "a.toml:6: common.set.run.duration: is too short\n"
+                                         "a.toml:1: method[1]: run.stepp: is another key\n"));
     }
     /// Keys of the table are no mistake where the study does not read them.
     void knownKeys()

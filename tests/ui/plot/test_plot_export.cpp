@@ -17,6 +17,7 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "tests/support/file_size_limit.h"
 #include "tests/support/test_program.h"
 #include "ui/plot/plot_widget.h"
 
@@ -64,6 +65,8 @@ private slots:
     void csvQuotesNames();
     void problemsAreSentences_data();
     void problemsAreSentences();
+    void fullDiskLeavesNoFile_data();
+    void fullDiskLeavesNoFile();
 
 private:
     QString path(const QString& name) const { return folder_.filePath(name); }
@@ -227,6 +230,27 @@ void TestPlotExport::problemsAreSentences()
     QVERIFY2(problem.contains(says), qPrintable(problem));
     QVERIFY(problem.contains(QDir::toNativeSeparators(path(name))));
     QVERIFY(problem.endsWith('.'));
+}
+
+void TestPlotExport::fullDiskLeavesNoFile_data()
+{
+    QTest::addColumn<QString>("name");
+    for (const char* name : {"full.svg", "full.png", "full.pdf", "full.csv", "full.jpg"}) QTest::newRow(name) << name;
+}
+
+void TestPlotExport::fullDiskLeavesNoFile()
+{
+    QFETCH(QString, name);
+    QString problem;
+    {
+        const test::FileSizeLimit full(20); // [byte]
+        problem = name.endsWith("csv")   ? saveCsv(*plot_, path(name))
+                  : name.endsWith("jpg") ? saveImage(plot_->grab().toImage(), path(name))
+                                         : savePicture(*plot_, path(name));
+    }
+    QVERIFY(problem.contains(QDir::toNativeSeparators(path(name))));
+    QVERIFY2(problem.contains("File too large"), qPrintable(problem));
+    QVERIFY(QDir(folder_.path()).entryList({"full*"}).isEmpty());
 }
 
 TOUCHDOWN_TEST(TestPlotExport)

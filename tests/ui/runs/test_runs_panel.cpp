@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/simulation/run.h"
@@ -87,6 +88,15 @@ void TestRunsPanel::saysWhatChanged()
     Case before, after;
     after.run.step = 1e-9; // of fixed-step methods; both use dopri5
     QVERIFY(caseDifference(before, after).isEmpty());
+    // The surface of a film.
+    before = defaultsOf(ModelKind::Film);
+    before.surface.rails = {{RailKind::Step, {{0.0, 0.0}, {1e-3, 0.0}, {1e-3, 1e-3}}, {}}};
+    after = before;
+    after.surface.rails[0].recess[0] = 0.2e-6;
+    after.surface.rails.push_back(after.surface.rails[0]);
+    after.surface.rails[1].points[0].x = 0.1e-3;
+    QCOMPARE(caseDifference(before, after),
+             (QStringList{QStringLiteral("rail 1: recess 0\u00a0µm → 0.2\u00a0µm"), QStringLiteral("rail 2 added")}));
 }
 
 void TestRunsPanel::showsResults_data()

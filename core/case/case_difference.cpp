@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/case_difference.h"
+
+#include "core/case/parameters.h"
+#include "core/formats/units.h"
+
+#include <algorithm>
+
+namespace touchdown {
+
+namespace {
+
+/// A part of the surface in which changes are found: its key and its label.
+struct ChangePlace {
+    std::string key;   // "abs.rail[2]"
+    std::string label; // "rail 2"
+};
+
+class SurfaceDifference {
+public:
+    explicit SurfaceDifference(std::vector<CaseChange>& changes) : changes_(changes) {}
+
+    void compare(const AirBearingSurface& before, const AirBearingSurface& after)
+    {
+        compareLists(before.rails, after.rails, "abs.rail", "rail");
+        compareLists(before.walls, after.walls, "abs.wall", "wall");
+        compareLists(before.pointsOfInterest, after.pointsOfInterest, "abs.points_of_interest", "point of interest");
+    }
+
+private:
+    /// Equal items at the front and at the back are passed over; the items between them are compared in order.
+    template <typename Item>
+    void compareLists(const std::vector<Item>& before, const std::vector<Item>& after, const std::string& key,
+                      const std::string& label)
+    {
+        const auto front = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
+        std::size_t back = 0;
+        while (back < std::min(before.size(), after.size()) - front &&
+               before[before.size() - 1 - back] == after[after.size() - 1 - back])
+            ++back;
+        const std::size_t oldEnd = before.size() - back;
+        const std::size_t newEnd = after.size() - back;
+        const auto place = [&](std::size_t i) {
+            const std::string number = std::to_string(i + 1);
+            return ChangePlace{key + '[' + number + ']', label + ' ' + number};
+        };
+        const auto at = [front](const std::vector<Item>& list, std::size_t end) {
+            return std::ranges::subrange(list.begin() + static_cast<std::ptrdiff_t>(front),
+                                         list.begin() + static_cast<std::ptrdiff_t>(end));
+        };
+        if (oldEnd == newEnd && oldEnd > front && std::ranges::is_permutation(at(before, oldEnd), at(after, newEnd))) {
+            changes_.push_back(
+                {CaseChangeKind::Order,
+                 key,
+                 "order of " + label + "s " + std::to_string(front + 1) + " to " + std::to_string(newEnd),
+                 {},
+                 {}});
+            return;
+        }
+        const std::size_t both = std::min(oldEnd, newEnd);
+        for (std::size_t i = front; i < both; ++i) compareItems(before[i], after[i], place(i));
+        for (std::size_t i = both; i < oldEnd; ++i) addItem(CaseChangeKind::Removed, place(i));
+        for (std::size_t i = both; i < newEnd; ++i) addItem(CaseChangeKind::Added, place(i));
+    }
+
+    void compareItems(const Rail& before, const Rail& after, const ChangePlace& rail)
+    {
+        const auto kindName = [](const Rail& each) { return each.kind == RailKind::Step ? "step" : "ramp"; };
+        if (before.kind != after.kind)
+            add(rail.key + ".recess", rail.label + ": kind", kindName(before), kindName(after));
+        // A step has one recess.
+        const std::size_t count = before.kind == RailKind::Step && after.kind == RailKind::Step ? 1 : 3;
+        for (std::size_t i = 0; i < count; ++i)
+            compareLengths(before.recess[i], after.recess[i], "um", rail.key + ".recess",
+                           rail.label + ": recess" + (count == 1 ? "" : " at point " + std::to_string(i + 1)));
+        compareLists(before.points, after.points, rail.key + ".points", rail.label + ", point");
+    }
+
+    void compareItems(const RailPoint& before, const RailPoint& after, const ChangePlace& point)
+    {
+        compareItems(SurfacePoint{before.x, before.y}, SurfacePoint{after.x, after.y}, point);
+        const auto wallName = [](int wall) { return wall == 0 ? std::string("none") : std::to_string(wall); };
+        if (before.wall != after.wall)
+            add(point.key + ".wall", point.label + ": wall", wallName(before.wall), wallName(after.wall));
+    }
+
+    void compareItems(const SurfacePoint& before, const SurfacePoint& after, const ChangePlace& point)
+    {
+        compareLengths(before.x, after.x, "mm", point.key + ".x", point.label + ": x");
+        compareLengths(before.y, after.y, "mm", point.key + ".y", point.label + ": y");
+    }
+
+    struct WallPoint {
+        double distance = 0.0; // [m]
+        double recess = 0.0;   // [m]
+        bool operator==(const WallPoint&) const = default;
+    };
+
+    void compareItems(const WallProfile& before, const WallProfile& after, const ChangePlace& wall)
+    {
+        const auto points = [](const WallProfile& profile) {
+            std::vector<WallPoint> result;
+            for (std::size_t i = 0; i < std::min(profile.distance.size(), profile.recess.size()); ++i)
+                result.push_back({profile.distance[i], profile.recess[i]});
+            return result;
+        };
+        compareLists(points(before), points(after), wall.key + ".points", wall.label + ", point");
+    }
+
+    void compareItems(const WallPoint& before, const WallPoint& after, const ChangePlace& point)
+    {
+        compareLengths(before.distance, after.distance, "um", point.key + ".distance", point.label + ": distance");
+        compareLengths(before.recess, after.recess, "um", point.key + ".recess", point.label + ": recess");
+    }
+
+    /// With as many digits as show a difference, at least four.
+    void compareLengths(double before, double after, const char* unit, const std::string& key, const std::string& label)
+    {
+        if (before == after) return;
+        for (int digits = 4; digits <= 17; ++digits) {
+            const std::string then = formatQuantity(roundedTo(before, digits), unit);
+            const std::string now = formatQuantity(roundedTo(after, digits), unit);
+            if (then == now && digits < 17) continue;
+            add(key, label, then, now);
+            return;
+        }
+    }
+
+    void add(const std::string& key, const std::string& label, const std::string& before, const std::string& after)
+    {
+        changes_.push_back({CaseChangeKind::Value, key, label, before, after});
+    }
+
+    void addItem(CaseChangeKind kind, const ChangePlace& place)
+    {
+        changes_.push_back({kind, place.key, place.label, {}, {}});
+    }
+
+    std::vector<CaseChange>& changes_;
+};
+
+} // namespace
+
+std::vector<CaseChange> caseChanges(const Case& before, const Case& after)
+{
+    std::vector<CaseChange> changes;
+    for (const Parameter& parameter : parameters()) {
+        if (parameter.key == "title" || parameter.group() == "about") continue;
+        if (parameter.get(before) == parameter.get(after)) continue;
+        if (!parameter.used(before) && !parameter.used(after)) continue;
+        changes.push_back({CaseChangeKind::Value, parameter.key, parameter.label, toText(before, parameter),
+                           toText(after, parameter)});
+    }
+    if (usesSliderSurface(before) || usesSliderSurface(after))
+        SurfaceDifference(changes).compare(before.surface, after.surface);
+    return changes;
+}
+
+} // namespace touchdown

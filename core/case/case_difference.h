@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// In which values two cases differ, for a list of runs or a report. Case::operator== tells whether they differ at all.
+#pragma once
+
+#include "core/case/case.h"
+
+#include <string>
+#include <vector>
+
+namespace touchdown {
+
+enum class CaseChangeKind : std::uint8_t { Value, Added, Removed, Order };
+
+/// One value, or one rail, wall or point that was added, removed or moved in its list. Numbers count from 1; those of
+/// a removed item count in the first case, all others in the second.
+struct CaseChange {
+    CaseChangeKind kind = CaseChangeKind::Value;
+    std::string key;    // "ono_yamane.take_off", "abs.rail[3].recess", "abs.rail[2].points[4].x", "abs.rail[3]"
+    std::string label;  // "take-off height", "rail 3: recess", "rail 2, point 4: x", "rail 3", "order of rails 2 to 3"
+    std::string before; // Value: "0.1 um"
+    std::string after;  // Value: "0.2 um"
+};
+
+/// Values that neither case uses, the title and the texts about a case are left out.
+std::vector<CaseChange> caseChanges(const Case& before, const Case& after);
+
+} // namespace touchdown

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/case/case_difference.h"
+
+#include "core/case/parameters.h"
+#include "tests/support/test_program.h"
+
+#include <functional>
+
+#include <QTest>
+
+using namespace touchdown;
+
+namespace test_case_difference {
+
+using Change = std::function<void(Case&)>;
+
+Rail box(double x, double recess)
+{
+    return {RailKind::Step,
+            {{x, 0.1e-3, 1}, {x + 0.1e-3, 0.1e-3, 1}, {x + 0.1e-3, 0.3e-3, 1}, {x, 0.3e-3, 1}},
+            {recess, 0.0, 0.0}};
+}
+
+Case filmCase()
+{
+    Case c = defaultsOf(ModelKind::Film);
+    c.surface.rails = {box(0.1e-3, 0.0), box(0.3e-3, 0.1e-6), box(0.5e-3, 0.1e-6), box(0.7e-3, 0.0)};
+    c.surface.walls = {{{-1e-6, 0.0, 2e-6}, {0.0, 0.5e-6, 1e-6}}};
+    c.surface.pointsOfInterest = {{1e-3, 0.5e-3}};
+    return c;
+}
+
+/// "key kind before after" of each change.
+QStringList shown(const std::vector<CaseChange>& changes)
+{
+    static const char* const kinds[] = {"value", "added", "removed", "order"};
+    QStringList list;
+    for (const CaseChange& change : changes)
+        list << QString::fromStdString(
+            change.key + ' ' + kinds[static_cast<int>(change.kind)] +
+            (change.kind == CaseChangeKind::Value ? " " + change.before + " to " + change.after : std::string()));
+    return list;
+}
+
+class TestCaseDifference : public QObject {
+    Q_OBJECT
+
+private slots:
+    void namesEachChange_data()
+    {
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QStringList>("found");
+        const auto row = [](const char* name, const Change& change, const QStringList& found) {
+            QTest::newRow(name) << change << found;
+        };
+        row("nothing", [](Case&) {}, {});
+        row("a title", [](Case& c) { c.title = c.about.watch = "other"; }, {});
+        row("a value without effect", [](Case& c) { c.springs.cutoff = 1e-10; }, {});
+        row("a number", [](Case& c) { c.surface.crown = 5e-9; }, {"abs.crown value 0 nm to 5 nm"});
+        row("the name of a file",
+            [](Case& c) {
+                c.diskSurface.kind = DiskSurfaceKind::File;
+                c.diskSurface.file = "track.txt";
+            },
+            {"disk.surface.kind value flat to file", "disk.surface.file value  to track.txt"});
+        row("a recess", [](Case& c) { c.surface.rails[2].recess[0] = 0.2e-6; },
+            {"abs.rail[3].recess value 0.1 um to 0.2 um"});
+        row("a small change", [](Case& c) { c.surface.rails[2].recess[0] = 0.1000001e-6; },
+            {"abs.rail[3].recess value 0.1 um to 0.1000001 um"});
+        row("a corner", [](Case& c) { c.surface.rails[1].points[3].x = 0.25e-3; },
+            {"abs.rail[2].points[4].x value 0.3 mm to 0.25 mm"});
+        row("the wall of an edge", [](Case& c) { c.surface.rails[1].points[0].wall = 0; },
+            {"abs.rail[2].points[1].wall value 1 to none"});
+        row("a corner added",
+            [](Case& c) {
+                auto& points = c.surface.rails[0].points;
+                points.insert(points.begin() + 2, {0.25e-3, 0.2e-3, 1});
+            },
+            {"abs.rail[1].points[3] added"});
+        row("a ramp",
+            [](Case& c) {
+                c.surface.rails[3].kind = RailKind::Ramp;
+                c.surface.rails[3].recess = {0.0, 0.0, 1e-6};
+            },
+            {"abs.rail[4].recess value step to ramp", "abs.rail[4].recess value 0 um to 1 um"});
+        row("a rail added", [](Case& c) { c.surface.rails.push_back(box(0.9e-3, 0.0)); }, {"abs.rail[5] added"});
+        row("a rail removed", [](Case& c) { c.surface.rails.erase(c.surface.rails.begin() + 1); },
+            {"abs.rail[2] removed"});
+        row("rails in another order", [](Case& c) { std::swap(c.surface.rails[1], c.surface.rails[2]); },
+            {"abs.rail order"});
+        row("a wall profile", [](Case& c) { c.surface.walls[0].recess[1] = 0.6e-6; },
+            {"abs.wall[1].points[2].recess value 0.5 um to 0.6 um"});
+        row("a point of interest", [](Case& c) { c.surface.pointsOfInterest[0].y = 0.4e-3; },
+            {"abs.points_of_interest[1].y value 0.5 mm to 0.4 mm"});
+    }
+    void namesEachChange()
+    {
+        QFETCH(Change, change);
+        QFETCH(QStringList, found);
+        const Case before = filmCase();
+        Case after = before;
+        change(after);
+        QCOMPARE(shown(caseChanges(before, after)), found);
+    }
+
+    void labelsNameRailAndPoint()
+    {
+        const Case before = filmCase();
+        Case after = before;
+        after.surface.rails[1].points[3].x = 0.25e-3;
+        after.surface.rails[2].recess[0] = 0.2e-6;
+        const auto changes = caseChanges(before, after);
+        QCOMPARE(changes.size(), std::size_t(2));
+        QCOMPARE(changes[0].label, std::string("rail 2, point 4: x"));
+        QCOMPARE(changes[1].label, std::string("rail 3: recess"));
+    }
+
+    /// The springs have no surface.
+    void leavesOutASurfaceThatIsNotUsed()
+    {
+        Case before = filmCase();
+        before.model = ModelKind::Springs;
+        Case after = before;
+        after.surface.rails.clear();
+        QVERIFY(after != before);
+        QVERIFY(caseChanges(before, after).empty());
+    }
+};
+
+TOUCHDOWN_TEST(TestCaseDifference)
+
+} // namespace test_case_difference
+
+#include "test_case_difference.moc"
