@@ -4,6 +4,7 @@
 #include "core/case/parameters.h"
 
 #include "core/case/contact_check.h"
+#include "core/case/ridge_check.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/physics/slider/surface_check.h"
@@ -175,6 +176,7 @@ std::vector<CaseProblem> caseWarnings(const Case& c)
 {
     std::vector<CaseProblem> warnings;
     if (c.contact == ContactKind::OnoYamane) warnOfCreatedEnergy(c.onoYamane, warnings);
+    if (c.model == ModelKind::Film) warnOfRidges(c, warnings);
     return warnings;
 }
 

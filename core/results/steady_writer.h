@@ -6,7 +6,9 @@
 //                             status, message
 //   /case/text, parameters    the input, as in a results file of a run
 //   /states/<n>/              one for each state, from 1: attributes status, message, iterations, wall_seconds, ...
-//       <quantity>            numbers with unit and long_name: nominal_trailing_edge_height, pitch, roll, ...
+//       <quantity>            numbers with unit and long_name: nominal_trailing_edge_height, pitch, roll, ...;
+//                             minimum_spacing_error, ..., load_error: of the grid; unresolved_ridges (since 1.1): the
+//                             number of edges with a ridge narrower than a cell, which these errors count
 //       minimum_spacing_at    x, y [m]; also maximum_pressure_at, ..., centre_of_positive_pressure, ...
 //       stiffness             3 x 3, if it was asked for
 //       points_of_interest    x, y, spacing [m], row by row
@@ -26,7 +28,7 @@ namespace touchdown {
 
 inline constexpr const char* steadyFormat = "touchdown-steady";
 inline constexpr int steadyFormatMajor = 1;
-inline constexpr int steadyFormatMinor = 0;
+inline constexpr int steadyFormatMinor = 1;
 
 /// Writes a file that appears whole or not at all (core/formats/output_file.h). Every call returns "" or the problem in
 /// one sentence.

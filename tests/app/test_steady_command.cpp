@@ -67,6 +67,7 @@ void TestSteadyCommand::json()
     for (const auto& row : json["stiffness"].toArray()) QCOMPARE(row.toArray().size(), 3);
     for (const char* key : {"minimum_spacing", "load", "pitch", "roll"})
         QVERIFY2(json["discretisation_error"].toObject()[key].isDouble(), key);
+    QCOMPARE(json["unresolved_ridges"], QJsonValue(0)); // its walls begin at the recess of their rails
     const QJsonArray points = json["points_of_interest"].toArray();
     QCOMPARE(points.size(), 2);
     QCOMPARE(points[0].toObject()["x"].toDouble(), 1.215e-3);

@@ -49,6 +49,7 @@ inline SteadyResult sampleSteady()
     r.stiffness = Matrix3{{1e5, 2.0, 3.0}, {4.0, 5e-3, 6e-4}, {7.0, 8e-4, 9e-3}};
     r.sensitivities = {{"abs.crown", "m", 0.1, 2e3, 3.0, 0.4}};
     r.discretisationError = {1e-11, 1e-8, 2e-8, 1e-5};
+    r.unresolvedRidges = 7;
     r.interestSpacing = {11e-9, 180e-9};
     r.grid = {{0.0, 0.5e-3, 1.0e-3, 1.25e-3}, {0.0, 0.4e-3, 1.0e-3}};
     for (int j = 0; j < 2; ++j)

@@ -6,20 +6,18 @@
 #include <limits>
 #include <utility>
 
+#include "core/physics/slider/edge_ridges.h"
+
 namespace touchdown {
 
 namespace {
 
-/// Gaps on the two sides of an edge are compared as at this lift [m]: not so low that small steps count as edges.
-constexpr double meanLift = 60e-9;
 /// A gap is deep beside another that it exceeds so many times [-].
 constexpr double contrast = 3.0;
-/// The gaps on both sides of a ridge exceed its own so many times; shelves of 0.1 um have ridges too [-].
-constexpr double ridgeContrast = 2.0;
 /// Deep parts count at most so many faces away.
 constexpr int reach = 4;
 
-double gapOf(double recess) { return std::max(0.1 * meanLift, recess + meanLift); }
+double gapOf(double recess) { return comparedGap(recess); }
 
 bool isDeep(double gap, double shallowGap) { return gap > contrast * shallowGap; }
 

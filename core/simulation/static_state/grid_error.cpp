@@ -46,7 +46,8 @@ Vector3 edgeForces(const FilmLevel& level)
 } // namespace
 
 DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::optional<Matrix3>& stiffness,
-                              const GridState& finest, std::span<const GridState> coarser)
+                              const GridState& finest, std::span<const GridState> coarser,
+                              std::span<const Vector3> ridges)
 {
     const auto estimate = [&](double least, auto&& value) {
         const double last = std::abs(value(finest) - value(coarser[0]));
@@ -62,26 +63,34 @@ DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::
         resisting(2, 2) = 1.0;
         edges[2] = 0.0;
     }
-    // By how much the crossed cells' forces may move the attitude along a direction.
+    double ridgeForce = 0.0; // [N]
+    for (const Vector3& each : ridges) ridgeForce += std::abs(each[0]);
+    // By how much the forces of crossed cells, and those of ridges, may move the attitude along a direction.
     const auto moved = [&](const Vector3& direction) {
         if (c.steady.fixedAttitude || !stiffness) return 0.0;
-        return solvePartialPivoting(resisting.transpose(), direction).cwiseAbs().dot(edges);
+        const Vector3 byForces = solvePartialPivoting(resisting.transpose(), direction);
+        double byRidges = 0.0;
+        for (const Vector3& each : ridges)
+            byRidges += std::abs(byForces.head<2>().dot(each.head<2>()) +
+                                 (c.degreesOfFreedom == 2 ? 0.0 : byForces[2] * each[2]));
+        return std::max(byForces.cwiseAbs().dot(edges), byRidges);
     };
+    const double leastLoad = std::max(edges[0], ridgeForce);
     DiscretisationError error;
     error.pitch = estimate(moved({0.0, 1.0, 0.0}), [](const GridState& s) { return s.attitude.pitch; });
     error.roll = estimate(moved({0.0, 0.0, 1.0}), [](const GridState& s) { return s.attitude.roll; });
     const Vector3 spacing(1.0, c.slider.length - finest.nearest.x, 0.5 * c.slider.width - finest.nearest.y);
     error.minimumSpacing = estimate(moved(spacing), [](const GridState& s) { return s.minimumSpacing; });
     if (c.steady.fixedAttitude)
-        error.load = estimate(edges[0], [](const GridState& s) { return s.load; });
+        error.load = estimate(leastLoad, [](const GridState& s) { return s.load; });
     else if (stiffness) {
         // The load that the coarser grid would miss at this attitude.
         const Vector3 row = stiffness->row(0);
-        error.load = estimate(edges[0], [&](const GridState& s) {
+        error.load = estimate(leastLoad, [&](const GridState& s) {
             return row[0] * s.attitude.height + row[1] * s.attitude.pitch + row[2] * s.attitude.roll;
         });
     } else
-        error.load = estimate(edges[0], [](const GridState& s) { return s.positive; });
+        error.load = estimate(leastLoad, [](const GridState& s) { return s.positive; });
     return error;
 }
 

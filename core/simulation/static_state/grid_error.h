@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How far a static state on one grid is from the limit of infinitely many cells, from the states on coarser grids and
-// from what the cells carry that edges and walls cross, or that take parts of such faces (cut_rows.h).
+// How far a static state on one grid is from the limit of infinitely many cells, from the states on coarser grids, from
+// what the cells carry that edges and walls cross, or that take parts of such faces (cut_rows.h), and from ridges that
+// are narrower than a cell (ridge_error.h).
 //
 // At second order the difference from a grid of half as many cells along each axis is three times the finer one's
 // error; half of it is taken because of the rails' edges. As two results may agree by chance, an eighth of the
@@ -33,8 +34,10 @@ struct GridState {
 };
 
 /// `level` solved, with the state `finest`; `coarser`: the next coarser grid first, not empty. Without stiffness the
-/// share of crossed cells counts for the load alone.
+/// shares of crossed cells and ridges count for the load alone. `ridges`: the uncertain force and torques of each edge
+/// whose ridge is narrower than a cell [N], [N m].
 DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::optional<Matrix3>& stiffness,
-                              const GridState& finest, std::span<const GridState> coarser);
+                              const GridState& finest, std::span<const GridState> coarser,
+                              std::span<const Vector3> ridges = {});
 
 } // namespace touchdown

@@ -7,10 +7,12 @@
 #include <memory>
 #include <vector>
 
+#include "core/case/ridge_check.h"
 #include "core/numerics/wall_clock.h"
 #include "core/physics/film/film_line_multigrid.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/grid_error.h"
+#include "core/simulation/static_state/ridge_error.h"
 #include "core/simulation/static_state/sensitivity.h"
 #include "core/simulation/static_state/static_check.h"
 
@@ -118,12 +120,22 @@ private:
         std::optional<Matrix3> stiffness;
         if (!case_.steady.fixedAttitude) stiffness = level_->flying.roughStiffness(level_->pressure);
         const GridState state = summary();
-        const DiscretisationError error = gridError(case_, *level_, stiffness, state, coarse_);
+        const DiscretisationError error = gridError(case_, *level_, stiffness, state, coarse_, ridgeErrors());
         // Where the parts above and below ambient pressure nearly cancel, their size is what counts.
         const double force = std::max({std::abs(state.load), 1e-2 * (2.0 * state.positive - state.load), 1e-9});
         accuracy_ =
             case_.steady.fixedAttitude ? error.load / force : error.minimumSpacing / std::abs(state.minimumSpacing);
         return accuracy_ <= case_.film.accuracy;
+    }
+
+    std::vector<Vector3> ridgeErrors()
+    {
+        return touchdown::ridgeErrors(case_, *level_, unresolvedRidges(case_.surface, recess_, level_->gaps.grid));
+    }
+
+    void addNote(const std::string& note)
+    {
+        if (!note.empty()) result_.message += (result_.message.empty() ? "" : "; ") + note;
     }
 
     AttitudeMonitor monitor()
@@ -222,7 +234,7 @@ private:
                       "film residual %.1e and load error %.1e remain after %d iterations on the finest grid",
                       result_.residual, result_.loadError, result_.iterations);
         result_.message = text;
-        if (const std::string note = noteOnClosedGap(case_, spacing_); !note.empty()) result_.message += "; " + note;
+        addNote(noteOnClosedGap(case_, spacing_));
         if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
             result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does "
                                "not carry the load";
@@ -241,7 +253,7 @@ private:
                 "film.accuracy = %.2g %% is not reached: on the finest grid that has a solution the error is about "
                 "%.2g %%",
                 100.0 * case_.film.accuracy, 100.0 * accuracy_);
-            result_.message += (result_.message.empty() ? "" : "; ") + std::string(text);
+            addNote(text);
         }
         result_.attitude = attitude_;
         const MinimumSpacing::Place nearest = spacing_.at(attitude_);
@@ -259,7 +271,14 @@ private:
             stiffness = case_.steady.stiffness ? level.flying.stiffness(level.pressure)
                                                : level.flying.roughStiffness(level.pressure);
         if (case_.steady.stiffness) result_.stiffness = stiffness;
-        if (!coarse_.empty()) result_.discretisationError = gridError(case_, level, stiffness, summary(), coarse_);
+        std::vector<Vector3> ridges;
+        if (converged) {
+            ridges = ridgeErrors();
+            result_.unresolvedRidges = ridges.size();
+            addNote(ridgeWords(ridges.size()));
+        }
+        if (!coarse_.empty())
+            result_.discretisationError = gridError(case_, level, stiffness, summary(), coarse_, ridges);
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
             result_.sensitivities = sensitivities(case_, level, spacing_);
         if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
@@ -359,42 +378,6 @@ Case attitudeCase(const Case& c)
     result.steady.fixedAttitude = result.steady.stiffness = result.steady.sensitivities = result.steady.allEquilibria =
         false;
     return result;
-}
-
-std::vector<SteadySeriesPoint> seriesOf(const Case& c)
-{
-    const auto listed = [](const std::vector<double>& list, double alone) {
-        return list.empty() ? std::vector<double>{alone} : list;
-    };
-    const std::vector<double> radii = listed(c.steady.radii, c.disk.radius);
-    const std::vector<double> speeds = listed(c.steady.speeds, c.disk.speed);
-    std::vector<std::optional<double>> altitudes(c.steady.altitudes.begin(), c.steady.altitudes.end());
-    if (altitudes.empty()) altitudes.emplace_back();
-
-    std::vector<SteadySeriesPoint> series;
-    for (const auto& altitude : altitudes)
-        for (const double speed : speeds)
-            for (std::size_t i = 0; i < radii.size(); ++i)
-                series.push_back(
-                    {radii[i], i < c.steady.skews.size() ? c.steady.skews[i] : c.disk.skew, speed, altitude});
-    return series;
-}
-
-Case caseAt(const Case& c, const SteadySeriesPoint& point)
-{
-    Case at = c;
-    at.disk.radius = point.radius;
-    at.disk.skew = point.skew;
-    at.disk.speed = point.speed;
-    if (point.altitude) {
-        at.air.source = AirSource::Atmosphere;
-        at.air.altitude = *point.altitude;
-    }
-    at.steady.radii.clear();
-    at.steady.skews.clear();
-    at.steady.speeds.clear();
-    at.steady.altitudes.clear();
-    return at;
 }
 
 } // namespace touchdown

@@ -61,6 +61,7 @@ struct SteadyResult {
     std::optional<Matrix3> stiffness;
     std::vector<Sensitivity> sensitivities;
     DiscretisationError discretisationError;
+    std::size_t unresolvedRidges = 0;    // edges with a ridge narrower than a cell (edge_ridges.h)
     std::vector<double> interestSpacing; // at the surface's points of interest [m]
     std::vector<Attitude> otherEquilibria;
     CellGrid grid;

@@ -30,6 +30,8 @@ std::vector<SteadyQuantity> steadyQuantities(const SteadyResult& r)
         {{"pitch_error", "rad", "urad", "Estimated error of the grid in the pitch"}, e.pitch},
         {{"roll_error", "rad", "urad", "Estimated error of the grid in the roll"}, e.roll},
         {{"load_error", "N", "gf", "Estimated error of the grid in the load"}, e.load},
+        {{"unresolved_ridges", "1", "1", "Edges with a ridge narrower than a cell, which the errors count"},
+         static_cast<double>(r.unresolvedRidges)},
     };
 }
 

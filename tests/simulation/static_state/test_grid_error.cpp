@@ -85,6 +85,32 @@ private slots:
         QCOMPARE(gridError(c, plane.level, stiffness, state, std::vector{state}).load, 0.0);
     }
 
+    /// Errors of ridges add up by their magnitudes, and move the attitude against the stiffness; they do not add to
+    /// another error that is larger.
+    void ridgesCount()
+    {
+        Case c = smallSlider();
+        Level at(c); // at ambient pressure
+        const GridState state{
+            {10 * nano, 100 * micro, 0.0}, {c.slider.length, 0.5 * c.slider.width}, 9 * nano, 10e-3, 12e-3};
+        const Matrix3 stiffness = Vector3(1e6, 0.1, 0.05).asDiagonal();
+        const std::vector<Vector3> ridges{{2e-4, 1e-7, -3e-8}, {-3e-4, 1e-7, 2e-8}};
+        const auto close = [](double a, double b) { return std::abs(a - b) <= 1e-9 * b; };
+        DiscretisationError e = gridError(c, at.level, stiffness, state, std::vector{state}, ridges);
+        QVERIFY(close(e.load, 5e-4) && close(e.minimumSpacing, 5e-4 / 1e6));
+        QVERIFY(close(e.pitch, 2e-7 / 0.1) && close(e.roll, 5e-8 / 0.05));
+        GridState other = state;
+        other.attitude.height -= 2e-9; // 2 nm times 1e6 N/m: half of it is more than the ridges' share
+        e = gridError(c, at.level, stiffness, state, std::vector{other}, ridges);
+        QVERIFY(close(e.load, 1e-3));
+        c.degreesOfFreedom = 2;
+        QCOMPARE(gridError(c, at.level, stiffness, state, std::vector{state}, ridges).roll, 0.0);
+        c.steady.fixedAttitude = true;
+        e = gridError(c, at.level, {}, state, std::vector{state}, ridges);
+        QVERIFY(close(e.load, 5e-4));
+        QCOMPARE(e.minimumSpacing, 0.0);
+    }
+
     /// On sliders drawn at random, which had no part in the choice of the factors: most stated errors are at least two
     /// thirds of those found against four times as many cells each way, and few are above ten times.
     void holdsOnRandomSliders()

@@ -39,7 +39,8 @@ private slots:
                                              {"minimum_spacing_error", 1e-11},
                                              {"pitch_error", 1e-8},
                                              {"roll_error", 2e-8},
-                                             {"load_error", 1e-5}};
+                                             {"load_error", 1e-5},
+                                             {"unresolved_ridges", 7.0}};
         QMap<QString, double> told;
         for (const auto& [quantity, value] : steadyQuantities(test::sampleSteady()))
             told[QString::fromStdString(quantity.name)] = value;
@@ -50,7 +51,8 @@ private slots:
         for (const auto& numbers :
              {steadyQuantities(test::sampleSteady()), seriesQuantities({0.02, 0.1, 500.0, 1000.0})})
             for (const auto& [quantity, value] : numbers)
-                QVERIFY2(std::holds_alternative<double>(parseQuantity("1 " + quantity.displayUnit, quantity.unit)),
+                QVERIFY2(quantity.unit == "1" ||
+                             std::holds_alternative<double>(parseQuantity("1 " + quantity.displayUnit, quantity.unit)),
                          quantity.name.c_str());
     }
     void aSeriesIsSetApart()
