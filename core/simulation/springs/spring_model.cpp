@@ -258,6 +258,8 @@ const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(bool
              {{"adhesion_force", "N", "mN", "Adhesion force"}, [](S s) { return s.adhesion; }},
              {{"net_contact_force", "N", "mN", "Net contact force"}, [](S s) { return s.contact + s.adhesion; }},
              {{"friction_force", "N", "mN", "Friction force"}, [](S s) { return s.friction; }},
+             {{"friction_power", "W", "uW", "Power of the friction on the slider, by its moment about the mass centre"},
+              [](S s) { return s.frictionPower; }},
              {{"contact_energy", "J", "pJ", "Elastic energy of the contact"}, [](S s) { return s.stored; }}});
         return list;
     }();
@@ -283,6 +285,7 @@ void SpringModel::observe(const State& y, Mode mode, double* values) const
         s.contact = contact_.contactForce(mode.contact, s.d);
         s.adhesion = contact_.adhesionForce(mode.contact, s.d);
         s.friction = friction_.coefficient * s.contact;
+        s.frictionPower = -friction_.noseDown() * s.contact * y[3]; // it presses the nose down
         s.stored = contact_.storedEnergy(mode.contact, s.d);
     }
     evaluate(rows(hasContact_), s, values);

@@ -119,6 +119,7 @@ private:
         double d, zf, zr;                                                   // separation, spacings [m]
         double airForce, kinetic, air, suspension;                          // [N], energies [J]
         double contact = 0.0, adhesion = 0.0, friction = 0.0, stored = 0.0; // [N], the last [J]
+        double frictionPower = 0.0;                                         // [W]
     };
     static const std::vector<RecordedQuantity<Sample>>& rows(bool hasContact);
 

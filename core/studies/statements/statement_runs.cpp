@@ -35,12 +35,19 @@ bool within(const Statement& statement, double value)
     return value >= statement.atLeast && value <= statement.atMost;
 }
 
-StatementFinding judgeEnd(const Statement& statement, const MeasuredRun& run)
+StatementFinding judgeEnd(const Statement& statement, const MeasuredRun& run, const MeasuredRun* like)
 {
-    const auto isExpected = [&](std::string_view end) {
-        return std::ranges::find(statement.ends, end) != statement.ends.end();
+    const auto isOneOf = [](const std::vector<std::string>& expected, std::string_view found) {
+        return expected.empty() || std::ranges::find(expected, found) != expected.end();
     };
-    return {isExpected(run.valid() ? name(run.end.kind) : name(run.summary.failure)), outcomeText(run)};
+    const bool ends = isOneOf(statement.ends, run.valid() ? name(run.end.kind) : name(run.summary.failure));
+    const bool moves = isOneOf(statement.motions, run.valid() ? name(run.end.motion) : std::string_view("failed"));
+    const bool same = !statement.sameAsLike || sameOutcome(run, *like) == *statement.sameAsLike;
+    std::string text = outcomeText(run);
+    if (!statement.motions.empty() && run.valid() && !text.starts_with(name(run.end.motion)))
+        text += ": " + std::string(name(run.end.motion));
+    if (statement.sameAsLike) text += "; the other one " + outcomeText(*like);
+    return {ends && moves && same, text};
 }
 
 /// The peak within the bounds, else the largest one.
@@ -54,36 +61,53 @@ StatementFinding judgePeak(const Statement& statement, const MeasuredRun& run)
     return {found, shown((found ? *inside : peaks.front()).frequency, statement)};
 }
 
-/// Of the samples over the last tenth of the run.
-Moments tailOf(const MeasuredRun& run)
+/// The samples over the last tenth of the run.
+std::span<const double> tailOf(const SampledRun& run)
 {
-    const double begin = (1.0 - tailShare) * run.time.back();
-    const auto first = std::size_t(std::ranges::lower_bound(run.time, begin) - run.time.begin());
-    return momentsOf(std::span(run.columns.front()).subspan(first));
+    const double begin = (1.0 - tailShare) * run.run->time.back();
+    const auto first = std::size_t(std::ranges::lower_bound(run.run->time, begin) - run.run->time.begin());
+    return run.samples().subspan(first);
 }
 
-/// Over the samples that both have.
-double largestDistance(const MeasuredRun& a, const MeasuredRun& b)
+/// Peak to peak over the last tenth: between samples, too, where the run itself states it.
+double swingOf(const Statement& statement, const SampledRun& run)
 {
-    const std::vector<double>&first = a.columns.front(), &second = b.columns.front();
+    for (const auto& [quantity, tail] : run.run->summary.tail)
+        if (quantity == statement.quantity.name) return tail.max - tail.min;
+    const auto [least, most] = std::ranges::minmax(tailOf(run));
+    return most - least;
+}
+
+/// At the times of the samples, which are the same in both.
+double largestDistance(std::span<const double> a, std::span<const double> b)
+{
     double most = 0.0;
-    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
-        most = std::max(most, std::abs(first[i] - second[i]));
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) most = std::max(most, std::abs(a[i] - b[i]));
     return most;
 }
 
-double valueOf(const Statement& statement, const MeasuredRun& run, const MeasuredRun* like)
+Extremes extremesOf(const Statement& statement, const MeasuredRun& run)
+{
+    for (const auto& [quantity, extremes] : run.summary.extremes)
+        if (quantity == statement.quantity.name) return extremes;
+    return {NAN, NAN};
+}
+
+/// NaN where the run has no such value.
+double valueOf(const Statement& statement, const SampledRun& run)
 {
     switch (statement.taken) {
-    case Taken::End: return tailOf(run).mean;
-    case Taken::Swing: return tailOf(run).deviation;
-    case Taken::Least: return std::ranges::min(run.columns.front());
-    case Taken::Greatest: return std::ranges::max(run.columns.front());
-    case Taken::Difference: return tailOf(run).mean - tailOf(*like).mean;
-    case Taken::Distance: return largestDistance(run, *like);
+    case Taken::End:
+    case Taken::Difference: return momentsOf(tailOf(run)).mean;
+    case Taken::Swing: return swingOf(statement, run);
+    case Taken::Rms: return momentsOf(tailOf(run)).deviation;
+    case Taken::Least: return extremesOf(statement, *run.run).least;
+    case Taken::Greatest: return extremesOf(statement, *run.run).most;
+    case Taken::Case: return std::get<double>(findParameter(statement.quantity.name)->get(statement.c));
+    case Taken::Distance:
     case Taken::Peak: break;
     }
-    return 0.0;
+    return NAN;
 }
 
 struct Work {
@@ -92,16 +116,21 @@ struct Work {
     MeasuredRun run{};
 };
 
-/// The distinct runs of cases as they are.
+/// The distinct runs of cases as they are; each keeps the samples of all quantities that somebody asks for.
 class SharedRuns {
 public:
-    std::size_t add(const Case& c, const std::vector<std::string>& sampled)
+    std::size_t add(const Case& c, const std::optional<std::string>& sampled)
     {
-        std::string key = formatCase(c) + '\n' + c.folder.string();
-        for (const std::string& each : sampled) key += '\n' + each;
-        const auto [place, isNew] = index_.emplace(std::move(key), all.size());
-        if (isNew) all.push_back({c, sampled});
+        const auto [place, isNew] = index_.emplace(formatCase(c) + '\n' + c.folder.string(), all.size());
+        if (isNew) all.push_back({.c = c});
+        std::vector<std::string>& names = all[place->second].sampled;
+        if (sampled && std::ranges::find(names, *sampled) == names.end()) names.push_back(*sampled);
         return place->second;
+    }
+    SampledRun at(std::size_t i, const std::optional<std::string>& sampled) const
+    {
+        const std::vector<std::string>& names = all[i].sampled;
+        return {&all[i].run, sampled ? std::size_t(std::ranges::find(names, *sampled) - names.begin()) : 0};
     }
     std::vector<Work> all{};
 
@@ -111,21 +140,27 @@ private:
 
 } // namespace
 
-std::vector<std::string> sampledBy(const Statement& statement)
+std::optional<std::string> sampledBy(const Statement& statement)
 {
-    if (!statement.ends.empty() || statement.taken == Taken::Peak) return {};
-    return {statement.quantity.name};
+    using enum Taken;
+    const bool samples = statement.taken == End || statement.taken == Swing || statement.taken == Rms ||
+                         statement.taken == Difference || statement.taken == Distance;
+    if (statement.aboutEnd() || !samples) return {};
+    return statement.quantity.name;
 }
 
-StatementFinding judge(const Statement& statement, const MeasuredRun& run, const MeasuredRun* like)
+StatementFinding judge(const Statement& statement, SampledRun run, SampledRun like)
 {
-    if (!statement.ends.empty()) return judgeEnd(statement, run);
-    const bool extreme = statement.taken == Taken::Least || statement.taken == Taken::Greatest;
-    if (!run.valid() && !extreme) return {false, outcomeText(run)};
-    if (like != nullptr && !like->valid()) return {false, "what it is compared with " + outcomeText(*like)};
-    if (statement.taken == Taken::Peak) return judgePeak(statement, run);
-    if (run.columns.empty() || run.columns.front().empty()) return {false, outcomeText(run)};
-    const double value = valueOf(statement, run, like);
+    if (statement.aboutEnd()) return judgeEnd(statement, *run.run, like.run);
+    const bool anyEnd =
+        statement.taken == Taken::Least || statement.taken == Taken::Greatest || statement.taken == Taken::Case;
+    if (!run.run->valid() && !anyEnd) return {false, outcomeText(*run.run)};
+    if (like.run != nullptr && !like.run->valid()) return {false, "what it is compared with " + outcomeText(*like.run)};
+    if (statement.taken == Taken::Peak) return judgePeak(statement, *run.run);
+    const double value = statement.taken == Taken::Distance
+                             ? largestDistance(run.samples(), like.samples())
+                             : valueOf(statement, run) - (like.run != nullptr ? valueOf(statement, like) : 0.0);
+    if (!std::isfinite(value)) return {false, outcomeText(*run.run)};
     return {within(statement, value), shown(value, statement)};
 }
 
@@ -147,6 +182,9 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         if (!statement.ensemble) continue;
         for (const double start : startsOf(statement.c, *statement.ensemble)) drawn.push_back({i, start});
     }
+    const auto likeOf = [&](std::size_t i) {
+        return task.statements[i].like ? shared.at(like[i], sampledBy(task.statements[i])) : SampledRun{};
+    };
     std::vector<char> made(shared.all.size(), 0);
     const auto runShared = [&](std::size_t i, const GoOn& goOn) {
         Work& work = shared.all[i];
@@ -157,9 +195,10 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         const Statement& statement = task.statements[each.statement];
         Case c = statement.c;
         setFromNumber(c, *findParameter(statement.ensemble->key), each.start);
-        const MeasuredRun run = measureRun(c, sampledBy(statement), goOn);
-        const MeasuredRun* other = statement.like ? &shared.all[like[each.statement]].run : nullptr;
-        each.agrees = judge(statement, run, other).agrees;
+        const std::optional<std::string> sampled = sampledBy(statement);
+        const std::vector<std::string> names = sampled ? std::vector{*sampled} : std::vector<std::string>{};
+        const MeasuredRun run = measureRun(c, names, goOn);
+        each.agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
         each.done = run.summary.status != RunStatus::Cancelled;
     };
     const std::size_t total = shared.all.size() + drawn.size();
@@ -178,7 +217,7 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         const Statement& statement = task.statements[i];
         CheckedStatement& checked = result.all.emplace_back();
         if (!made[own[i]] || !made[like[i]]) continue;
-        checked.finding = judge(statement, shared.all[own[i]].run, statement.like ? &shared.all[like[i]].run : nullptr);
+        checked.finding = judge(statement, shared.at(own[i], sampledBy(statement)), likeOf(i));
         checked.done = true;
         if (!statement.ensemble) continue;
         const auto isOf = [&](const Drawn& each) { return each.statement == i; };

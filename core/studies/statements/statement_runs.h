@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,15 +14,22 @@
 
 namespace touchdown {
 
+/// A run, and the column of the statement's quantity among its samples.
+struct SampledRun {
+    const MeasuredRun* run = nullptr; // null: there is none
+    std::size_t column = 0;
+    std::span<const double> samples() const { return run->columns[column]; }
+};
+
 /// What one run says of a statement.
 struct StatementFinding {
     bool agrees = false;
     std::string text{}; // "ends in contact at 1.6 nm", "94.17 urad"
 };
 /// `like`: the run that the statement compares with, where it does.
-StatementFinding judge(const Statement& statement, const MeasuredRun& run, const MeasuredRun* like);
-/// The quantities whose samples `judge` needs.
-std::vector<std::string> sampledBy(const Statement& statement);
+StatementFinding judge(const Statement& statement, SampledRun run, SampledRun like);
+/// The quantity whose samples `judge` needs, or none.
+std::optional<std::string> sampledBy(const Statement& statement);
 
 struct CheckedStatement {
     bool done = false;

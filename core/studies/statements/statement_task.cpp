@@ -34,6 +34,15 @@ std::vector<std::string> endNames()
     return names;
 }
 
+std::vector<std::string> motionNames()
+{
+    std::vector<std::string> names;
+    for (const Motion motion :
+         {Motion::AtRest, Motion::Settles, Motion::Swings, Motion::Vibrates, Motion::Bounces, Motion::TooShort})
+        names.emplace_back(name(motion));
+    return names;
+}
+
 std::vector<std::string> takenNames()
 {
     std::vector<std::string> names;
@@ -65,7 +74,8 @@ public:
     StatementTask read()
     {
         starts_ = reader_.integer("starts");
-        const std::vector<std::string> only = reader_.texts("only").value_or(std::vector<std::string>{});
+        contradict_ = reader_.flag("contradict");
+        only_ = reader_.texts("only").value_or(std::vector<std::string>{});
         std::vector<Candidate> candidates;
         StatementTask task;
         for (const std::string& table : reader_.tables("candidate")) {
@@ -79,17 +89,20 @@ public:
         std::vector<Statement> all;
         for (const Candidate& candidate : candidates)
             for (const std::string& table : tables) all.push_back(readStatement(table, candidate));
-        const auto isWanted = [&](const Statement& each) {
-            return only.empty() ||
-                   std::ranges::any_of(only, [&](const std::string& text) { return each.figure.starts_with(text); });
-        };
-        std::ranges::copy_if(all, std::back_inserter(task.statements), isWanted);
+        std::ranges::copy_if(all, std::back_inserter(task.statements),
+                             [this](const Statement& each) { return isWanted(each); });
         if (task.statements.empty() && !tables.empty())
             reader_.add("only", "leaves no statement: none has a figure that begins so");
         return task;
     }
 
 private:
+    bool isWanted(const Statement& statement) const
+    {
+        return only_.empty() ||
+               std::ranges::any_of(only_, [&](const std::string& text) { return statement.figure.starts_with(text); });
+    }
+
     std::optional<std::string> needed(const std::string& table, const std::string& leaf)
     {
         const std::string key = table + '.' + leaf;
@@ -110,6 +123,8 @@ private:
         }
         std::vector<CaseSetting> changes = candidate.set;
         std::ranges::copy(reader_.settings(table + '.' + setKey), std::back_inserter(changes));
+        if (contradict_ && setKey == "set")
+            std::ranges::copy(reader_.settings(table + ".against"), std::back_inserter(changes));
         std::string problem = changeCase(c, changes);
         if (problem.empty()) problem = reasonNotToRun(c);
         if (problem.empty()) return c;
@@ -127,44 +142,85 @@ private:
         const std::optional<Case> c = readCase(table, "case", "set", candidate);
         std::vector<CaseSetting> shown = candidate.set;
         std::ranges::copy(reader_.settings(table + ".set"), std::back_inserter(shown));
+        const std::vector<CaseSetting> against = reader_.settings(table + ".against");
+        if (contradict_) std::ranges::copy(against, std::back_inserter(shown));
+        if (contradict_ && against.empty() && isWanted(statement))
+            reader_.add(table, "has no against: changes with which it must not hold");
         statement.command =
             commandOf(reader_.text(table + ".case").value_or(reader_.text("case").value_or("CASE")), shown);
         if (c) statement.c = *c;
-        readEnds(table, statement);
-        const auto at = reader_.text(table + ".at");
-        const bool compares = at == "difference" || at == "distance"; // then its missing like is the problem
-        const bool changes = !reader_.settings(table + ".like_set").empty();
-        if (changes && !compares && !reader_.has(table + ".like"))
-            reader_.add(table + ".like_set", "changes a case that is not given; name it with like");
-        if (c) {
-            readQuantity(table, statement, candidate);
-            readEnsemble(table, statement);
-        }
+        const bool aboutEnd = readEnds(table, statement);
+        if (!c) return statement;
+        readLike(table, statement, candidate);
+        if (!aboutEnd) readQuantity(table, statement);
+        readEnsemble(table, statement);
         return statement;
     }
 
-    void readEnds(const std::string& table, Statement& statement)
+    /// What is said of the run's end; false where nothing is.
+    bool readEnds(const std::string& table, Statement& statement)
     {
-        const std::string key = table + ".end";
-        const bool both = reader_.has(key) && reader_.has(table + ".quantity");
-        if (both || (!reader_.has(key) && !reader_.has(table + ".quantity")))
-            reader_.add(table, both ? "has an end and a quantity; a statement is about one of the two"
-                                    : "has neither an end nor a quantity, so that nothing would be checked");
-        if (!reader_.has(key)) return;
-        const std::vector<std::string> names = endNames();
-        statement.ends = reader_.texts(key).value_or(std::vector<std::string>{});
-        for (const std::string& end : statement.ends)
-            if (std::ranges::find(names, end) == names.end())
-                reader_.add(key, inQuotes(end) + " is no end of a run" + didYouMean(nearestName(end, names)) +
-                                     "; allowed: " + choiceText(names));
+        const auto has = [&](const char* leaf) { return reader_.has(table + leaf); };
+        const bool any = has(".end") || has(".motion") || has(".like_end");
+        if (any && has(".quantity"))
+            reader_.add(table, "has an end and a quantity; a statement is about one of the two");
+        else if (!any && !has(".quantity"))
+            reader_.add(table, "has neither an end nor a quantity, so that nothing would be checked");
+        else if (any)
+            for (const char* leaf : {".at", ".at_least", ".at_most"})
+                if (has(leaf)) reader_.add(table + leaf, "belongs to a quantity, and this statement is about an end");
+        statement.ends = readNames(table + ".end", endNames(), " is no end of a run");
+        statement.motions = readNames(table + ".motion", motionNames(), " is no motion");
+        if (const auto likeEnd = reader_.choice(table + ".like_end", {"same", "other"}))
+            statement.sameAsLike = *likeEnd == "same";
+        return any;
     }
 
-    void readQuantity(const std::string& table, Statement& statement, const Candidate& candidate)
+    std::vector<std::string> readNames(const std::string& key, const std::vector<std::string>& names, const char* wrong)
+    {
+        if (!reader_.has(key)) return {};
+        const std::vector<std::string> given = reader_.texts(key).value_or(std::vector<std::string>{});
+        for (const std::string& each : given)
+            if (std::ranges::find(names, each) == names.end())
+                reader_.add(key, inQuotes(each) + wrong + didYouMean(nearestName(each, names)) +
+                                     "; allowed: " + choiceText(names));
+        return given;
+    }
+
+    /// The case that a statement compares with, where it does.
+    void readLike(const std::string& table, Statement& statement, const Candidate& candidate)
+    {
+        const std::string at = reader_.text(table + ".at").value_or("end");
+        const bool needed = at == "difference" || at == "distance" || statement.sameAsLike;
+        const bool useful = needed || at == "end" || at == "swing" || at == "rms";
+        if (!reader_.has(table + ".like")) {
+            const bool changes = !reader_.settings(table + ".like_set").empty();
+            if (needed)
+                reader_.add(table, "has no like: the case that it is compared with");
+            else if (changes)
+                reader_.add(table + ".like_set", "changes a case that is not given; name it with like");
+            return;
+        }
+        const bool about = reader_.has(table + ".end") || reader_.has(table + ".motion");
+        if (!useful || (about && !statement.sameAsLike)) {
+            reader_.add(table, "has a like that it does not need");
+            return;
+        }
+        statement.like = readCase(table, "like", "like_set", candidate);
+        if (!statement.like) return;
+        if (at == "distance" && statement.like->run.duration != statement.c.run.duration)
+            reader_.add(table + ".like", "must last as long as the case itself: their motions are compared over time");
+        // The samples do not change the motion.
+        statement.like->run.sampleInterval = statement.c.run.sampleInterval;
+    }
+
+    void readQuantity(const std::string& table, Statement& statement)
     {
         const std::vector<std::string> places = takenNames();
         const std::string at = reader_.choice(table + ".at", places).value_or(places.front());
         statement.taken = static_cast<Taken>(std::ranges::find(places, at) - places.begin());
-        std::vector<Quantity> all = recordedQuantities(statement.c);
+        std::vector<Quantity> all =
+            statement.taken == Taken::Case ? numbersOf(statement.c) : recordedQuantities(statement.c);
         std::vector<std::string> names;
         for (const Quantity& each : all) names.push_back(each.name);
         const auto chosen = reader_.choice(table + ".quantity", names);
@@ -189,14 +245,18 @@ private:
         statement.atLeast = atLeast.value_or(statement.atLeast);
         statement.atMost = atMost.value_or(statement.atMost);
         if (statement.atLeast > statement.atMost) reader_.add(table, "has an at_least above its at_most");
-        const bool compares = statement.taken == Taken::Difference || statement.taken == Taken::Distance;
-        if (compares != reader_.has(table + ".like"))
-            reader_.add(table, compares ? "has no like: the case that it is compared with"
-                                        : "has a like that it does not need; at = \"difference\" or \"distance\" does");
-        if (!compares || !reader_.has(table + ".like")) return;
-        statement.like = readCase(table, "like", "like_set", candidate);
         if (statement.like && findQuantity(recordedQuantities(*statement.like), *chosen) < 0)
             reader_.add(table + ".like", "does not record " + inQuotes(*chosen));
+    }
+
+    /// The keys of a case that are numbers.
+    static std::vector<Quantity> numbersOf(const Case& c)
+    {
+        std::vector<Quantity> list;
+        for (const Parameter& each : parameters())
+            if (std::holds_alternative<double>(each.get(c)))
+                list.push_back({each.key, each.unit, each.displayUnit, each.label});
+        return list;
     }
 
     void readEnsemble(const std::string& table, Statement& statement)
@@ -207,20 +267,27 @@ private:
         ensemble.key = defaultEnsembleKey(statement.c);
         const Parameter& key = *findParameter(ensemble.key);
         const auto spread = reader_.number(table + ".spread", key.unit, key.displayUnit, 0.0, INFINITY);
+        if (spread && *spread == 0.0)
+            reader_.add(table + ".spread", "must be greater than 0: all starts would be the same");
         ensemble.spread = spread.value_or(0.0);
-        if (starts_ < 2) return;
-        Case edge = statement.c;
+        if (starts_ < 2 || contradict_) return;
+        // As `run` would check it.
         for (const double start : startsOf(statement.c, ensemble)) {
-            const auto problem = setFromNumber(edge, key, start);
+            Case edge = statement.c;
+            auto problem = setFromNumber(edge, key, start);
+            if (const auto wrong = checkCombinations(edge); !problem && !wrong.empty()) problem = wrong.front().message;
             if (!problem) continue;
-            reader_.add(table + ".spread", ensemble.key + ' ' + *problem);
+            reader_.add(table + ".spread", "leads to starts at " + fewDigits(start, key.displayUnit, 3) + ", where " +
+                                               ensemble.key + ' ' + *problem);
             return;
         }
         statement.ensemble = ensemble;
     }
 
     StudyReader& reader_;
+    std::vector<std::string> only_;
     int starts_ = 0;
+    bool contradict_ = false;
 };
 
 std::string bound(double value, const Quantity& quantity) { return fewDigits(value, quantity.displayUnit, 5); }
@@ -229,7 +296,13 @@ std::string bound(double value, const Quantity& quantity) { return fewDigits(val
 
 std::string expectedText(const Statement& statement)
 {
-    if (!statement.ends.empty()) return joined(statement.ends, " or ");
+    if (statement.aboutEnd()) {
+        std::vector<std::string> parts;
+        if (!statement.ends.empty()) parts.push_back(joined(statement.ends, " or "));
+        if (!statement.motions.empty()) parts.push_back(joined(statement.motions, " or "));
+        if (statement.sameAsLike) parts.emplace_back(*statement.sameAsLike ? "the same end" : "another end");
+        return joined(parts, "; ");
+    }
     const Quantity& q = statement.quantity;
     if (!std::isfinite(statement.atLeast)) return "at most " + bound(statement.atMost, q);
     if (!std::isfinite(statement.atMost)) return "at least " + bound(statement.atLeast, q);
@@ -245,6 +318,8 @@ StudyForm statementsForm(const Case&)
         integerKey("starts", 20, 1, mostStarts,
                    "starts of each ensemble, evenly spread; 1: only the case itself, without ensembles"),
         onlyOffered(listKey("only", {}, "check only statements whose figure begins with one of these texts")),
+        onlyOffered(booleanKey("contradict", false,
+                               "run each statement's case with its changes `against`: then none may hold")),
     };
     const std::vector<StudyKey> lists{
         textKey("statement.figure", {}, "", "where the text says it"),
@@ -253,13 +328,16 @@ StudyForm statementsForm(const Case&)
         settingsKey("statement.set", "changes of the case"),
         listKey("statement.end", {},
                 "how the run must end, one of these: flying, contact, in and out of contact, or why it fails"),
-        textKey("statement.quantity", {}, "", "or a quantity that the run records"),
+        listKey("statement.motion", {}, "how its motion must end, one of these: " + joined(motionNames())),
+        textKey("statement.like_end", {}, "", "same or other: whether it must end as the case `like` does"),
+        textKey("statement.quantity", {}, "", "or a quantity that the run records; at = \"case\": a key of the case"),
         choiceKey("statement.at", "end", takenNames(), "where the quantity is taken"),
         textKey("statement.at_least", {}, "", "its least value, with a unit"),
         textKey("statement.at_most", {}, "", "its greatest value, with a unit"),
-        textKey("statement.like", {}, "", "the case that a difference or a distance is taken from"),
+        textKey("statement.like", {}, "", "the case that it is compared with"),
         settingsKey("statement.like_set", "changes of that case"),
         textKey("statement.spread", {}, "", "half of the range of starts of an ensemble, with a unit"),
+        settingsKey("statement.against", "changes of the case with which the statement must not hold"),
         textKey("statement.remark", {}, "", "why it does not hold, or what to know"),
         textKey("candidate.name", {}, "", "a set of changes that all statements are checked with"),
         settingsKey("candidate.set", "its changes"),

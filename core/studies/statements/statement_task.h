@@ -21,12 +21,12 @@ namespace touchdown {
 class StudyReader;
 
 /// Where a quantity is taken.
-enum class Taken : std::uint8_t { End, Swing, Least, Greatest, Difference, Distance, Peak };
-inline constexpr std::size_t takenCount = 7;
+enum class Taken : std::uint8_t { End, Swing, Rms, Least, Greatest, Difference, Distance, Peak, Case };
+inline constexpr std::size_t takenCount = 9;
 inline std::string_view name(Taken taken)
 {
-    constexpr std::array<std::string_view, takenCount> names{"end",        "swing",    "least", "greatest",
-                                                             "difference", "distance", "peak"};
+    constexpr std::array<std::string_view, takenCount> names{"end",        "swing",    "rms",  "least", "greatest",
+                                                             "difference", "distance", "peak", "case"};
     return names[static_cast<std::size_t>(taken)];
 }
 
@@ -38,12 +38,17 @@ struct Statement {
     std::string command{};   // "touchdown run fig12a"
     Case c{};
 
-    std::vector<std::string> ends{}; // one of which is expected; empty: a quantity
+    /// How the run ends: one of these ends, one of these motions, and as `like` or otherwise; each where it is given.
+    std::vector<std::string> ends{}, motions{};
+    std::optional<bool> sameAsLike{};
+    bool aboutEnd() const { return !ends.empty() || !motions.empty() || sameAsLike.has_value(); }
+
+    /// Else a quantity within bounds.
     Quantity quantity{};
     Taken taken = Taken::End;
     double atLeast = -std::numeric_limits<double>::infinity(); // [unit of the quantity]
     double atMost = std::numeric_limits<double>::infinity();
-    std::optional<Case> like{}; // of Difference and Distance
+    std::optional<Case> like{}; // that is compared with
 
     std::optional<EnsembleTask> ensemble{};
 };

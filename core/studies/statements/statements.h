@@ -17,14 +17,22 @@
 //   figure = "Fig. 8"
 //   quote = "With an initial FH of 20 nm, the slider contacts the disk in the steady state."
 //   case = "fig08_start_20nm"
-//   end = ["contact"]                   # ... or how it ends: one of these
+//   end = ["contact"]                   # ... or how it ends: one of these ends,
+//   motion = ["at rest", "settles"]     # one of these motions (core/simulation/recording/motion_verdict.h), or
+//   like_end = "same"                   # "same" or "other": as the case `like` does, or otherwise
 //   spread = "0.4 nm"                   # and the share of starts within that much around the case's own
 //   remark = "why the run ends otherwise"
+//   against = { "ono_yamane.take_off" = "4 nm" } # changes with which it must not hold
 //
-// Where a quantity is taken: `end` is its mean over the last tenth of the run and `swing` its standard deviation there,
-// `least` and `greatest` are its extremes over the whole run, also of one that fails. `difference` is its mean over the
-// last tenth less that of the case `like` (with the changes `like_set`), `distance` the largest distance of the two at
-// any time. `peak` is the frequency of a peak in the power spectrum of the minimum spacing.
+// Where a quantity is taken: over the last tenth of the run `end` is its mean, `swing` is peak to peak, and `rms` is
+// its standard deviation. `least` and `greatest` are its extremes over the whole run, between samples too, also of a
+// run that fails. With a case `like` (and the changes `like_set`) these are differences: the run's less that of `like`;
+// `difference` is another word for `end`. `distance` is the largest distance of the two at any time: both have the same
+// duration, and samples at the same times. `peak` is the frequency of a peak in the power spectrum of the minimum
+// spacing, and `case` a number of the case itself.
+//
+// A check is worth what it refuses. With the option `contradict` each statement's case is run with its changes
+// `against`, and every statement that holds then proves nothing.
 //
 // A trajectory that lands in one of two states by a hair proves little. A statement with a `spread` holds where more
 // than half of an ensemble of `starts` does what it says; its share stands with Wilson's interval
