@@ -98,7 +98,7 @@ struct CaseProblem {
 };
 std::vector<CaseProblem> checkCombinations(const Case& c);
 
-/// What a case may have, but what its user may not know of: a contact that creates energy.
+/// What a case may have, but what its user may not know of: a contact that creates energy, ridges narrower than a cell.
 std::vector<CaseProblem> caseWarnings(const Case& c);
 
 } // namespace touchdown

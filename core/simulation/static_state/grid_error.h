@@ -9,8 +9,9 @@
 // difference of the two coarser ones counts too: as much at second order. And in cells that edges cross the error is of
 // first order in their size and of either sign: a share of what they carry counts, which moves the attitude against the
 // film's stiffness; more where narrow ridges stand, as what leaks through them moves the pressure of whole rails. Share
-// and factors hold for 95 of 100 sliders drawn at random that fly near 14 nm (tests/bench/README.md). Below some 2 nm,
-// where the pressure at the trailing edge rises within a cell, the error may be several times as large.
+// and factors were chosen on sliders drawn at random that fly near 14 nm; tests/bench/README.md says on how many others
+// they hold. Below some 2 nm, where the pressure at the trailing edge rises within a cell, the error may be several
+// times as large.
 #pragma once
 
 #include <optional>
