@@ -159,7 +159,9 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
     case Motion::Settles:
         return figures + (evidence.swing() < Rule::smallestDecay * evidence.swings[1]
                               ? "; less than 90 % of the swing before counts as decay"
-                              : "; less than 80 % of the swing four parts before, and less in each, counts as decay");
+                              : "; it fell in each of the last five parts, to " +
+                                    percent(evidence.swing() / evidence.swings.back()) +
+                                    " in all, and not more slowly at the end: this counts as decay");
     case Motion::Swings:
     case Motion::Vibrates:
     case Motion::Bounces:
@@ -196,8 +198,9 @@ bool MotionEvidence::decays() const
 {
     if (movingSurface) return rms < Rule::forcedDecay * rmsBefore;
     if (parts > 1 && swings[0] < Rule::smallestDecay * swings[1]) return true;
-    return parts == swings.size() && std::ranges::is_sorted(swings) &&
-           swings[0] < Rule::smallestLongDecay * swings.back();
+    const auto& [last, second, third, fourth, first] = swings;
+    return parts == swings.size() && std::ranges::is_sorted(swings) && last < Rule::smallestLongDecay * first &&
+           last / second <= Rule::steadyDecay * fourth / first;
 }
 
 bool MotionEvidence::grows() const

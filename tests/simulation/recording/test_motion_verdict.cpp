@@ -90,7 +90,24 @@ private slots:
         QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9; }), Motion::AtRest);
         QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9, e.movesOn = true; }), Motion::TooShort);
         QCOMPARE(with([](E e) { e.swings = {0.021e-9, 0.021e-9}; }), Motion::Swings);
-        // From part to part by 7 %, over four by a quarter; one that is not in order is sustained.
+        // From part to part by 2 %; one that is not in order is sustained, and one that falls ever more slowly may
+        // last.
+        QCOMPARE(with([](E e) {
+                     e.parts = 5, e.swings = {0.922e-9, 0.941e-9, 0.960e-9, 0.98e-9, 1e-9};
+                 }),
+                 Motion::Settles);
+        QCOMPARE(with([](E e) {
+                     e.parts = 4, e.swings = {0.922e-9, 0.941e-9, 0.960e-9, 0.98e-9, 1e-9};
+                 }),
+                 Motion::Swings);
+        QCOMPARE(with([](E e) {
+                     e.parts = 5, e.swings = {0.922e-9, 0.931e-9, 0.942e-9, 0.96e-9, 1e-9};
+                 }),
+                 Motion::Swings);
+        QCOMPARE(with([](E e) {
+                     e.parts = 5, e.swings = {0.961e-9, 0.971e-9, 0.980e-9, 0.99e-9, 1e-9};
+                 }),
+                 Motion::Swings);
         QCOMPARE(with([](E e) {
                      e.parts = 5, e.swings = {0.75e-9, 0.81e-9, 0.87e-9, 0.93e-9, 1e-9};
                  }),
