@@ -9,6 +9,8 @@
 #include "core/case_files/case_text.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
+#include "core/numerics/spectrum.h"
+#include "core/simulation/recording/run_statistics.h"
 #include "core/studies/runs/parallel.h"
 
 namespace touchdown {
@@ -78,6 +80,40 @@ double swingOf(const Statement& statement, const SampledRun& run)
     return most - least;
 }
 
+Spectrum spectrumOf(const Case& c, const SampledRun& run)
+{
+    const auto first = std::ranges::lower_bound(run.run->time, c.spectrum.start) - run.run->time.begin();
+    return welch(run.samples().subspan(std::size_t(first)), c.run.sampleInterval,
+                 welchOptions(c.spectrum, c.run.sampleInterval));
+}
+
+/// Peaks within the band that have at least a tenth of the amplitude of its largest one.
+double peaksWithin(const Statement& statement, const SampledRun& run)
+{
+    constexpr double smallest = 0.1;
+    const Spectrum spectrum = spectrumOf(statement.c, run);
+    double count = 0.0, largest = 0.0;
+    for (const Peak& peak : findPeaks(spectrum, statement.c.spectrum.scaling, spectrum.power.size())) {
+        if (peak.frequency < statement.from || peak.frequency > statement.to) continue;
+        largest = std::max(largest, peak.amplitude); // the first one
+        count += peak.amplitude >= smallest * largest ? 1.0 : 0.0;
+    }
+    return count;
+}
+
+/// Bhattacharyya's coefficient of two power spectra: 1 for the same shape, 0 where no frequency is in both.
+double likenessOf(const Statement& statement, const SampledRun& run, const SampledRun& like)
+{
+    const Spectrum a = spectrumOf(statement.c, run), b = spectrumOf(statement.c, like);
+    double both = 0.0, first = 0.0, second = 0.0;
+    for (std::size_t i = 1; i < std::min(a.power.size(), b.power.size()); ++i) {
+        both += std::sqrt(a.power[i] * b.power[i]);
+        first += a.power[i];
+        second += b.power[i];
+    }
+    return both / std::sqrt(first * second);
+}
+
 /// At the times of the samples, which are the same in both.
 double largestDistance(std::span<const double> a, std::span<const double> b)
 {
@@ -103,8 +139,10 @@ double valueOf(const Statement& statement, const SampledRun& run)
     case Taken::Rms: return momentsOf(tailOf(run)).deviation;
     case Taken::Least: return extremesOf(statement, *run.run).least;
     case Taken::Greatest: return extremesOf(statement, *run.run).most;
+    case Taken::Peaks: return peaksWithin(statement, run);
     case Taken::Case: return std::get<double>(findParameter(statement.quantity.name)->get(statement.c));
     case Taken::Distance:
+    case Taken::Likeness:
     case Taken::Peak: break;
     }
     return NAN;
@@ -143,9 +181,9 @@ private:
 std::optional<std::string> sampledBy(const Statement& statement)
 {
     using enum Taken;
-    const bool samples = statement.taken == End || statement.taken == Swing || statement.taken == Rms ||
-                         statement.taken == Difference || statement.taken == Distance;
-    if (statement.aboutEnd() || !samples) return {};
+    const bool none = statement.taken == Least || statement.taken == Greatest || statement.taken == Peak ||
+                      statement.taken == Taken::Case;
+    if (statement.aboutEnd() || none) return {};
     return statement.quantity.name;
 }
 
@@ -157,8 +195,9 @@ StatementFinding judge(const Statement& statement, SampledRun run, SampledRun li
     if (!run.run->valid() && !anyEnd) return {false, outcomeText(*run.run)};
     if (like.run != nullptr && !like.run->valid()) return {false, "what it is compared with " + outcomeText(*like.run)};
     if (statement.taken == Taken::Peak) return judgePeak(statement, *run.run);
-    const double value = statement.taken == Taken::Distance
-                             ? largestDistance(run.samples(), like.samples())
+    const double value = statement.taken == Taken::Distance ? largestDistance(run.samples(), like.samples())
+                         : statement.taken == Taken::Likeness
+                             ? likenessOf(statement, run, like)
                              : valueOf(statement, run) - (like.run != nullptr ? valueOf(statement, like) : 0.0);
     if (!std::isfinite(value)) return {false, outcomeText(*run.run)};
     return {within(statement, value), shown(value, statement)};

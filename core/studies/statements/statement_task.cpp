@@ -191,7 +191,7 @@ private:
     void readLike(const std::string& table, Statement& statement, const Candidate& candidate)
     {
         const std::string at = reader_.text(table + ".at").value_or("end");
-        const bool needed = at == "difference" || at == "distance" || statement.sameAsLike;
+        const bool needed = at == "difference" || at == "distance" || at == "likeness" || statement.sameAsLike;
         const bool useful = needed || at == "end" || at == "swing" || at == "rms";
         if (!reader_.has(table + ".like")) {
             const bool changes = !reader_.settings(table + ".like_set").empty();
@@ -208,7 +208,7 @@ private:
         }
         statement.like = readCase(table, "like", "like_set", candidate);
         if (!statement.like) return;
-        if (at == "distance" && statement.like->run.duration != statement.c.run.duration)
+        if ((at == "distance" || at == "likeness") && statement.like->run.duration != statement.c.run.duration)
             reader_.add(table + ".like", "must last as long as the case itself: their motions are compared over time");
         // The samples do not change the motion.
         statement.like->run.sampleInterval = statement.c.run.sampleInterval;
@@ -235,6 +235,10 @@ private:
                             "has no peaks: the spectrum is that of " + inQuotes(spacingOf(statement.c)));
             statement.quantity = {"peak", "Hz", "kHz", "Frequency of a peak"};
         }
+        // What is taken of their spectra has no unit; its name is still that of the samples.
+        if (statement.taken == Taken::Peaks || statement.taken == Taken::Likeness)
+            statement.quantity.unit = statement.quantity.displayUnit = "1";
+        readBand(table, statement);
         const Quantity& q = statement.quantity;
         const auto bound = [&](const char* leaf) {
             return reader_.number(table + leaf, q.unit, q.displayUnit, -INFINITY, INFINITY);
@@ -247,6 +251,18 @@ private:
         if (statement.atLeast > statement.atMost) reader_.add(table, "has an at_least above its at_most");
         if (statement.like && findQuantity(recordedQuantities(*statement.like), *chosen) < 0)
             reader_.add(table + ".like", "does not record " + inQuotes(*chosen));
+    }
+
+    void readBand(const std::string& table, Statement& statement)
+    {
+        const auto frequency = [&](const char* leaf) {
+            return reader_.number(table + leaf, "Hz", "kHz", 0.0, INFINITY);
+        };
+        for (const auto& [leaf, value] : {std::pair(".from", &statement.from), std::pair(".to", &statement.to)}) {
+            if (!reader_.has(table + leaf)) continue;
+            if (statement.taken != Taken::Peaks) reader_.add(table + leaf, "belongs to at = \"peaks\"");
+            *value = frequency(leaf).value_or(*value);
+        }
     }
 
     /// The keys of a case that are numbers.
@@ -334,6 +350,8 @@ StudyForm statementsForm(const Case&)
         choiceKey("statement.at", "end", takenNames(), "where the quantity is taken"),
         textKey("statement.at_least", {}, "", "its least value, with a unit"),
         textKey("statement.at_most", {}, "", "its greatest value, with a unit"),
+        textKey("statement.from", {}, "", "of peaks: the lowest frequency, with a unit"),
+        textKey("statement.to", {}, "", "of peaks: the highest frequency, with a unit"),
         textKey("statement.like", {}, "", "the case that it is compared with"),
         settingsKey("statement.like_set", "changes of that case"),
         textKey("statement.spread", {}, "", "half of the range of starts of an ensemble, with a unit"),

@@ -21,12 +21,12 @@ namespace touchdown {
 class StudyReader;
 
 /// Where a quantity is taken.
-enum class Taken : std::uint8_t { End, Swing, Rms, Least, Greatest, Difference, Distance, Peak, Case };
-inline constexpr std::size_t takenCount = 9;
+enum class Taken : std::uint8_t { End, Swing, Rms, Least, Greatest, Difference, Distance, Peak, Peaks, Likeness, Case };
+inline constexpr std::size_t takenCount = 11;
 inline std::string_view name(Taken taken)
 {
-    constexpr std::array<std::string_view, takenCount> names{"end",        "swing",    "rms",  "least", "greatest",
-                                                             "difference", "distance", "peak", "case"};
+    constexpr std::array<std::string_view, takenCount> names{
+        "end", "swing", "rms", "least", "greatest", "difference", "distance", "peak", "peaks", "likeness", "case"};
     return names[static_cast<std::size_t>(taken)];
 }
 
@@ -48,7 +48,8 @@ struct Statement {
     Taken taken = Taken::End;
     double atLeast = -std::numeric_limits<double>::infinity(); // [unit of the quantity]
     double atMost = std::numeric_limits<double>::infinity();
-    std::optional<Case> like{}; // that is compared with
+    double from = 0.0, to = std::numeric_limits<double>::infinity(); // band of Peaks [Hz]
+    std::optional<Case> like{};                                      // that is compared with
 
     std::optional<EnsembleTask> ensemble{};
 };

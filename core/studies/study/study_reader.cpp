@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 #include <string_view>
 
 #include "core/case_files/case_reader.h"
@@ -46,7 +47,7 @@ std::vector<TomlValue> elementsOf(const TomlEntry& entry)
     } else if (entry.line == optionLine) {
         const auto* text = std::get_if<std::string>(&entry.value);
         if (text == nullptr) return {entry.value};
-        for (const std::string_view element : listElements(*text)) values.push_back(std::string(element));
+        for (const std::string_view element : listElements(*text)) values.emplace_back(std::in_place_type<std::string>, element);
     }
     return values;
 }

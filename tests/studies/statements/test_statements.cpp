@@ -155,6 +155,28 @@ private slots:
         QCOMPARE(cell(report, 1, "found"), cell(fine, 0, "found"));
     }
 
+    /// The oscillator has one peak, at 10.06 kHz. With four times the stiffness it lies an octave higher: both spectra
+    /// are a Lorentzian's wing of the other.
+    void spectra()
+    {
+        const auto peaks = [](const char* from, const char* to) {
+            return stating("quantity = \"flying_height\"\nat = \"peaks\"\nfrom = \"" + std::string(from) +
+                           "\"\nto = \"" + to + "\"\nat_least = 1");
+        };
+        const auto like = [](const char* stiffness) {
+            return stating(
+                "quantity = \"flying_height\"\nat = \"likeness\"\nlike = \"textbook_oscillator\"\nlike_set = { "
+                "suspension.stiffness = \"" +
+                std::string(stiffness) + " N/m\" }\nat_least = 0.999");
+        };
+        const StudyReport report = performed(
+            peaks("9 kHz", "11 kHz") + peaks("15 kHz", "30 kHz") + like("4000") + like("16000"), "textbook_oscillator");
+        QCOMPARE(cell(report, 0, "found"), std::string("1"));
+        QCOMPARE(cell(report, 1, "found"), std::string("0"));
+        QCOMPARE(cell(report, 2, "found"), std::string("1"));
+        QVERIFY(std::stod(cell(report, 3, "found")) < 0.5);
+    }
+
     void howTheMotionEnds()
     {
         const StudyReport report = performed(
@@ -230,6 +252,8 @@ private slots:
             stating("quantity = \"pitch\"\nat = \"distance\"\nat_most = 1\nlike = \"fig12a\"\nlike_set "
                     "= { run.duration = \"1 ms\" }"),
             "must last as long");
+        row("band", stating("quantity = \"pitch\"\nfrom = \"1 kHz\"\nat_most = 1"), "belongs to");
+        row("likeness alone", stating("quantity = \"pitch\"\nat = \"likeness\"\nat_least = 0.5"), "has no like");
         row("no spread", stating("end = [\"flying\"]\nspread = \"0 nm\""), "must be greater than 0");
         row("starts that run refuses", stating("end = [\"flying\"]\nspread = \"400 nm\""), "springs.cutoff");
         row("nothing contradicts", "contradict = true\n" + stating("end = [\"flying\"]"), "has no against");
