@@ -160,9 +160,7 @@ void checkCharacteristic(const OnoYamane& parameters, Problems& problems)
 void warnOfCreatedEnergy(const OnoYamane& parameters, Problems& warnings)
 {
     const double work = OnoYamaneLaw(parameters).cycleWork();
-    // A loop without area ends a few roundings of its parts away from zero.
-    const double parts = parameters.meniscusForce * (parameters.takeOff - parameters.touchDown);
-    if (work >= -1e-12 * parts || parameters.takeOff <= parameters.touchDown) return;
+    if (work >= 0.0 || parameters.takeOff <= parameters.touchDown) return;
     warnings.push_back(
         {"ono_yamane.meniscus_force",
          "W = " + fewDigits(work, "pJ", 3) +

@@ -7,8 +7,30 @@ namespace touchdown {
 
 using namespace parameter_builders;
 
+namespace {
+
+/// The take-off shapes and what each does to the energy.
+std::string shapeHelp()
+{
+    std::string works; // "constant: W = f_m (d_e - d_s) - ...; linear: ..."
+    for (std::size_t i = 0; i < takeOffShapeNames.size(); ++i)
+        works += (i > 0 ? "; " : "") + std::string(takeOffShapeNames[i]) + ": W = " + std::string(cycleWorkFormulas[i]);
+    return "Forces between d_s and d_e on the take-off branch: constant = F_m stays -f_m, F_cr falls along k_c; linear "
+           "= "
+           "F_m falls to zero at d_e, F_cr along k_c; both-linear = both fall linearly to zero at d_e. A touch-down "
+           "and "
+           "take-off takes the energy W out of the slider: " +
+           works +
+           ". Where d_e < d_s + f_c0/k_c the first two are too simple, and the program integrates the forces. W < 0: "
+           "each touch-down and take-off gives energy to the slider, as no real contact does, and it can bounce for "
+           "ever.";
+}
+
+} // namespace
+
 std::vector<Parameter> contactParameters()
 {
+    const std::string help = shapeHelp();
     return {
         number("ono_yamane.meniscus_force", "maximum meniscus force", "f_m", millinewtons, notNegative(1e6),
                at(&Case::onoYamane, &OnoYamane::meniscusForce), withOnoYamane,
@@ -35,11 +57,7 @@ std::vector<Parameter> contactParameters()
                "Distance from the mass centre back to the contact pad, where the flying height is measured.",
                "assumed: Table II of the paper is lost; the paper's d_h is a signed coordinate"),
         choice("ono_yamane.take_off_shape", "take-off shape", {takeOffShapeNames.begin(), takeOffShapeNames.end()},
-               at(&Case::onoYamane, &OnoYamane::takeOffShape), withOnoYamane,
-               "Forces between d_s and d_e on the take-off branch: constant = F_m stays -f_m, F_cr falls along k_c; "
-               "linear = F_m falls to zero at d_e, F_cr along k_c; both-linear = both fall linearly to zero at d_e. "
-               "The shape and the five parameters decide how much energy a touch-down and take-off takes out of the "
-               "slider.",
+               at(&Case::onoYamane, &OnoYamane::takeOffShape), withOnoYamane, help.c_str(),
                "assumed: a reading of the paper's Fig. 3, for which it gives no equation"),
     };
 }

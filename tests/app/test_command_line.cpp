@@ -224,7 +224,8 @@ void TestCommandLine::listLesson()
             QVERIFY2(text.out.contains("\n      " + command + "\n"), command);
         }
     }
-    QVERIFY(text.out.contains("\n      touchdown run fig13a --set 'initial.flying_height=9 nm'\n"));
+    QVERIFY(text.out.contains("\n      touchdown run fig13a --set 'initial.flying_height=9 nm' --set "
+                              "'initial.pitch=90.6 urad'\n"));
     QVERIFY(text.out.contains("\n      touchdown study cycles cycles_meniscus_force\n"));
 }
 

@@ -44,6 +44,16 @@ class TestParameters : public QObject {
     Q_OBJECT
 
 private slots:
+    /// `describe ono_yamane` has the formula of W of each shape; tests/physics/contact/test_ono_yamane.cpp checks them.
+    void theWorkOfACycleIsDescribed()
+    {
+        const std::string& help = findParameter("ono_yamane.take_off_shape")->help;
+        for (const char* part :
+             {"constant: W = f_m (d_e - d_s) - f_c0^2/(2 k_c)", "d_e < d_s + f_c0/k_c", "W < 0",
+              "both-linear: W = (f_m - f_c0) (d_e - d_s)/2", " linear: W = f_m (d_e - d_s)/2 - f_c0^2/(2 k_c)"})
+            QVERIFY2(help.find(part) != std::string::npos, part);
+    }
+
     void isDescribed_data() { addParameterRows(); }
     void isDescribed()
     {

@@ -2,6 +2,7 @@
 #include "core/physics/contact/ono_yamane.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -45,6 +46,8 @@ OnoYamaneLaw::OnoYamaneLaw(const OnoYamane& parameters)
 
 namespace {
 
+constexpr double roundOff = 1e-12; // of the parts of a sum that cancel [-]
+
 /// Of an affine force over a way [J].
 double work(const AffineForce& force, double from, double to) { return force.at(0.5 * (from + to)) * (to - from); }
 
@@ -62,11 +65,14 @@ double OnoYamaneLaw::storedEnergy(ContactRegion region, double d) const
 double OnoYamaneLaw::cycleWork() const
 {
     using enum ContactRegion;
-    double taken = 0.0; // from the slider on its way up
+    double byContact = 0.0, byAdhesion = 0.0; // on the slider, on its way up
     for (const auto& [region, from, to] :
-         {std::tuple{Lifting, row(Pressed).upper, release_}, std::tuple{Bridged, release_, row(Bridged).upper}})
-        taken -= work(row(region).contact, from, to) + work(row(region).adhesion, from, to);
-    return taken;
+         {std::tuple{Lifting, row(Pressed).upper, release_}, std::tuple{Bridged, release_, row(Bridged).upper}}) {
+        byContact += work(row(region).contact, from, to);
+        byAdhesion += work(row(region).adhesion, from, to);
+    }
+    const double taken = -(byContact + byAdhesion);
+    return std::abs(taken) <= roundOff * std::max(byContact, -byAdhesion) ? 0.0 : taken;
 }
 
 double meniscusForceForWork(const OnoYamane& parameters, double work)

@@ -17,7 +17,8 @@
 //
 // A cycle of touch-down and take-off takes the work W = -integral of F_cr + F_m from d_s to d_e out of the slider, as
 // the pad meets no force on its way down to d_s. Below d_s both ways are the same. With W < 0 each cycle gives energy
-// to the slider: such a law can keep it bouncing for ever, and no real contact does that.
+// to the slider: such a law can keep it bouncing for ever, and no real contact does that. The forces are affine, so W
+// is integrated exactly; where F_cr ends below d_e, that is d_e >= d_s + f_c0/k_c, it is cycleWorkFormulas.
 //
 // d >= d_e selects the touch-down branch, d <= d_s the take-off branch; between them the branch is kept.
 //
@@ -40,6 +41,9 @@ enum class TakeOffShape : std::uint8_t { Constant, Linear, BothLinear };
 /// "constant", "linear", "both-linear".
 inline constexpr std::array<std::string_view, 3> takeOffShapeNames{"constant", "linear", "both-linear"};
 constexpr std::string_view name(TakeOffShape shape) { return takeOffShapeNames[static_cast<std::size_t>(shape)]; }
+/// W by take-off shape; the first two where d_e >= d_s + f_c0/k_c.
+inline constexpr std::array<std::string_view, 3> cycleWorkFormulas{
+    "f_m (d_e - d_s) - f_c0^2/(2 k_c)", "f_m (d_e - d_s)/2 - f_c0^2/(2 k_c)", "(f_m - f_c0) (d_e - d_s)/2"};
 enum class ContactBranch : std::uint8_t { TouchDown, TakeOff };
 
 /// The five parameters, the friction coefficient and the position of the pad.
@@ -105,7 +109,7 @@ public:
     double adhesionForce(ContactRegion region, double d) const { return row(region).adhesion.at(d); }
     /// Elastic energy of the pressed asperities: the work of F_cr on lifting [J].
     double storedEnergy(ContactRegion region, double d) const;
-    /// W, see above [J].
+    /// W, see above [J]. Exactly 0 where its parts cancel but for round-off.
     double cycleWork() const;
 
     /// The separations between which the region's law holds [m].

@@ -5,11 +5,15 @@
 #include <cmath>
 
 #include "core/case/parameters.h"
+#include "core/case_files/case_file.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/physics/contact/ono_yamane.h"
 #include "core/studies/cycles/cycle_keys.h"
+#include "core/studies/cycles/cycles_report.h"
 #include "core/studies/runs/parallel.h"
+#include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
@@ -19,6 +23,10 @@ namespace {
 constexpr int fewestPoints = 2, mostPoints = 100, standardPoints = 20; // of an axis
 constexpr int mostStarts = 8;
 const std::vector<std::string> scales{"linear", "logarithmic"};
+constexpr int halvingsOfPlace = 60;
+constexpr const char* markedByWork =
+    " Marks of cases with another law, or of a film, stand where the law of the map has "
+    "the W of theirs; what the map shows there is its own slider.";
 constexpr std::array severities{0, 1, 2, 3, 1, 3}; // by MapClass
 
 std::optional<double> readEnd(StudyReader& reader, const std::string& name, const DesignKey& keys, bool logarithmic)
@@ -70,24 +78,80 @@ std::optional<MapAxis> readAxis(StudyReader& reader, const std::string& name)
     return axis;
 }
 
+/// W of the map's law at a point [J].
+std::optional<double> workOfLaw(const BouncingMapTask& task, double x, double y)
+{
+    Case c = task.start;
+    if (task.x.keys.set(c, x) || task.y.keys.set(c, y)) return {};
+    return OnoYamaneLaw(c.onoYamane).cycleWork();
+}
+
+/// The x at which the law of the map has this W, by bisection; W changes with x in one direction.
+std::optional<double> placeOfWork(const BouncingMapTask& task, double y, double work)
+{
+    double low = task.x.values.front(), high = task.x.values.back();
+    const std::optional<double> first = workOfLaw(task, low, y), last = workOfLaw(task, high, y);
+    if (!first || !last || work < std::min(*first, *last) || work > std::max(*first, *last) || *first == *last)
+        return {};
+    for (int k = 0; k < halvingsOfPlace; ++k) {
+        const double middle = 0.5 * (low + high);
+        const std::optional<double> there = workOfLaw(task, middle, y);
+        if (!there) return {};
+        ((*there < work) == (*first < *last) ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+std::optional<double> readPlace(StudyReader& reader, const std::string& table, const char* leaf, const MapAxis& axis)
+{
+    if (!reader.has(table + leaf)) reader.add(table, std::string("has no ") + (leaf + 1));
+    return reader.number(table + leaf, axis.text.unit, axis.text.displayUnit, axis.values.front(), axis.values.back());
+}
+
+/// The place along x that the W of a case gives.
+std::optional<double> readPlaceOfCase(StudyReader& reader, const std::string& key, const BouncingMapTask& task,
+                                      double y)
+{
+    const std::string name = reader.text(key).value_or("");
+    const CaseDocument document = openCaseBeside(reader, name);
+    if (!document.valid() || document.value.contact != ContactKind::OnoYamane) {
+        reader.add(key, inQuotes(name) + " is no valid case with contact = \"ono-yamane\"");
+        return {};
+    }
+    const double work = OnoYamaneLaw(document.value.onoYamane).cycleWork();
+    const std::optional<double> x = placeOfWork(task, y, work);
+    if (!x)
+        reader.add(key, inQuotes(name) + " has W = " + fewDigits(work, "pJ", 3) +
+                            ", which the law of the map has nowhere between x_from and x_to");
+    return x;
+}
+
 /// [[mark]]; within the map.
-std::vector<MapMark> readMarks(StudyReader& reader, const BouncingMapTask& task)
+std::vector<MapMark> readMarks(StudyReader& reader, MarkedMapTask& task)
 {
     std::vector<MapMark> marks;
     for (const std::string& table : reader.tables("mark")) {
         MapMark mark{reader.text(table + ".name").value_or("")};
         if (mark.name.empty()) reader.add(table, "has no name");
-        for (const auto& [leaf, axis, value] :
-             {std::tuple(".x", &task.x, &mark.x), std::tuple(".y", &task.y, &mark.y)}) {
-            if (!reader.has(table + leaf)) reader.add(table, std::string("has no ") + (leaf + 1));
-            const auto [unit, displayUnit] = std::pair(axis->text.unit, axis->text.displayUnit);
-            if (const auto at =
-                    reader.number(table + leaf, unit, displayUnit, axis->values.front(), axis->values.back()))
-                *value = *at;
+        const std::string byCase = table + ".work_of";
+        mark.y = readPlace(reader, table, ".y", task.y).value_or(task.y.values.front());
+        if (reader.has(byCase) && reader.has(table + ".x")) {
+            reader.add(byCase, "stands beside x: one of them gives the place");
+        } else if (reader.has(byCase)) {
+            mark.x = readPlaceOfCase(reader, byCase, task, mark.y).value_or(0.0);
+            task.marksByWork = true;
+        } else {
+            mark.x = readPlace(reader, table, ".x", task.x).value_or(0.0);
         }
         marks.push_back(std::move(mark));
     }
     return marks;
+}
+
+/// W at a mark [J].
+double workOf(const BouncingMapTask& task, const MapMark& mark)
+{
+    return workOfLaw(task, mark.x, mark.y).value_or(0.0);
 }
 
 std::string cellText(const BouncingMapTask& task, const MapCell& cell)
@@ -108,7 +172,7 @@ ChartAxis chartAxis(const MapAxis& axis)
     return {axis.text.label, axis.text.unit, axis.text.displayUnit, axis.logarithmic};
 }
 
-StudyChart chartOf(const BouncingMapTask& task, const std::vector<MapCell>& cells)
+StudyChart chartOf(const MarkedMapTask& task, const std::vector<MapCell>& cells)
 {
     ChartPanel panel{chartAxis(task.x), chartAxis(task.y)};
     ChartMap& map = panel.map.emplace();
@@ -131,7 +195,8 @@ StudyChart chartOf(const BouncingMapTask& task, const std::vector<MapCell>& cell
             "Each cell: " + counted(std::size_t(task.starts), "run") + " of " +
                 fewDigitsOfTime(task.search.duration, 3) +
                 " from different heights, judged by the last tenth; one run that bounces is enough. Line: W = 0, where "
-                "one loop of the contact law neither takes nor creates energy.",
+                "one loop of the contact law neither takes nor creates energy." +
+                (task.marksByWork ? markedByWork : ""),
             {panel}};
 }
 
@@ -171,11 +236,45 @@ std::string findingOf(const std::vector<MapCell>& cells)
     return text + ".";
 }
 
+StudyTable marksTable(const BouncingMapTask& task)
+{
+    StudyTable table{.name = "marks"};
+    table.columns = {{"name", "", "", "Mark"},
+                     {"x", task.x.text.unit, task.x.text.displayUnit, task.x.text.label},
+                     {"y", task.y.text.unit, task.y.text.displayUnit, task.y.text.label},
+                     {"work", "J", "pJ", "W, which one loop of the contact law takes"}};
+    for (const MapMark& mark : task.marks) table.rows.push_back({mark.name, mark.x, mark.y, workOf(task, mark)});
+    return table;
+}
+
+/// How many marks have a law that creates energy.
+std::string findingOfMarks(const BouncingMapTask& task)
+{
+    SwingOf works;
+    std::size_t creating = 0;
+    for (const MapMark& mark : task.marks) {
+        works.add(workOf(task, mark));
+        creating += workOf(task, mark) < 0.0 ? 1 : 0;
+    }
+    return "W < 0 at " + std::to_string(creating) + " of " + counted(task.marks.size(), "mark") + "; W is from " +
+           fewDigits(works.least, "pJ", 3) + " to " + fewDigits(works.most, "pJ", 3) + " there.";
+}
+
+/// Where the law creates energy; empty where no cell does.
+std::string creationWarning(const std::vector<MapCell>& cells)
+{
+    const auto creates = [](const MapCell& cell) { return cell.done && cell.cycleWork < 0.0; };
+    const auto creating = std::ranges::count_if(cells, creates);
+    if (creating == 0) return {};
+    return "W is negative in " + std::to_string(creating) + " of " + counted(cells.size(), "cell") + " of the map" +
+           creatingLaw;
+}
+
 } // namespace
 
-std::optional<BouncingMapTask> readBouncingMap(StudyReader& reader, int starts, double duration)
+std::optional<MarkedMapTask> readBouncingMap(StudyReader& reader, int starts, double duration)
 {
-    BouncingMapTask task;
+    MarkedMapTask task;
     task.start = reader.start();
     task.search.duration = duration;
     task.starts = reader.integer("map.starts", 1, mostStarts).value_or(starts);
@@ -215,11 +314,14 @@ std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce
     for (StudyKey& key : keys) key = onlyOffered(std::move(key));
     for (const char* leaf : {"x", "y"})
         keys.push_back(inList(textKey(std::string("mark.") + leaf, {}, "", "its place on the map, within both axes")));
-    keys.push_back(inList(textKey("mark.name", {}, "", "of a point that is marked on the map")));
+    keys.push_back(inList(textKey("mark.work_of", {}, "a case in quotation marks",
+                                  "instead of x: a case; the mark stands where the law of the map has the W of its "
+                                  "law")));
+    keys.push_back(inList(textKey("mark.name", {}, "", "of a point that is marked on the map; needs the table [map]")));
     return keys;
 }
 
-void addBouncingMap(const BouncingMapTask& task, int jobs, const StudyCallback& callback, StudyReport& report)
+void addBouncingMap(const MarkedMapTask& task, int jobs, const StudyCallback& callback, StudyReport& report)
 {
     const std::size_t columns = task.x.values.size(), count = columns * task.y.values.size();
     std::vector<MapCell> cells(count);
@@ -232,6 +334,8 @@ void addBouncingMap(const BouncingMapTask& task, int jobs, const StudyCallback& 
     });
     report.charts.push_back(chartOf(task, cells));
     report.tables.push_back(tableOf(task, cells));
+    if (!task.marks.empty()) report.tables.push_back(marksTable(task));
+    if (std::string warning = creationWarning(cells); !warning.empty()) report.warnings.push_back(std::move(warning));
     const auto failed = std::ranges::find(
         cells, true, [](const MapCell& cell) { return cell.done && cell.runs(BouncingEnd::Failed) > 0; });
     if (!whole) {
@@ -242,6 +346,7 @@ void addBouncingMap(const BouncingMapTask& task, int jobs, const StudyCallback& 
         report.message = "no cell of the map has a valid end: " + failed->problem;
     } else {
         report.findings.insert(report.findings.begin(), findingOf(cells));
+        if (!task.marks.empty()) report.findings.insert(report.findings.begin() + 1, findingOfMarks(task));
         if (const std::size_t taking = countOf(cells).taking; taking > 0)
             report.warnings.push_back("In " + counted(taking, "cell") +
                                       " of the map the slider bounces at the end though W >= 0; a longer duration "

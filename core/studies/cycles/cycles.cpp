@@ -187,7 +187,7 @@ StudyCallback partOf(const StudyCallback& callback, double from, double to)
     };
 }
 
-StudyReport performAll(const std::optional<CyclesTask>& cycles, const std::optional<BouncingMapTask>& map, int jobs,
+StudyReport performAll(const std::optional<CyclesTask>& cycles, const std::optional<MarkedMapTask>& map, int jobs,
                        const StudyCallback& callback)
 {
     const double mapBegins = cycles ? (map ? 0.5 : 1.0) : 0.0;
@@ -222,11 +222,14 @@ StudyPerformance planCycles(StudyReader& reader)
     task.starts = reader.integer("starts");
     task.search.duration = reader.number("duration");
     task.search.mostCrossings = reader.integer("crossings");
-    std::optional<BouncingMapTask> map;
+    std::optional<MarkedMapTask> map;
     if (reader.has("map")) {
         map = readBouncingMap(reader, task.starts, task.search.duration);
         if (!asksForCycles(reader))
             return [map](int jobs, const StudyCallback& callback) { return performAll({}, map, jobs, callback); };
+    } else {
+        for (const std::string& mark : reader.tables("mark"))
+            reader.add(mark, "needs a map: the table [map] is missing");
     }
     const std::optional<DesignKey> parameter = readKeys(reader, "parameter", keys, task.text);
     if (!parameter) return {};

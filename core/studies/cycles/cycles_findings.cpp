@@ -16,6 +16,15 @@ constexpr double negligibleEnergy = 1e-6; // of the largest part [-]
 
 std::string energyText(double energy) { return fewDigits(energy, "pJ", 3); }
 
+/// "the air takes 3 pJ".
+std::string partText(const std::string& what, double energy, double largest)
+{
+    if (std::abs(energy) <= negligibleEnergy * largest) return what + " neither gives nor takes energy";
+    return what + (energy > 0.0 ? " gives " : " takes ") + energyText(std::abs(energy));
+}
+
+bool endsOnStableCycle(const BouncingRun& run) { return run.cycle && run.cycle->stable(); }
+
 std::string rangeOf(double least, double most, const std::string& unit)
 {
     const std::string first = fewDigits(least, unit, 3), last = fewDigits(most, unit, 3);
@@ -78,7 +87,7 @@ private:
                 friction = friction || point.energies.friction > negligibleEnergy * point.energies.largest();
             }
         say("Self-excited: for " + uncapitalized(task_.text.label) + " " + text(ranges, task_.text) +
-            " the slider bounces for ever over a flat disk, on a stable cycle of " +
+            " the slider can bounce for ever over a flat disk, on a stable cycle of " +
             rangeOf(frequency.least, frequency.most, "kHz") + " and an amplitude of " +
             rangeOf(amplitude.least, amplitude.most, "nm") +
             (work.most < 0.0 ? "; there the contact law creates energy (W < 0), which no real contact does" : "") +
@@ -133,16 +142,51 @@ private:
         const std::string how = end == nullptr
                                     ? howOf(threshold.mark)
                                     : howOf(*end) + ", just after it loses its stability " + howOf(threshold.mark);
-        const double given = at.energies.contact, air = -at.energies.air, suspension = -at.energies.suspension,
-                     friction = at.energies.friction;
+        const CycleEnergies& given = at.energies;
+        const double largest = given.largest();
         std::string sentence = std::string("The stable cycle ") + (vanishes ? "ends" : "loses its stability") + " at " +
                                task_.text.of(at.value) + " " + how + ": W = " + energyText(at.cycleWork) +
-                               " there; in one cycle the contact gives " + energyText(given) + ", the air takes " +
-                               energyText(air) + " and the suspension " + energyText(suspension);
-        if (std::abs(friction) > negligibleEnergy * at.energies.largest())
-            sentence += friction > 0.0 ? ", friction gives " + energyText(friction)
-                                       : ", friction takes " + energyText(-friction);
+                               " there; in one cycle " + partText("the contact", given.contact, largest) + ", " +
+                               partText("the air", given.air, largest) + ", " +
+                               partText("the suspension", given.suspension, largest);
+        if (std::abs(given.friction) > negligibleEnergy * largest)
+            sentence += ", " + partText("friction", given.friction, largest);
         say(sentence);
+    }
+
+    /// "from 250 nm at 5 of 8 values": the runs of each start that end on a stable cycle.
+    std::string reachedFrom() const
+    {
+        std::vector<std::string> parts;
+        for (std::size_t k = 0; k < std::size_t(task_.starts); ++k) {
+            SwingOf height;
+            std::size_t reached = 0;
+            for (std::size_t i = k; i < result_.runs.size(); i += std::size_t(task_.starts)) {
+                height.add(result_.runs[i].height);
+                reached += endsOnStableCycle(result_.runs[i]) ? 1 : 0;
+            }
+            parts.push_back(rangeOf(height.least, height.most, "nm") + " at " + std::to_string(reached) + " of " +
+                            counted(task_.values.size(), "value"));
+        }
+        return "from a flying height of " + joined(parts);
+    }
+
+    /// The values within the stable ranges at which no run ends on a stable cycle.
+    void addUnreached()
+    {
+        const std::vector<ValueRange> ranges = stableRanges(result_.branches);
+        std::vector<double> unreached;
+        for (std::size_t i = 0; i < task_.values.size(); ++i) {
+            const auto first = result_.runs.begin() + std::ptrdiff_t(i) * task_.starts;
+            const bool stable = std::ranges::any_of(ranges, [&](const ValueRange& range) {
+                return task_.values[i] >= range.lower && task_.values[i] <= range.upper;
+            });
+            if (stable && std::none_of(first, first + task_.starts, endsOnStableCycle))
+                unreached.push_back(task_.values[i]);
+        }
+        if (unreached.empty()) return;
+        say(capitalized(text(rangesAmong(task_.values, unreached), task_.text)) +
+            " no start of this study leads to the stable cycle; only starts near it do");
     }
 
     void addRuns()
@@ -151,8 +195,10 @@ private:
         const CycleAgreement agreement = agreementOf(result_.runs);
         if (agreement.runs > 0)
             say(counted(agreement.runs, "run") + " of " + std::to_string(runs) +
-                (agreement.runs == 1 ? " ends" : " end") + " on a stable cycle: largest difference in frequency " +
-                percent(agreement.frequency) + ", in amplitude " + percent(agreement.amplitude));
+                (agreement.runs == 1 ? " ends" : " end") + " on a stable cycle, " + reachedFrom() +
+                "; largest difference in frequency " + percent(agreement.frequency) + ", in amplitude " +
+                percent(agreement.amplitude));
+        addUnreached();
         const auto lost = std::ranges::count_if(
             result_.runs, [](const BouncingRun& run) { return run.end == BouncingEnd::Bounces && !run.cycle; });
         if (lost > 0 && agreement.runs > 0)

@@ -185,6 +185,9 @@ StudyReport cyclesReport(const CyclesTask& task, const CyclesResult& result)
     report.findings = cyclesFindings(task, result);
     if (!result.branches.empty()) report.charts = {cycleChart(task, result), energyChart(task, result)};
     report.tables = {cycleTable(task, result), specialTable(task, result), longRunTable(task, result)};
+    if (const std::vector<ValueRange> ranges = creatingRanges(task); !ranges.empty())
+        report.warnings.push_back("W is negative for " + uncapitalized(task.text.label) + " " +
+                                  text(ranges, task.text) + creatingLaw);
     for (const BouncingRun& run : result.runs)
         if (run.end == BouncingEnd::Failed) {
             report.warnings.push_back("one run or more failed: " + run.problem);

@@ -8,6 +8,10 @@
 
 namespace touchdown {
 
+/// The end of a sentence that warns of W < 0.
+inline constexpr const char* creatingLaw =
+    ": each touch-down and take-off gives energy to the slider, as no real contact does.";
+
 std::vector<std::string> cyclesFindings(const CyclesTask& task, const CyclesResult& result);
 StudyReport cyclesReport(const CyclesTask& task, const CyclesResult& result);
 

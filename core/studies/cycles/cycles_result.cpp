@@ -3,8 +3,56 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "core/physics/contact/ono_yamane.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr int looksAtWork = 65; // from one end of the range to the other
+constexpr int halvingsOfZero = 50;
+
+/// W of the case with a value of the parameter [J].
+std::optional<double> workOfValue(const CyclesTask& task, double value)
+{
+    Case c = task.start;
+    if (task.parameter.set(c, value)) return {};
+    return OnoYamaneLaw(c.onoYamane).cycleWork();
+}
+
+/// Where W changes its sign, between a value with W < 0 and one without.
+double zeroBetween(const CyclesTask& task, double negative, double other)
+{
+    for (int k = 0; k < halvingsOfZero; ++k) {
+        const double middle = 0.5 * (negative + other);
+        const std::optional<double> work = workOfValue(task, middle);
+        (work && *work < 0.0 ? negative : other) = middle;
+    }
+    return other;
+}
+
+} // namespace
+
+std::vector<ValueRange> creatingRanges(const CyclesTask& task)
+{
+    std::vector<ValueRange> ranges;
+    std::optional<double> before; // the value before, where W is not negative
+    bool creates = false;         // at the value before
+    const double least = std::min(task.from, task.to), most = std::max(task.from, task.to);
+    for (int i = 0; i < looksAtWork; ++i) {
+        const double value = std::lerp(least, most, double(i) / (looksAtWork - 1));
+        const std::optional<double> work = workOfValue(task, value);
+        const bool now = work && *work < 0.0;
+        if (now && !creates) ranges.push_back({before ? zeroBetween(task, value, *before) : value, value});
+        if (now) ranges.back().upper = value;
+        if (creates && work && !now) ranges.back().upper = zeroBetween(task, ranges.back().upper, value);
+        creates = now;
+        before = work && !now ? std::optional(value) : std::nullopt;
+    }
+    return ranges;
+}
 
 std::vector<ValueRange> stableRanges(const std::vector<CycleBranch>& branches)
 {

@@ -32,6 +32,10 @@ struct CyclesResult {
 /// Where the branches are stable.
 std::vector<ValueRange> stableRanges(const std::vector<CycleBranch>& branches);
 
+/// Where W < 0, among the values between from and to: the contact law creates energy there. Values that are not valid
+/// for the case are left out.
+std::vector<ValueRange> creatingRanges(const CyclesTask& task);
+
 /// A mark at which a stable part of a branch ends.
 struct CycleThreshold {
     MarkedCycle mark;

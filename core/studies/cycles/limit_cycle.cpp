@@ -15,6 +15,7 @@ constexpr int mostCycleIterations = 30; // of Newton
 constexpr int mostHalvings = 10;        // of one of its steps
 constexpr double cycleFound = 1e-9;     // residual and last change, in units of x [-]
 constexpr double shorterPeriod = 1e-6;  // distance at which a part of the crossings is a cycle by itself [-]
+constexpr double energyAccuracy = 1e-9; // of an energy along a cycle, of the largest part [-]
 constexpr double alikeCycles = 2e-3;    // difference of periods and spacings of one cycle [-]
 
 bool near(double a, double b) { return std::abs(a - b) <= alikeCycles * std::max(std::abs(a), std::abs(b)); }
@@ -95,6 +96,9 @@ LimitCycle figuresOf(const ReturnMap& map, const Case& c, double value, const Ve
     cycle.minimumSpacing = way.minimumSpacing;
     cycle.multipliers = multipliersOf(way.derivative);
     cycle.energies = way.energies;
+    for (double* part :
+         {&cycle.energies.air, &cycle.energies.suspension, &cycle.energies.contact, &cycle.energies.friction})
+        if (std::abs(*part) < energyAccuracy * way.energies.largest()) *part = 0.0;
     cycle.cycleWork = OnoYamaneLaw(c.onoYamane).cycleWork();
     cycle.touchDowns = static_cast<int>(std::ranges::count_if(way.switches, [](const CycleSwitch& each) {
         return each.guard == SpringModel::Pad && each.before.contact == ContactRegion::Apart;

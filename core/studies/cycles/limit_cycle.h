@@ -22,7 +22,7 @@ struct LimitCycle {
     double period = 0.0;                             // [s]
     SwingOf separation, minimumSpacing;              // [m]
     std::array<std::complex<double>, 3> multipliers; // of Floquet, by falling magnitude [-]
-    CycleEnergies energies;                          // [J]
+    CycleEnergies energies;                          // a part that is zero but for round-off is 0 [J]
     double cycleWork = 0.0;                          // W of the contact law [J]
     std::vector<CycleSwitch> switches;
     double frequency() const { return 1.0 / period; }

@@ -99,10 +99,15 @@ std::optional<CaseDocument> openStudyCase(StudyReader& reader)
 
 CaseDocument openFurtherCase(StudyReader& reader, const std::string& name)
 {
+    return changedStudyCase(reader, openCaseBeside(reader, name));
+}
+
+CaseDocument openCaseBeside(const StudyReader& reader, const std::string& name)
+{
     std::error_code error;
     const std::filesystem::path beside = reader.folder() / name;
     const bool isBeside = !reader.folder().empty() && !name.empty() && std::filesystem::exists(beside, error);
-    return changedStudyCase(reader, openCase(isBeside ? beside.string() : name));
+    return openCase(isBeside ? beside.string() : name);
 }
 
 CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start)

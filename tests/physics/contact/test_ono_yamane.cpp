@@ -2,6 +2,7 @@
 #include "core/numerics/interval.h"
 #include "core/physics/contact/ono_yamane.h"
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -120,6 +121,32 @@ private slots:
         QVERIFY(near(work(TakeOffShape::Constant), loop - brought, 1e-25));
         QVERIFY(near(work(TakeOffShape::Linear), 0.5 * loop - brought, 1e-25));
         QVERIFY(near(work(TakeOffShape::BothLinear), 0.5 * (10e-3 - 5e-3) * 2e-9, 1e-25));
+    }
+
+    /// f_m (d_e - d_s) = f_c0^2/(2 k_c): the loop has no area, and its W is 0 and no round-off.
+    void workIsExactlyZero_data()
+    {
+        QTest::addColumn<int>("shape");
+        QTest::addColumn<double>("takeOff");
+        for (const TakeOffShape shape : {TakeOffShape::Constant, TakeOffShape::Linear, TakeOffShape::BothLinear})
+            for (const double takeOff : {4e-9, 4.3e-9, 5e-9, 5.7e-9})
+                QTest::addRow("%s, %g", std::string(name(shape)).c_str(), takeOff) << int(shape) << takeOff;
+    }
+    void workIsExactlyZero()
+    {
+        QFETCH(int, shape);
+        QFETCH(double, takeOff);
+        OnoYamane p = paperValues(TakeOffShape(shape));
+        p.takeOff = takeOff;
+        const double each = p.initialContactForce * p.initialContactForce / (2.0 * p.contactStiffness) /
+                            (p.takeOff - p.touchDown); // [N]
+        const std::array zeros{each, 2.0 * each, p.initialContactForce};
+        p.meniscusForce = zeros.at(std::size_t(shape));
+        QVERIFY(OnoYamaneLaw(p).cycleWork() == 0.0); // QCOMPARE takes 1e-13 for zero
+        p.meniscusForce *= 1.0 + 1e-6;
+        QVERIFY(OnoYamaneLaw(p).cycleWork() > 0.0);
+        p.meniscusForce /= 1.0 + 2e-6;
+        QVERIFY(OnoYamaneLaw(p).cycleWork() < 0.0);
     }
 
     /// W against the forces added up along the way down and up, by the midpoint rule, which is exact for a piecewise

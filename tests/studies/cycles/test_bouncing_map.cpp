@@ -101,6 +101,35 @@ private slots:
         QCOMPARE(panel.series.front().name, std::string("W = 0"));
     }
 
+    /// W = f_m 1 nm - 2.5 pJ on the map and f_m 5 nm - 2.5 pJ in Fig. 13 with f_m = 10.7 mN; Figs. 10 and 12 have d_e =
+    /// 5 nm. A mark by W stands where f_m 1 nm gives the same.
+    void marksByWork()
+    {
+        const std::string marks = "[[mark]]\nname = \"Fig. 10\"\nwork_of = \"fig10a\"\ny = 0.01\n"
+                                  "[[mark]]\nname = \"Fig. 13\"\nwork_of = \"fig13a\"\ny = 0.005\n"
+                                  "[[mark]]\nname = \"weak\"\nx = \"2 mN\"\ny = 0.01\n";
+        const StudyReport report = performed(
+            bouncingSlider(), "duration = \"0.05 ms\"\n[map]\nx = \"ono_yamane.meniscus_force\"\nx_from = \"1 mN\"\n"
+                              "x_to = \"100 mN\"\nx_points = 2\nx_scale = \"logarithmic\"\ny = "
+                              "\"springs.rear_damping_ratio\"\ny_from = 0.001\ny_to = 0.1\ny_points = 2\nstarts = 1\n" +
+                                  marks);
+        const auto found = std::ranges::find(report.tables, std::string("marks"), &StudyTable::name);
+        QVERIFY(found != report.tables.end());
+        QCOMPARE(found->rows.size(), std::size_t(3));
+        const double fig10 = 10.7e-3 * 2e-9 - 2.5e-12, fig13 = 10.7e-3 * 5e-9 - 2.5e-12, weak = 2e-12 - 2.5e-12;
+        std::size_t i = 0;
+        for (const double work : {fig10, fig13, weak}) {
+            QVERIFY(std::abs(std::get<double>(found->rows[i][1]) / ((work + 2.5e-12) / 1e-9) - 1.0) < 1e-9);
+            QVERIFY(std::abs(std::get<double>(found->rows[i][3]) - work) < 1e-9 * 2.5e-12);
+            ++i;
+        }
+        QCOMPARE(std::get<double>(found->rows[1][2]), 0.005);
+        // Two of the cells have f_m = 1 mN, W = -1.5 pJ.
+        QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) {
+            return each.starts_with("W is negative in 2 of 4 cells");
+        }));
+    }
+
     /// W is linear in f_m.
     void theLineIsWhereTheWorkIsZero()
     {
@@ -206,6 +235,15 @@ private slots:
             "study:6: map.y_from: must be greater than 0");
         row("one key twice", force + "y = \"ono_yamane.meniscus_force\"\ny_from = \"1 mN\"\ny_to = \"2 mN\"\n",
             "study:5: map.y: \"ono_yamane.meniscus_force\" is the key of x, too");
+        row("a mark off the map", force + height + "[[mark]]\nname = \"a\"\nx = \"9 mN\"\ny = \"4 nm\"\n",
+            "study:10: mark[1].x: ");
+        row("a mark with two places",
+            force + height + "[[mark]]\nname = \"a\"\nx = \"1 mN\"\nwork_of = \"fig10a\"\ny = \"4 nm\"\n",
+            "study:11: mark[1].work_of: stands beside x");
+        row("a mark of no case", force + height + "[[mark]]\nname = \"a\"\nwork_of = \"fig99\"\ny = \"4 nm\"\n",
+            "study:10: mark[1].work_of: \"fig99\" is no valid case");
+        row("W is not on the map", force + height + "[[mark]]\nname = \"a\"\nwork_of = \"fig12a\"\ny = \"4 nm\"\n",
+            "study:10: mark[1].work_of: \"fig12a\" has W = 97.5 pJ");
         row("an unknown key", force + height + "z = 3\n", "study:8: map.z: unknown key");
     }
     void problems()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QTest>
 
@@ -42,6 +43,14 @@ std::string word(const StudyTable& t, std::size_t row, const std::string& column
     return std::get<std::string>(t.rows[row][columnOf(t, column)]);
 }
 
+/// The last number before a unit: 2.5 of "from 1 mN to 2.5 mN: ..." [that unit].
+double lastAmount(const std::string& text, const std::string& unit)
+{
+    const std::size_t end = text.rfind(" " + unit);
+    if (end == std::string::npos) return std::numeric_limits<double>::quiet_NaN();
+    return std::stod(text.substr(text.rfind(' ', end - 1) + 1));
+}
+
 bool says(const StudyReport& report, const std::string& part)
 {
     return std::ranges::any_of(report.findings,
@@ -60,9 +69,10 @@ private slots:
     {
         const StudyReport report = performed(bouncingSlider(), std::string(force) + few);
         QCOMPARE(report.status, StudyStatus::Completed);
-        QVERIFY2(report.findings.front().starts_with(
-                     "Self-excited: for maximum meniscus force f_m from 1 mN to 2.414 mN the slider bounces for ever"),
-                 report.findings.front().c_str());
+        QVERIFY2(
+            report.findings.front().starts_with(
+                "Self-excited: for maximum meniscus force f_m from 1 mN to 2.414 mN the slider can bounce for ever"),
+            report.findings.front().c_str());
         QVERIFY(says(report, "The stable cycle ends at 2.414 mN by grazing"));
         QVERIFY(says(report, "The energies of each cycle add up to zero within"));
         QCOMPARE(report.charts.size(), std::size_t(2));
@@ -77,6 +87,9 @@ private slots:
             QVERIFY(std::abs(sum) < (grazes ? 1e-4 : 1e-8) * largest);
             QVERIFY(number(cycles, i, "value") < 2.5e-3);
         }
+        // W = 0 at f_m = f_c0^2/(2 k_c (d_e - d_s)) = 2.5 mN.
+        QCOMPARE(report.warnings.size(), std::size_t(1));
+        QCOMPARE(lastAmount(report.warnings.front(), "mN"), 2.5);
         for (const StudyTable& each : report.tables)
             for (const auto& row : each.rows) {
                 QCOMPARE(row.size(), each.columns.size());
@@ -116,6 +129,61 @@ private slots:
                  report.findings.front().c_str());
         QVERIFY(table(report, "cycles").rows.empty());
         QVERIFY(report.charts.empty());
+    }
+
+    void noWarningWhereTheLawTakesEnergy()
+    {
+        QVERIFY(
+            performed(bouncingSlider(4e-3), std::string("from = \"2.5 mN\"\nto = \"20 mN\"\n") + few).warnings.empty());
+    }
+    /// The law of the case creates energy at every value of another parameter.
+    void warnsWhereTheParameterLeavesTheLawAlone()
+    {
+        const StudyReport report =
+            performed(bouncingSlider(2e-3), "parameter = \"springs.rear_damping_ratio\"\nfrom = 0.005\nto = 0.01\n"
+                                            "values = 1\nstarts = 1\nduration = \"0.2 ms\"\n");
+        QCOMPARE(report.warnings.size(), std::size_t(1));
+    }
+
+    /// f_m = 2.4 mN is near the end of the stable cycle: a drop from 250 nm is caught there, though the cycle exists.
+    void saysWhichStartsReachTheCycle()
+    {
+        const StudyReport report = performed(bouncingSlider(), "from = \"1.8 mN\"\nto = \"2.4128 mN\"\n"
+                                                               "values = 24\nstarts = 1\n");
+        const StudyTable& runs = table(report, "runs");
+        std::size_t reached = 0;
+        for (std::size_t i = 0; i < runs.rows.size(); ++i) reached += word(runs, i, "end") == "bounces" ? 1 : 0;
+        QVERIFY(reached > 0 && reached < runs.rows.size());
+        QVERIFY(says(report, "from a flying height of 250 nm at " + std::to_string(reached) + " of 24 values"));
+        QVERIFY(says(report, "no start of this study leads to the stable cycle"));
+    }
+
+    /// With friction the contact takes energy at the end of the branch: W = +0.28 pJ.
+    void theContactTakesWhatFrictionGives()
+    {
+        Case c = bouncingSlider(2.6e-3);
+        c.onoYamane.friction = 0.8;
+        const StudyReport report = performed(c, "from = \"2.6 mN\"\nto = \"3 mN\"\nvalues = 4\nstarts = 1\n");
+        QVERIFY(says(report, "the contact takes 0.28 pJ"));
+        QVERIFY(!says(report, "gives -") && !says(report, "takes -"));
+    }
+
+    /// At f_m = 2.5 mN W is zero, and what the contact gives is zero as well; friction keeps the slider bouncing.
+    void theContactOfNoAreaGivesNothing()
+    {
+        Case c = bouncingSlider(2.5e-3);
+        c.onoYamane.friction = 0.8;
+        const StudyReport report = performed(c, "from = \"2.5 mN\"\nto = \"2.51 mN\"\nvalues = 1\nstarts = 1\n");
+        const StudyTable& cycles = table(report, "cycles");
+        std::size_t zeros = 0;
+        for (std::size_t i = 0; i < cycles.rows.size(); ++i) {
+            if (number(cycles, i, "value") != 2.5e-3) continue;
+            QVERIFY(number(cycles, i, "work") == 0.0); // QCOMPARE takes 1e-13 for zero
+            QVERIFY(number(cycles, i, "contact") == 0.0);
+            QVERIFY(number(cycles, i, "friction") > 0.0);
+            ++zeros;
+        }
+        QVERIFY(zeros > 0);
     }
 
     /// Both dashpots of the air at once; the cycle doubles its period at 0.00217 and the branch that leaves it there is
@@ -182,6 +250,8 @@ private slots:
                                    << "study:1: crossings: ";
         QTest::newRow("a long duration") << "duration = \"2 s\"\n"
                                          << "study:1: duration: ";
+        QTest::newRow("a mark without a map") << "values = 3\n[[mark]]\nname = \"here\"\nx = \"1 mN\"\ny = 0.01\n"
+                                              << "study:2: mark[1]: needs a map";
         QTest::newRow("an unknown key") << "value = 3\n"
                                         << "study:1: value: unknown key; did you mean values?";
     }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/lesson/lesson.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <QTest>
 
+#include "core/physics/contact/ono_yamane.h"
 #include "core/simulation/run.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/sample_case.h"
@@ -18,21 +21,34 @@ constexpr std::size_t springSteps = 5; // all but the last, which has a film
 
 struct Amount {
     double value;
-    QString unit;
+    QString unit; // "" for a count or a ratio
     int decimals;
     QString text; // "7.00 nm"
 };
 
-/// Numbers with a unit, as a text says them.
+/// All numbers of a text but those that name a figure, a step or an equation. In a list such as "5 and 10 nm" the last
+/// number has the unit of the others, too.
 std::vector<Amount> amountsIn(const std::string& text)
 {
-    static const QRegularExpression number(QStringLiteral("(-?\\d+(?:\\.(\\d+))?) (nm|urad|mN|pJ|us|ms|ns)\\b"));
+    static const QRegularExpression names(
+        QStringLiteral("\\b(Figs?\\.|Table|[Ss]teps?|equation) \\(?\\d+\\)?((, | and | to )\\d+)*"));
+    static const QRegularExpression number(
+        QStringLiteral("(?<![\\w.^])(-?\\d+(?:\\.(\\d+))?)(?![\\w]|\\.\\d)( (nm|um|urad|mN|pJ|us|ms|ns|kHz)\\b)?"));
+    static const QStringList between{QStringLiteral(", "), QStringLiteral(" and "), QStringLiteral(" to "),
+                                     QStringLiteral(" or ")};
+    const QString plain = QString::fromStdString(text).simplified().remove(names);
     std::vector<Amount> amounts;
-    auto match = number.globalMatch(QString::fromStdString(text).simplified());
+    std::vector<qsizetype> begins, ends;
+    auto match = number.globalMatch(plain);
     while (match.hasNext()) {
         const QRegularExpressionMatch m = match.next();
-        amounts.push_back({m.captured(1).toDouble(), m.captured(3), int(m.capturedLength(2)), m.captured()});
+        amounts.push_back({m.captured(1).toDouble(), m.captured(4), int(m.capturedLength(2)), m.captured()});
+        begins.push_back(m.capturedStart());
+        ends.push_back(m.capturedEnd());
     }
+    for (std::size_t i = amounts.size(); i-- > 1;)
+        if (amounts[i - 1].unit.isEmpty() && between.contains(plain.mid(ends[i - 1], begins[i] - ends[i - 1])))
+            amounts[i - 1].unit = amounts[i].unit;
     return amounts;
 }
 
@@ -44,9 +60,58 @@ Case caseOf(const LessonRun& lessonRun)
     return c;
 }
 
-/// What a run gives, with all its digits.
-void addFacts(std::vector<Amount>& facts, const Summary& summary)
+/// A case with further settings.
+struct FurtherRun {
+    std::size_t step; // from 1
+    std::string name;
+    std::vector<CaseSetting> settings;
+};
+
+const CaseSetting staticPitch{"initial.pitch", "90.6 urad"};
+
+/// The runs that the questions "what to change" ask for, as far as the answers have numbers of them.
+std::vector<FurtherRun> furtherRuns()
 {
+    std::vector<FurtherRun> runs;
+    for (const char* height : {"17 nm", "19 nm", "35 nm"})
+        runs.push_back({2, "fig13a", {{"initial.flying_height", height}, staticPitch}});
+    for (const char* step : {"9 ns", "20 ns"}) runs.push_back({3, "fig10b_naive_switching", {{"run.step", step}}});
+    for (const char* cutoff : {"2.5 nm", "2.2 nm", "1.9 nm"})
+        runs.push_back({4, "fig12b", {{"springs.cutoff", cutoff}}});
+    return runs;
+}
+
+double finalHeight(const Summary& summary) // [m]
+{
+    const auto found = std::ranges::find(summary.final, std::string("flying_height"),
+                                         [](const auto& each) -> std::string { return each.first; });
+    return found == summary.final.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+long long lostSprings(const Summary& summary)
+{
+    return std::ranges::count(summary.events, std::string("rear spring lost"), &RunEvent::name);
+}
+
+/// What a run gives, with all its digits.
+void addFacts(std::vector<Amount>& facts, const Case& c, const std::vector<CaseSetting>& settings)
+{
+    for (const CaseSetting& setting : settings)
+        for (const Amount& amount : amountsIn(setting.value)) facts.push_back(amount);
+    facts.push_back({c.initial.flyingHeight * 1e9, "nm", 9, {}});
+    facts.push_back({c.initial.pitch * 1e6, "urad", 9, {}});
+    facts.push_back({c.springs.cutoff * 1e9, "nm", 9, {}});
+    facts.push_back({c.run.duration * 1e3, "ms", 9, {}});
+    facts.push_back({c.run.step * 1e9, "ns", 9, {}});
+    facts.push_back({c.onoYamane.friction, "", 9, {}});
+    facts.push_back({meniscusForceForWork(c.onoYamane, 0.0) * 1e3, "mN", 9, {}});
+    double highest = 0.0; // [m]
+    const auto height = std::size_t(findQuantity(recordedQuantities(c), "flying_height"));
+    const Summary summary = run(c, [&](const RunUpdate& update) {
+        for (const double value : update.samples.columns[height]) highest = std::max(highest, value);
+        return true;
+    });
+    facts.push_back({highest * 1e6, "um", 9, {}});
     for (const auto& [quantity, value] : summary.final) {
         if (quantity == "flying_height") facts.push_back({value * 1e9, "nm", 9, {}});
         if (quantity == "pitch") facts.push_back({value * 1e6, "urad", 9, {}});
@@ -54,9 +119,21 @@ void addFacts(std::vector<Amount>& facts, const Summary& summary)
     }
     for (const auto& [quantity, tail] : summary.tail)
         if (quantity == "minimum_spacing") facts.push_back({(tail.max - tail.min) * 1e9, "nm", 9, {}});
-    for (const RunFigure& figure : summary.figures)
+    for (const RunFigure& figure : summary.figures) {
         if (figure.quantity.name == "cycle_work") facts.push_back({figure.value * 1e12, "pJ", 9, {}});
+        if (figure.quantity.name == "touch_downs") facts.push_back({figure.value, "", 9, {}});
+    }
+    facts.push_back({double(lostSprings(summary)), "", 9, {}});
     for (const Amount& amount : amountsIn(summary.message)) facts.push_back(amount);
+}
+
+/// The findings of a study; a map has few cells and one start here, as only its marks give numbers.
+std::vector<std::string> findingsOf(const LessonRun& study)
+{
+    std::vector<std::string> options;
+    if (study.name == "cycles_map_paper")
+        options = {"map.x_points=2", "map.y_points=2", "map.starts=1", "duration=0.1 ms"};
+    return openStudy(study.kind, study.name, {}, options).perform(2, {}).findings;
 }
 
 QString problemsOf(const Lesson& lesson)
@@ -143,23 +220,22 @@ private slots:
         QFETCH(const int, step);
         const LessonStep& lesson = lessonSteps().at(std::size_t(step));
         std::vector<Amount> facts = amountsIn(lesson.text);
+        // The law of step 1, to which step 5 compares its own.
+        const OnoYamane first = sample("fig10a").onoYamane;
+        facts.push_back({meniscusForceForWork(first, 0.0) * 1e3, "mN", 9, {}});
+        facts.push_back({OnoYamaneLaw(first).cycleWork() * 1e12, "pJ", 9, {}});
+        facts.push_back({first.takeOff * 1e9, "nm", 9, {}});
         for (const LessonRun& each : lesson.runs) {
-            if (!each.kind.empty()) {
-                // The map takes 15 s, and the answer has no number of it.
-                if (each.name == "cycles_map_paper") continue;
-                for (const std::string& finding : openStudy(each.kind, each.name).perform(2, {}).findings)
-                    for (const Amount& amount : amountsIn(finding)) facts.push_back(amount);
+            if (each.kind.empty()) {
+                addFacts(facts, caseOf(each), each.settings);
                 continue;
             }
-            const Case c = caseOf(each);
-            for (const CaseSetting& setting : each.settings)
-                for (const Amount& amount : amountsIn(setting.value)) facts.push_back(amount);
-            facts.push_back({c.initial.flyingHeight * 1e9, "nm", 9, {}});
-            facts.push_back({c.springs.cutoff * 1e9, "nm", 9, {}});
-            facts.push_back({c.run.duration * 1e3, "ms", 9, {}});
-            facts.push_back({c.run.step * 1e9, "ns", 9, {}});
-            addFacts(facts, run(c));
+            for (const std::string& finding : findingsOf(each))
+                for (const Amount& amount : amountsIn(finding)) facts.push_back(amount);
         }
+        for (const FurtherRun& each : furtherRuns())
+            if (each.step == std::size_t(step) + 1)
+                addFacts(facts, caseOf({"", each.name, "", each.settings}), each.settings);
         for (const Amount& said : amountsIn(lesson.answer)) {
             const double half = 0.5 * std::pow(10.0, -said.decimals);
             const bool found = std::ranges::any_of(facts, [&](const Amount& fact) {
@@ -175,11 +251,19 @@ private slots:
     {
         QTest::addColumn<int>("step");
         QTest::addColumn<QStringList>("ends");
-        QTest::newRow("flies") << 1 << QStringList{"at rest 6", "at rest 5", "settles 12"};
-        QTest::newRow("two states") << 2 << QStringList{"at rest 3", "at rest 5", "at rest 5"};
-        QTest::newRow("method") << 3 << QStringList{"at rest 4 warns", "at rest 4", "at rest 4", "at rest 6"};
-        QTest::newRow("model") << 4 << QStringList{"at rest 4", "failed", "failed"};
-        QTest::newRow("by itself") << 5 << QStringList{"bounces 514 warns", "at rest 22", "at rest 11", "bounces 674"};
+        QTest::newRow("flies") << 1 << QStringList{"at rest 6 7.00", "at rest 1 7.00", "at rest 5 7.00", "settles 12"};
+        QTest::newRow("two states") << 2
+                                    << QStringList{"at rest 0 7.00", "at rest 5 3.80", "at rest 5 7.00",
+                                                   "at rest 6 3.80"};
+        QTest::newRow("method") << 3
+                                << QStringList{"at rest 4 3.80 warns", "at rest 4 7.00", "at rest 4 7.00",
+                                               "at rest 6 7.00"};
+        QTest::newRow("model") << 4 << QStringList{"at rest 4 1.60",       "failed -5.04", "failed -5.04 warns",
+                                                   "at rest 3 1.60 warns", "failed -5.04", "at rest 0 1.60",
+                                                   "at rest 0 7.00",       "failed"};
+        QTest::newRow("by itself") << 5
+                                   << QStringList{"bounces 514 warns", "at rest 22 3.44", "at rest 35 3.45 warns",
+                                                  "at rest 11 2.89", "bounces 674"};
     }
     void ends()
     {
@@ -194,9 +278,96 @@ private slots:
             for (const RunFigure& figure : summary.figures)
                 if (figure.quantity.name == "touch_downs" && summary.status == RunStatus::Completed)
                     text += QStringLiteral(" %1").arg(figure.value);
+            if (summary.verdict.motion == Motion::AtRest)
+                text += QStringLiteral(" %1").arg(1e9 * finalHeight(summary), 0, 'f', 2);
             found << (summary.warnings.empty() ? text : text + QStringLiteral(" warns"));
         }
         QCOMPARE(found, ends);
+    }
+
+    /// Step 2: the first height at which the slider is caught, in steps of 2 nm, and the next one at which it flies.
+    void heightsAtWhichTheSliderIsCaught()
+    {
+        std::vector<double> changes; // heights at which the end is another than at the height before [nm]
+        bool caught = false;
+        for (int height = 9; height <= 35; height += 2) {
+            const CaseSetting start{"initial.flying_height", std::to_string(height) + " nm"};
+            const Summary summary = run(caseOf({"", "fig13a", "", {start, staticPitch}}));
+            QCOMPARE(summary.verdict.motion, Motion::AtRest);
+            const bool now = finalHeight(summary) < 5e-9;
+            if (now != caught) changes.push_back(height);
+            caught = now;
+        }
+        QCOMPARE(changes, (std::vector<double>{19.0, 35.0}));
+    }
+
+    /// Step 4: where the drop from 250 nm ends depends on d_1; the two states of rest do not.
+    void endsOverTheCutoff_data()
+    {
+        QTest::addColumn<QString>("cutoff");
+        QTest::addColumn<double>("end"); // [nm]
+        QTest::newRow("3 nm") << "3 nm" << -5.036;
+        QTest::newRow("2.5 nm") << "2.5 nm" << -5.036;
+        QTest::newRow("2.2 nm") << "2.2 nm" << 7.0;
+        QTest::newRow("1.9 nm") << "1.9 nm" << 1.602;
+        QTest::newRow("1 nm") << "1 nm" << 1.602;
+        QTest::newRow("0.3 nm") << "0.3 nm" << 1.602;
+    }
+    void endsOverTheCutoff()
+    {
+        QFETCH(const QString, cutoff);
+        QFETCH(const double, end);
+        const auto endOf = [&](std::vector<CaseSetting> settings) {
+            settings.push_back({"springs.cutoff", cutoff.toStdString()});
+            return 1e9 * finalHeight(run(caseOf({"", "fig12b", "", settings})));
+        };
+        QVERIFY(std::abs(endOf({}) - end) < 0.001);
+        QVERIFY(std::abs(endOf({{"initial.flying_height", "2 nm"}, {"initial.pitch", "94 urad"}}) - 1.602) < 0.001);
+        QVERIFY(std::abs(endOf({{"initial.flying_height", "10 nm"}, staticPitch}) - 7.0) < 0.001);
+    }
+
+    /// A low start with a pitch of 0 presses the front spring together. The starts of the lesson do not, but for the
+    /// one that shows what happens then.
+    void lowStartsKeepTheStaticPitch()
+    {
+        std::size_t pressed = 0;
+        for (const LessonStep& step : lessonSteps())
+            for (const LessonRun& each : step.runs) {
+                if (!each.kind.empty()) continue;
+                const Case c = caseOf(each);
+                if (c.model != ModelKind::Springs) continue;
+                const double front = c.springs.frontDistance + c.onoYamane.padDistance; // from the pad [m]
+                pressed += c.initial.flyingHeight + front * c.initial.pitch <
+                                   0.8 * (c.springs.flyingHeight + front * c.springs.pitch)
+                               ? 1
+                               : 0;
+            }
+        QCOMPARE(pressed, std::size_t(1));
+    }
+
+    /// The cards of Figs. 10 (b) and 14 (a): the least spacing at the rear, between samples too, and the swing from
+    /// peak to peak at the end.
+    void numbersOfCards()
+    {
+        const auto says = [](const Case& c, double value, int decimals) {
+            return std::ranges::any_of(amountsIn(c.about.watch), [&](const Amount& amount) {
+                return amount.unit == "nm" && amount.decimals == decimals &&
+                       std::abs(amount.value - value) <= 0.5 * std::pow(10.0, -decimals);
+            });
+        };
+        Case fig10b = sample("fig10b");
+        const auto rear = std::size_t(findQuantity(recordedQuantities(fig10b), "rear_spacing"));
+        double least = 1.0; // [m]
+        fig10b.run.sampleInterval = 1e-9;
+        fig10b.run.duration = 0.2e-3;
+        run(fig10b, [&](const RunUpdate& update) {
+            for (const double spacing : update.samples.columns[rear]) least = std::min(least, spacing);
+            return true;
+        });
+        QVERIFY2(says(fig10b, least * 1e9, 3), qPrintable(QString::number(least)));
+        const Case fig14a = sample("fig14a");
+        for (const auto& [quantity, tail] : run(fig14a).tail)
+            if (quantity == "flying_height") QVERIFY(says(fig14a, (tail.max - tail.min) * 1e9, 2));
     }
 };
 
