@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 #include <string_view>
+#include <utility>
 
 #include "core/case_files/case_reader.h"
 #include "core/formats/decimal.h"
@@ -47,7 +47,8 @@ std::vector<TomlValue> elementsOf(const TomlEntry& entry)
     } else if (entry.line == optionLine) {
         const auto* text = std::get_if<std::string>(&entry.value);
         if (text == nullptr) return {entry.value};
-        for (const std::string_view element : listElements(*text)) values.emplace_back(std::in_place_type<std::string>, element);
+        for (const std::string_view element : listElements(*text))
+            values.emplace_back(std::in_place_type<std::string>, element);
     }
     return values;
 }
