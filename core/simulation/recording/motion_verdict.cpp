@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/formats/units.h"
-#include "core/formats/words.h"
 #include "core/numerics/moments.h"
 
 namespace touchdown {
@@ -99,8 +98,10 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
     const std::size_t count = samples.spacing.size();
     const auto length = std::max<std::size_t>(1, std::size_t(share * double(count - landing)));
     MotionEvidence evidence{.share = share, .parts = 0, .movingSurface = samples.movingSurface};
-    for (std::size_t end = count; evidence.parts < evidence.swings.size() && end >= landing + length; end -= length)
-        evidence.swings[evidence.parts++] = Part(samples, end - length, end).swing();
+    std::size_t begin = count;
+    for (; evidence.parts < evidence.swings.size() && begin >= landing + length; begin -= length)
+        evidence.swings[evidence.parts++] = Part(samples, begin - length, begin).swing();
+    evidence.oneLaw = Part(samples, begin, count).touch() != Touch::AtTimes;
     const Part last(samples, count - length, count);
     evidence.rms = last.rms();
     evidence.rmsBefore = evidence.parts > 1 ? Part(samples, count - 2 * length, count - length).rms() : evidence.rms;
@@ -157,11 +158,10 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
             return figures + "; " + formatNumber(Rule::fewestPeriods) + " periods are needed to tell";
         return figures + "; the motion still decays: a longer run can tell";
     case Motion::Settles:
-        return figures + (evidence.swing() < Rule::smallestDecay * evidence.swings[1]
+        return figures + (evidence.decaysFast()
                               ? "; less than 90 % of the swing before counts as decay"
-                              : "; it fell in each of the last five parts, to " +
-                                    percent(evidence.swing() / evidence.swings.back()) +
-                                    " in all, and not more slowly at the end: this counts as decay");
+                              : "; in the mean of three parts it is less than 97 % of that in the three before: this "
+                                "counts as slow decay");
     case Motion::Swings:
     case Motion::Vibrates:
     case Motion::Bounces:
@@ -194,13 +194,16 @@ void MotionSamples::dropFirst(std::size_t count)
     first += double(count) * interval;
 }
 
-bool MotionEvidence::decays() const
+bool MotionEvidence::decaysFast() const
 {
     if (movingSurface) return rms < Rule::forcedDecay * rmsBefore;
-    if (parts > 1 && swings[0] < Rule::smallestDecay * swings[1]) return true;
-    const auto& [last, second, third, fourth, first] = swings;
-    return parts == swings.size() && std::ranges::is_sorted(swings) && last < Rule::smallestLongDecay * first &&
-           last / second <= Rule::steadyDecay * fourth / first;
+    return parts > 1 && swings[0] < Rule::smallestDecay * swings[1];
+}
+
+bool MotionEvidence::decaysSlowly() const
+{
+    if (movingSurface || parts < swings.size() || !oneLaw) return false;
+    return swings[0] + swings[1] + swings[2] < Rule::slowDecay * (swings[3] + swings[4] + swings[5]);
 }
 
 bool MotionEvidence::grows() const

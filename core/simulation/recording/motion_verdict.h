@@ -14,9 +14,10 @@
 // The landing is left out: the run counts from the first time at which s enters the range that it has in the last
 // tenth. The last part is the last tenth of the time from then on, or the last fifth or third where a shorter part
 // holds less than 3 periods; over a moving surface it is the last third. The swing decays if it is below 90 % of that
-// in the part before, or if it fell in each of the last five parts, below 95 % in all and at the end no slower than
-// before. Over a moving surface, where the swing of a part is random, the standard deviation decays if it is below 60 %
-// of that in the part before. What lasts there is forced: the disk drives it.
+// in the part before. It decays slowly if over the last six parts the contact neither begins nor ends, and the swings
+// of the last three are below 97 % of those of the three before, in the mean. Over a moving surface, where the swing of
+// a part is random, the standard deviation decays if it is below 60 % of that in the part before. What lasts there is
+// forced: the disk drives it.
 //
 // A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. At rest it was not
 // about to move on if the last half of the run swings by less than three times as much, or if s crossed its mean value
@@ -53,19 +54,19 @@ MotionVerdict judgeMotion(const MotionSamples& samples);
 // ------------------------------------------------------------------------------------------------ parts of the rule
 
 struct MotionRule {
-    static constexpr std::size_t fewestSamples = 10;  // of a part that tells anything
-    static constexpr double smallestSwing = 0.02e-9;  // that matters, peak to peak [m]
-    static constexpr double smallestDecay = 0.9;      // of the swing of sustained motion, from part to part [-]
-    static constexpr double smallestLongDecay = 0.95; // and over five parts [-]
-    static constexpr double steadyDecay = 1.005;      // of the last ratio of swings to the first one [-]
-    static constexpr double forcedDecay = 0.6;        // of the standard deviation over a moving surface [-]
+    static constexpr std::size_t fewestSamples = 10; // of a part that tells anything
+    static constexpr double smallestSwing = 0.02e-9; // that matters, peak to peak [m]
+    static constexpr double smallestDecay = 0.9;     // of the swing of sustained motion, from part to part [-]
+    static constexpr double slowDecay = 0.97;        // and from three parts to the next three, in the mean [-]
+    static constexpr double forcedDecay = 0.6;       // of the standard deviation over a moving surface [-]
     static constexpr double fewestPeriods = 3.0;
 };
 
 struct MotionEvidence {
     double share = 0.1;                              // of the last part, of the time after the landing [-]
-    std::array<double, 5> swings{};                  // peak to peak, newest part first [m]
-    std::size_t parts = 5;                           // that there are
+    std::array<double, 6> swings{};                  // peak to peak, newest part first [m]
+    std::size_t parts = 6;                           // that there are
+    bool oneLaw = false;                             // the contact neither begins nor ends in all of them
     double rms = 0.0, rmsBefore = 0.0;               // standard deviation in the last part and in that before [m]
     double periods = 0.0;                            // in the last part
     double frequency = 0.0;                          // of these [Hz]
@@ -75,7 +76,9 @@ struct MotionEvidence {
     std::size_t samples = MotionRule::fewestSamples; // there
     bool movingSurface = false;
     double swing() const { return swings[0]; }
-    bool decays() const;
+    bool decays() const { return decaysFast() || decaysSlowly(); }
+    bool decaysFast() const;
+    bool decaysSlowly() const;
     bool grows() const;
 };
 MotionVerdict verdictOf(const MotionEvidence& evidence);

@@ -256,7 +256,8 @@ private:
             text += (text.empty() ? "" : "; ") + ends_.classes[k].name + ", " + shareText(share);
         }
         report.findings.push_back("The reference (" + all_[0].setting + ") of " + starts_ + " ends in: " + text +
-                                  ". In brackets: 95 % intervals.");
+                                  ". In brackets: 95 % intervals of as many random starts."
+                                  " These are evenly spaced.");
     }
 
     void tellOne(std::size_t e, StudyReport& report) const

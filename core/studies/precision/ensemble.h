@@ -4,8 +4,10 @@
 // trajectory depends on the last digit of everything, and its error means nothing; the share of starts that ends in
 // each state does mean something, and has an uncertainty.
 //
-// Starts lie evenly at the middles of N equal parts of [x0 - s, x0 + s]. Of n starts out of N with an end, p = n/N,
-// Wilson's interval at 95 % (z = 1.96; Wilson, J. Am. Stat. Assoc. 22, 1927):
+// Starts lie evenly at the middles of N equal parts of [x0 - s, x0 + s], so that a share is that of this range within
+// about one part for each border between two ends. The interval tells how much as many starts drawn at random would
+// tell, and is wider. Of n starts out of N with an end, p = n/N, Wilson's interval at 95 % (z = 1.96; Wilson, J. Am.
+// Stat. Assoc. 22, 1927):
 //
 //   (p + z^2/2N -+ z sqrt(p (1 - p)/N + z^2/4N^2)) / (1 + z^2/N)
 //
