@@ -92,8 +92,7 @@ void FilmRecorder::add(const FilmPoint& point)
             record(point, time);
         if (until > end) break;
         evaluate(point, until);
-        run_.addPoint(until, values_, smooth_);
-        smooth_ = true;
+        run_.addPoint(until, values_);
     }
     if (point.time >= case_.run.duration) run_.keepPoints();
     addToEnergy(point);
@@ -112,8 +111,7 @@ void FilmRecorder::record(const FilmPoint& to, double time)
 {
     ++samples_;
     evaluate(to, time);
-    run_.addSample(time, values_, smooth_);
-    smooth_ = true;
+    run_.addSample(time, values_);
     if (run_.full()) run_.send(std::min(last_.time, case_.run.duration));
 }
 

@@ -62,7 +62,6 @@ private:
     double headRecess_ = 0.0;
     FilmPoint last_, earlier_; // the same where forces have jumped
     long long samples_ = 0;
-    bool smooth_ = true;                               // the same law of contact holds since the newest point
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
     double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]
     std::vector<double> values_;

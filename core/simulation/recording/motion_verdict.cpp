@@ -61,9 +61,10 @@ public:
     std::size_t size() const { return end_ - begin_; }
     std::size_t switches() const
     {
-        const auto timeOf = [&](std::size_t i) { return samples_.first + double(i) * samples_.interval; };
-        const auto from = std::ranges::lower_bound(samples_.switches, timeOf(begin_));
-        return std::size_t(std::ranges::lower_bound(from, samples_.switches.end(), timeOf(end_)) - from);
+        // A sample stands for the interval that it ends.
+        const auto timeOf = [&](std::size_t i) { return samples_.first + (double(i) - 1.0) * samples_.interval; };
+        const auto from = std::ranges::upper_bound(samples_.switches, timeOf(begin_));
+        return std::size_t(std::ranges::upper_bound(from, samples_.switches.end(), timeOf(end_)) - from);
     }
     Touch touch() const
     {
@@ -111,7 +112,7 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
         evidence.frequency =
             0.5 * double(changes.count - 1) / (double(changes.last - changes.first) * samples.interval);
     evidence.touch = last.touch();
-    evidence.switches = last.switches();
+    evidence.switchedLately = Part(samples, count - (count - landing) / 3, count).touch() == Touch::AtTimes;
     evidence.samples = last.size();
     return evidence;
 }
@@ -124,7 +125,8 @@ Motion motionOf(const MotionEvidence& evidence)
     if (isSmall(evidence)) return evidence.movesOn || evidence.grows() ? Motion::TooShort : Motion::AtRest;
     if (evidence.periods < Rule::fewestPeriods) return Motion::TooShort;
     if (evidence.decays())
-        return evidence.movingSurface || evidence.touch == Touch::AtTimes ? Motion::TooShort : Motion::Settles;
+        return evidence.movingSurface || evidence.touch == Touch::AtTimes || evidence.switchedLately ? Motion::TooShort
+                                                                                                     : Motion::Settles;
     return evidence.touch == Touch::Never    ? Motion::Swings
            : evidence.touch == Touch::Always ? Motion::Vibrates
                                              : Motion::Bounces;

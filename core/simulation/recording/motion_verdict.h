@@ -4,12 +4,12 @@
 // and by the contact, over the last part of a run compared with the parts before it:
 //
 //   at rest             s swings by no more than 0.02 nm, peak to peak, neither grows nor was about to move on
-//   settles             the swing decays, and the contact begins or ends nowhere in the last part
+//   settles             the swing decays, and the contact neither begins nor ends in the last third of the run
 //   swings              the swing lasts, without contact
 //   vibrates in contact the swing lasts, and the slider touches the disk all the time
 //   bounces             the swing lasts, and the slider touches the disk and takes off
-//   too short to tell   none of these: the last part holds less than 3 periods or 10 samples, or the slider still takes
-//                       off while its swing decays, or the swing over a moving surface still decays
+//   too short to tell   none of these: the last part holds less than 3 periods or 10 samples, or the slider has just
+//                       taken off while its swing decays, or the swing over a moving surface still decays
 //
 // The landing is left out: the run counts from the first time at which s enters the range that it has in the last
 // tenth. The last part is the last tenth of the time from then on, or the last fifth or third where a shorter part
@@ -72,7 +72,7 @@ struct MotionEvidence {
     double frequency = 0.0;                          // of these [Hz]
     bool movesOn = false;                            // in the half before the end, though at rest in the last tenth
     Touch touch = Touch::Never;                      // in the last part
-    std::size_t switches = 0;                        // of the contact, there
+    bool switchedLately = false;                     // contact began or ended in the last third of the time
     std::size_t samples = MotionRule::fewestSamples; // there
     bool movingSurface = false;
     double swing() const { return swings[0]; }

@@ -83,11 +83,14 @@ TouchColumns::TouchColumns(const Case& c, const std::vector<Quantity>& quantitie
 
 Touch TouchColumns::between(std::span<const double> least, std::span<const double> most) const
 {
-    const bool any = touches([&](std::size_t column) { return std::max(-least[column], most[column]); });
-    if (!any) return Touch::Never;
     // Forces of contact are positive, of adhesion negative: zero is their smallest size.
+    const auto isContact = [this](std::size_t column) { return column == static_cast<std::size_t>(contact_); };
+    const bool any = touches([&](std::size_t column) {
+        return isContact(column) ? std::max(most[column], 0.0) : std::min(least[column], 0.0);
+    });
+    if (!any) return Touch::Never;
     const bool always = touches([&](std::size_t column) {
-        return column == static_cast<std::size_t>(contact_) ? least[column] : most[column];
+        return isContact(column) ? std::max(least[column], 0.0) : std::min(most[column], 0.0);
     });
     return always ? Touch::Always : Touch::AtTimes;
 }
@@ -112,8 +115,16 @@ RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantit
 void RunStatistics::addSample(double time, std::span<const double> values, std::span<const double> least,
                               std::span<const double> most)
 {
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-        blocks_[i].add(values[columns_[i]], least[columns_[i]], most[columns_[i]]);
+    // The extremes before the first sample of the tail may be older than the tail.
+    const double tail = 0.9 * case_.run.duration;
+    const bool entersTail = time >= tail && time - case_.run.sampleInterval < tail;
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+        const std::size_t column = columns_[i];
+        if (entersTail)
+            blocks_[i].add(values[column]);
+        else
+            blocks_[i].add(values[column], least[column], most[column]);
+    }
     for (std::size_t i = 0; i < extremes_.size(); ++i) {
         extremes_[i].least = std::min(extremes_[i].least, least[i]);
         extremes_[i].most = std::max(extremes_[i].most, most[i]);
@@ -149,7 +160,7 @@ void RunStatistics::finish(Summary& summary) const
     const Spectrum spectrum = welch(std::span(motion_.spacing).subspan(beforeSpectrum_), case_.run.sampleInterval,
                                     welchOptions(case_.spectrum, case_.run.sampleInterval));
     summary.peaks = findPeaks(spectrum, case_.spectrum.scaling);
-    if (summary.status == RunStatus::Cancelled) return;
+    if (summary.status != RunStatus::Completed) return;
     MotionSamples samples = motion_;
     for (const RunEvent& event : summary.events)
         if (event.name == "touch-down" || event.name == "take-off") samples.switches.push_back(event.time);

@@ -22,7 +22,11 @@ void SampleExtremes::add(double time, std::span<const double> values, bool smoot
             // Else the middle point is not the extreme of the three.
             if (!(rise * next <= 0.0) || curvature == 0.0) continue;
             const double slope = rise + curvature * h0; // at the middle point
-            const double vertex = middle - slope * slope / (4.0 * curvature);
+            double vertex = middle - slope * slope / (4.0 * curvature);
+            // What keeps its sign at the points keeps it between them, as a force does where contact begins.
+            const auto [low, high] = std::minmax({before_.values[i], middle, values[i]});
+            if (low >= 0.0) vertex = std::max(vertex, 0.0);
+            if (high <= 0.0) vertex = std::min(vertex, 0.0);
             least_[i] = std::min(least_[i], vertex);
             most_[i] = std::max(most_[i], vertex);
         }

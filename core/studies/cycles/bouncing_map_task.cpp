@@ -210,6 +210,7 @@ StudyTable tableOf(const BouncingMapTask& task, const std::vector<MapCell>& cell
                      {"flies", "", "", "Share of the runs that fly at the end"},
                      {"caught", "", "", "Share of the runs that end in contact"},
                      {"bounces", "", "", "Share of the runs that bounce at the end"},
+                     {"unknown", "", "", "Share of the runs that are too short to tell"},
                      {"failed", "", "", "Share of the runs that fail"},
                      {.name = "remark", .secondary = true}};
     for (const MapCell& cell : cells) {
@@ -217,6 +218,7 @@ StudyTable tableOf(const BouncingMapTask& task, const std::vector<MapCell>& cell
         std::vector<StudyValue> row{cell.x, cell.y, cell.cycleWork, std::string(name(cell.kind()))};
         for (const int runs : cell.ends) row.emplace_back(double(runs) / task.starts);
         row.emplace_back(cell.problem);
+        assert(row.size() == table.columns.size());
         table.rows.push_back(std::move(row));
     }
     return table;

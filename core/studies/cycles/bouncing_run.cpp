@@ -66,7 +66,7 @@ public:
     {
         const MotionVerdict verdict = judgeMotion(samples_);
         if (verdict.motion == Motion::Bounces) return BouncingEnd::Bounces;
-        if (verdict.touch == Touch::AtTimes) return BouncingEnd::Unknown;
+        if (verdict.motion == Motion::TooShort || verdict.touch == Touch::AtTimes) return BouncingEnd::Unknown;
         return verdict.touch == Touch::Always ? BouncingEnd::Caught : BouncingEnd::Flies;
     }
 

@@ -21,7 +21,7 @@ enum class BouncingEnd : std::uint8_t {
     Flies,   // without contact at the end
     Caught,  // in contact at the end, at rest or vibrating
     Bounces, // to the end
-    Unknown, // takes off in the last part, while the motion still decays
+    Unknown, // too short to tell
     Failed
 };
 inline constexpr std::size_t bouncingEnds = 5;

@@ -167,7 +167,7 @@ private:
         else if (!any && !has(".quantity"))
             reader_.add(table, "has neither an end nor a quantity, so that nothing would be checked");
         else if (any)
-            for (const char* leaf : {".at", ".at_least", ".at_most"})
+            for (const char* leaf : {".at", ".at_least", ".at_most", ".from", ".to"})
                 if (has(leaf)) reader_.add(table + leaf, "belongs to a quantity, and this statement is about an end");
         statement.ends = readNames(table + ".end", endNames(), " is no end of a run");
         statement.motions = readNames(table + ".motion", motionNames(), " is no motion");
@@ -263,6 +263,7 @@ private:
             if (statement.taken != Taken::Peaks) reader_.add(table + leaf, "belongs to at = \"peaks\"");
             *value = frequency(leaf).value_or(*value);
         }
+        if (!(statement.from < statement.to)) reader_.add(table + ".from", "must be below to");
     }
 
     /// The keys of a case that are numbers.

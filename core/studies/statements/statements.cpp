@@ -120,7 +120,8 @@ StudyReport reportOf(const StatementTask& task, const CheckedStatements& checked
         done += each.done ? 1 : 0;
         holding += each.done && each.holds() ? 1 : 0;
     }
-    report.findings.push_back(std::to_string(holding) + " of " + counted(done, "statement") + " hold.");
+    report.findings.push_back(std::to_string(holding) + " of " + counted(done, "statement") +
+                              (done == 1 ? " holds." : " hold."));
     for (const std::vector<StudyValue>& row : report.tables.back().rows) {
         if (task.candidates.empty()) break;
         report.findings.push_back(std::get<std::string>(row[0]) + ": " + formatNumber(std::get<double>(row[1])) +

@@ -86,6 +86,7 @@ private slots:
         QCOMPARE(with([&](E e) { e.swings[1] = 1.12e-9, touching(e); }), Motion::Settles);
         // A slider that still takes off may bounce on.
         QCOMPARE(with([&](E e) { e.swings[1] = 1.12e-9, leaving(e); }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.swings[1] = 1.12e-9, e.switchedLately = true; }), Motion::TooShort);
         QCOMPARE(with([](E e) { e.swings[1] = 1.10e-9; }), Motion::Swings);
         QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9; }), Motion::AtRest);
         QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9, e.movesOn = true; }), Motion::TooShort);
@@ -158,6 +159,31 @@ private slots:
         samples.switches = {9.5012e-6, 9.5014e-6};
         QCOMPARE(judgeMotion(samples).motion, Motion::Bounces);
         samples.switches = {5.5012e-6, 5.5014e-6}; // before the judged part
+        QCOMPARE(judgeMotion(samples).motion, Motion::Vibrates);
+    }
+    /// A long hop between two bounces is no decay: it swings 4, 2 and 1 nm in its parts, and touched before.
+    void aHopIsNoDecay()
+    {
+        MotionSamples samples;
+        samples.interval = 1e-8;
+        for (int i = 0; i < 1000; ++i)
+            samples.add(9e-9 + 4e-9 * std::exp(-0.005 * i) * std::cos(2 * std::numbers::pi * i / 20), Touch::Never);
+        QCOMPARE(judgeMotion(samples).motion, Motion::Settles);
+        samples.switches = {7.2e-6, 7.3e-6};
+        QCOMPARE(judgeMotion(samples).motion, Motion::TooShort);
+        samples.switches = {6.2e-6, 6.3e-6};
+        QCOMPARE(judgeMotion(samples).motion, Motion::Settles);
+    }
+    /// The last sample stands for the interval before it.
+    void aSwitchInTheLastInterval()
+    {
+        MotionSamples samples;
+        samples.interval = 1e-8;
+        for (int i = 0; i < 1000; ++i)
+            samples.add(3e-9 + 1e-9 * std::cos(2 * std::numbers::pi * i / 20), Touch::Always);
+        samples.switches = {9.985e-6};
+        QCOMPARE(judgeMotion(samples).motion, Motion::Bounces);
+        samples.switches = {9.995e-6}; // after the last sample
         QCOMPARE(judgeMotion(samples).motion, Motion::Vibrates);
     }
     void theOldestSamplesGo()

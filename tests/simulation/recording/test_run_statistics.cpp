@@ -171,6 +171,36 @@ private slots:
         QCOMPARE(between(Elastic, {0, 1e-3}, {-1e-3, -1e-3}), Touch::AtTimes);
         QCOMPARE(between(Elastic, {0, 0}, {-1e-3, -1e-3}), Touch::Never);
     }
+    /// The first sample of the tail does not bring what was before it.
+    void theTailIsTheTail()
+    {
+        Case c;
+        c.run.duration = 1e-3;
+        c.run.sampleInterval = 0.1e-3;
+        const std::vector<Quantity> quantities = recordedQuantities(c);
+        RunStatistics statistics(c, quantities);
+        const std::vector<double> values(quantities.size(), 7e-9), high(quantities.size(), 250e-9);
+        for (int i = 0; i <= 10; ++i) statistics.addSample(1e-4 * i, values, values, i <= 9 ? high : values);
+        Summary summary;
+        statistics.finish(summary);
+        for (const auto& [name, tail] : summary.tail) QCOMPARE(tail.max, 7e-9);
+        for (const auto& [name, extremes] : summary.extremes) QCOMPARE(extremes.most, 250e-9);
+    }
+    /// The end of a run that failed is outside the model: there is nothing to judge.
+    void aFailedRunIsNotJudged()
+    {
+        Case c;
+        const std::vector<Quantity> quantities = recordedQuantities(c);
+        RunStatistics statistics(c, quantities);
+        const std::vector<double> values(quantities.size(), 7e-9);
+        for (int i = 0; i < 1000; ++i) statistics.addSample(1e-7 * i, values, values, values);
+        for (const RunStatus status : {RunStatus::Completed, RunStatus::Failed, RunStatus::Diverged}) {
+            Summary summary;
+            summary.status = status;
+            statistics.finish(summary);
+            QCOMPARE(summary.verdict.motion, status == RunStatus::Completed ? Motion::AtRest : Motion::NotJudged);
+        }
+    }
     void nothingFromNothing()
     {
         Case c;

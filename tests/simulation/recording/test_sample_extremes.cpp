@@ -63,6 +63,17 @@ private slots:
         QCOMPARE(extremes.least()[0], 0.1);
         QCOMPARE(extremes.most()[0], 5.0);
     }
+    /// Where contact begins, 0, 0, 1, a parabola would dip below zero.
+    void keepsItsSign()
+    {
+        SampleExtremes extremes(2);
+        for (const double t : {0.0, 1.0, 2.0}) {
+            const double force = t == 2.0 ? 1.0 : 0.0;
+            extremes.add(t, std::vector{force, -force}, true);
+        }
+        QCOMPARE(extremes.least()[0], 0.0);
+        QCOMPARE(extremes.most()[1], 0.0);
+    }
     void restartsAtTheLastPoint()
     {
         SampleExtremes extremes(1);
@@ -84,8 +95,8 @@ private slots:
     {
         SampleExtremes extremes(1);
         const double none = std::numeric_limits<double>::quiet_NaN();
-        for (const double value : {1.0, none, 2.0, none, 1.5})
-            extremes.add(value == 1.0 ? 0.0 : 1.0, std::vector{value}, true);
+        double time = 0.0;
+        for (const double value : {1.0, none, 2.0, none, 1.5}) extremes.add(time++, std::vector{value}, true);
         QCOMPARE(extremes.least()[0], 1.0);
         QCOMPARE(extremes.most()[0], 2.0);
     }

@@ -80,6 +80,7 @@ private slots:
         int creating = 0, bouncing = 0;
         for (const auto& row : map.rows) {
             const double work = std::get<double>(row[2]);
+            QCOMPARE(row.size(), report.tables.front().columns.size());
             const bool bounces = std::get<std::string>(row[3]) == name(MapClass::Bounces);
             QVERIFY2(work <= 0.0 || !bounces, qPrintable(QString("f_m %1, d_e %2, W %3")
                                                              .arg(std::get<double>(row[0]))
