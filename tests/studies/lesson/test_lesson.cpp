@@ -278,7 +278,7 @@ private slots:
             for (const RunFigure& figure : summary.figures)
                 if (figure.quantity.name == "touch_downs" && summary.status == RunStatus::Completed)
                     text += QStringLiteral(" %1").arg(figure.value);
-            if (summary.verdict.motion == Motion::AtRest)
+            if (summary.verdict.motion == Motion::AtRest || summary.failure == RunFailure::RearSpringLost)
                 text += QStringLiteral(" %1").arg(1e9 * finalHeight(summary), 0, 'f', 2);
             found << (summary.warnings.empty() ? text : text + QStringLiteral(" warns"));
         }
