@@ -109,21 +109,21 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
         const Quantity quantity = known(quantities, key);
         putFinite(final, key, value, quantity.unit, quantity.longName + " at the end");
     }
+    const auto putExtremes = [](const Hdf5Group& one, const Quantity& quantity, double least, double most,
+                                const std::string& span) {
+        putFinite(one, "min", least, quantity.unit, quantity.longName + ", minimum of the " + span);
+        putFinite(one, "max", most, quantity.unit, quantity.longName + ", maximum of the " + span);
+    };
     const Hdf5Group extremes = group.create("extremes");
-    for (const auto& [key, value] : summary.extremes) {
-        const Quantity quantity = known(quantities, key);
-        const Hdf5Group one = extremes.create(key);
-        putFinite(one, "min", value.least, quantity.unit, quantity.longName + ", minimum of the whole run");
-        putFinite(one, "max", value.most, quantity.unit, quantity.longName + ", maximum of the whole run");
-    }
+    for (const auto& [key, value] : summary.extremes)
+        putExtremes(extremes.create(key), known(quantities, key), value.least, value.most, "whole run");
     const Hdf5Group tail = group.create("tail");
     for (const auto& [key, value] : summary.tail) {
         const Quantity quantity = known(quantities, key);
         const Hdf5Group one = tail.create(key);
         putFinite(one, "mean", value.mean, quantity.unit, quantity.longName + ", mean of the last 10 %");
         putFinite(one, "std", value.std, quantity.unit, quantity.longName + ", standard deviation of the last 10 %");
-        putFinite(one, "min", value.min, quantity.unit, quantity.longName + ", minimum of the last 10 %");
-        putFinite(one, "max", value.max, quantity.unit, quantity.longName + ", maximum of the last 10 %");
+        putExtremes(one, quantity, value.min, value.max, "last 10 %");
     }
 }
 

@@ -125,10 +125,7 @@ void RunStatistics::addSample(double time, std::span<const double> values, std::
         else
             blocks_[i].add(values[column], least[column], most[column]);
     }
-    for (std::size_t i = 0; i < extremes_.size(); ++i) {
-        extremes_[i].least = std::min(extremes_[i].least, least[i]);
-        extremes_[i].most = std::max(extremes_[i].most, most[i]);
-    }
+    widen(least, most);
     motion_.add(values[spacingColumn_], least[spacingColumn_], most[spacingColumn_], touch_.between(least, most));
     if (time < case_.spectrum.start) ++beforeSpectrum_;
     if (motion_.spacing.size() > 2 * mostSpectrumSamples) {
@@ -142,6 +139,11 @@ void RunStatistics::addSample(double time, std::span<const double> values, std::
 void RunStatistics::addExtremes(std::span<const double> least, std::span<const double> most)
 {
     for (std::size_t i = 0; i < columns_.size(); ++i) blocks_[i].extend(least[columns_[i]], most[columns_[i]]);
+    widen(least, most);
+}
+
+void RunStatistics::widen(std::span<const double> least, std::span<const double> most)
+{
     for (std::size_t i = 0; i < extremes_.size(); ++i) {
         extremes_[i].least = std::min(extremes_[i].least, least[i]);
         extremes_[i].most = std::max(extremes_[i].most, most[i]);

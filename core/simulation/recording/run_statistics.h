@@ -78,6 +78,9 @@ public:
     void finish(Summary& summary) const;
 
 private:
+    /// The extremes of the whole run.
+    void widen(std::span<const double> least, std::span<const double> most);
+
     const Case& case_;
     const std::vector<Quantity>& quantities_;
     bool oscillates_;                  // a pad that is moved does not
