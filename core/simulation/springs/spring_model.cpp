@@ -285,7 +285,7 @@ void SpringModel::observe(const State& y, Mode mode, double* values) const
         s.contact = contact_.contactForce(mode.contact, s.d);
         s.adhesion = contact_.adhesionForce(mode.contact, s.d);
         s.friction = friction_.coefficient * s.contact;
-        s.frictionPower = -friction_.noseDown() * s.contact * y[3]; // it presses the nose down
+        s.frictionPower = 0.0 - friction_.noseDown() * s.contact * y[3]; // it presses the nose down; 0 without contact
         s.stored = contact_.storedEnergy(mode.contact, s.d);
     }
     evaluate(rows(hasContact_), s, values);
