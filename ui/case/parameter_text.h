@@ -20,8 +20,8 @@ std::string entryText(const QString& typed, const Parameter& parameter, const QL
 /// The value with its unit, for a sentence: "7 nm".
 QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 
-/// The changes of core/case/case_difference.h in words: "take-off height 5 nm → 8 nm", "rail 3: recess 0.1 µm → 0.2
-/// µm", "rail 4 added".
+/// The changes of core/case/case_difference.h in words: "take-off height 5 nm → 8 nm",
+/// "rail 3: recess 0.1 µm → 0.2 µm", "rail 4 added".
 QStringList caseDifference(const Case& before, const Case& after);
 
 } // namespace touchdown

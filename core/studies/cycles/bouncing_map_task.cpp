@@ -191,13 +191,13 @@ StudyChart chartOf(const MarkedMapTask& task, const std::vector<MapCell>& cells)
         ChartSeries& marks = panel.series.emplace_back(ChartSeries{.name = "marked", .line = ChartLine::None});
         for (const MapMark& mark : task.marks) marks.points.push_back({.x = mark.x, .y = mark.y, .label = mark.name});
     }
-    return {"Does the slider fly, is it caught, or does it bounce for ever?",
-            "Each cell: " + counted(std::size_t(task.starts), "run") + " of " +
-                fewDigitsOfTime(task.search.duration, 3) +
-                " from different heights, judged by the last tenth; one run that bounces is enough. Line: W = 0, where "
-                "one loop of the contact law neither takes nor creates energy." +
-                (task.marksByWork ? markedByWork : ""),
-            {panel}};
+    return {
+        "Does the slider fly, is it caught, or does it bounce for ever?",
+        "Each cell: " + counted(std::size_t(task.starts), "run") + " of " + fewDigitsOfTime(task.search.duration, 3) +
+            " from different heights, each with the verdict of a run; one that bounces is enough. Line: W = 0, where "
+            "one loop of the contact law neither takes nor creates energy." +
+            (task.marksByWork ? markedByWork : ""),
+        {panel}};
 }
 
 StudyTable tableOf(const BouncingMapTask& task, const std::vector<MapCell>& cells)

@@ -259,7 +259,7 @@ StudyForm cyclesForm(const Case& c)
                   "the other end"),
         integerKey("values", 10, 1, 200, "in the range, at which runs are made"),
         integerKey("starts", 3, 1, 8, "at each value: as the case says, then lower and lower ones"),
-        numberKey("duration", c.run.duration, "s", "us", 1e-6, 1.0, "of each run; its last tenth is judged"),
+        numberKey("duration", c.run.duration, "s", "us", 1e-6, 1.0, "of each run; its last part is judged"),
         integerKey("crossings", 8, 1, 32, "of the touch-down height in one cycle, at most"),
     };
     for (StudyKey& key : bouncingMapKeys(c, largestMeniscusForce(c))) form.keys.push_back(std::move(key));

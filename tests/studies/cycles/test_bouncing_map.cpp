@@ -125,6 +125,12 @@ private slots:
             ++i;
         }
         QCOMPARE(std::get<double>(found->rows[1][2]), 0.005);
+        // The chart says how such marks are placed, and a cell names only the ends that occur.
+        const StudyChart& chart = report.charts.front();
+        const StudyReport plain = performed(bouncingSlider(), mapText(2, "0.05 ms", 1));
+        QVERIFY(chart.caption.size() > plain.charts.front().caption.size());
+        for (const std::string& detail : chart.panels.front().map->details)
+            QVERIFY2(detail.find(" 0 ") == std::string::npos, detail.c_str());
         // Two of the cells have f_m = 1 mN, W = -1.5 pJ.
         QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) {
             return each.starts_with("W is negative in 2 of 4 cells");

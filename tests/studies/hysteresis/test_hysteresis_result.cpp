@@ -43,6 +43,9 @@ private slots:
         std::vector<HeldStep> steps = loop();
         steps[1].end.kind = EndKind::Failed;
         QCOMPARE(transitionsOf(steps).size(), std::size_t(1));
+        // Nor is a value with one valid end a known one: of four values one has failed on the way there.
+        QCOMPARE(loopOf(steps).known, std::size_t(3));
+        QVERIFY(!loopOf(steps).whole);
     }
 
     /// The ways differ at 1 mN alone, by 3 nm: a triangle of 3 nm over 2 mN.

@@ -95,8 +95,9 @@ void TestRunsPanel::saysWhatChanged()
     after.surface.rails[0].recess[0] = 0.2e-6;
     after.surface.rails.push_back(after.surface.rails[0]);
     after.surface.rails[1].points[0].x = 0.1e-3;
-    QCOMPARE(caseDifference(before, after),
-             (QStringList{QStringLiteral("rail 1: recess 0\u00a0µm → 0.2\u00a0µm"), QStringLiteral("rail 2 added")}));
+    const QStringList expected{QStringLiteral("rail 1: recess 0\u00a0µm → 0.2\u00a0µm"),
+                               QStringLiteral("rail 2 added")};
+    QCOMPARE(caseDifference(before, after), expected);
 }
 
 void TestRunsPanel::showsResults_data()
