@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/formats/units.h"
 #include "core/physics/contact/contact_jump.h"
@@ -77,7 +78,7 @@ public:
         const bool stopped = end_.status == RunStatus::Cancelled;
         summary.fit = model_->fit();
         summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics(), summary.fit);
-        summary.warnings = model_->remarks();
+        std::ranges::copy(model_->remarks(), std::back_inserter(summary.warnings));
         if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
         if (end_.completed() && isTouching() && !startsInContact_)
             summary.warnings.push_back(

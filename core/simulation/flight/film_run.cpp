@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "core/formats/units.h"
@@ -53,7 +54,7 @@ public:
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
-        summary.warnings = scene_.warnings;
+        std::ranges::copy(scene_.warnings, std::back_inserter(summary.warnings));
         if (cuts_ > 0)
             summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) +
                                        (cuts_ == 1 ? " time: " : " times, first as ") + firstCut_ +

@@ -16,6 +16,7 @@ namespace {
 using Rule = MotionRule;
 constexpr double smallestGrowth = 1.5;          // of a small swing, from part to part [-]
 constexpr double roundOff = 1e-13;              // of a swing at rest [m]
+constexpr double mostMissed = 0.1;              // of the changes of a signal, between its samples [-]
 constexpr std::array shares{0.1, 0.2, 1.0 / 3}; // of the last part, of the time after the landing
 
 /// Changes of a signal from below `low` to above `high` and back.
@@ -59,6 +60,18 @@ public:
     double rms() const { return momentsOf(of(samples_.spacing)).deviation; }
     std::span<const double> spacing() const { return of(samples_.spacing); }
     std::size_t size() const { return end_ - begin_; }
+    /// Changes from the lowest quarter of the range to the highest one and back between two samples on the same side.
+    int missedChanges() const
+    {
+        const double low = least() + 0.25 * swing(), high = most() - 0.25 * swing();
+        int missed = 0;
+        for (std::size_t i = begin_ + 1; i < end_; ++i) {
+            const double upper = std::max(samples_.spacing[i - 1], samples_.spacing[i]);
+            const double lower = std::min(samples_.spacing[i - 1], samples_.spacing[i]);
+            missed += (upper < low && samples_.most[i] > high) || (lower > high && samples_.least[i] < low) ? 2 : 0;
+        }
+        return missed;
+    }
     std::size_t switches() const
     {
         // A sample stands for the interval that it ends.
@@ -107,8 +120,10 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
     evidence.rms = last.rms();
     evidence.rmsBefore = evidence.parts > 1 ? Part(samples, count - 2 * length, count - length).rms() : evidence.rms;
     const Changes changes = periodChanges(last.spacing());
-    evidence.periods = 0.5 * changes.count;
-    if (changes.count > 1)
+    const int missed = last.missedChanges();
+    evidence.periods = 0.5 * (changes.count + missed);
+    evidence.undersampled = missed > mostMissed * changes.count;
+    if (changes.count > 1 && !evidence.undersampled)
         evidence.frequency =
             0.5 * double(changes.count - 1) / (double(changes.last - changes.first) * samples.interval);
     evidence.touch = last.touch();
@@ -122,7 +137,7 @@ bool isSmall(const MotionEvidence& evidence) { return evidence.swing() <= Rule::
 Motion motionOf(const MotionEvidence& evidence)
 {
     if (evidence.samples < Rule::fewestSamples) return Motion::TooShort;
-    if (isSmall(evidence)) return evidence.movesOn || evidence.grows() ? Motion::TooShort : Motion::AtRest;
+    if (isSmall(evidence)) return evidence.movesOn() || evidence.grows() ? Motion::TooShort : Motion::AtRest;
     if (evidence.periods < Rule::fewestPeriods) return Motion::TooShort;
     if (evidence.decays())
         return evidence.movingSurface || evidence.touch == Touch::AtTimes || evidence.switchedLately ? Motion::TooShort
@@ -142,7 +157,8 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
     const bool small = isSmall(evidence);
     std::string figures =
         "over the last " + part + " of the run after the landing the minimum spacing swings by " + nm(evidence.swing());
-    if (!small) figures += " in " + formatNumber(evidence.periods) + " periods";
+    if (!small)
+        figures += (evidence.undersampled ? " in more than " : " in ") + formatNumber(evidence.periods) + " periods";
     if (evidence.parts > 1) figures += ", after " + nm(evidence.swings[1]) + " over the " + part + " before";
     if (!small) {
         figures += evidence.touch == Touch::Never    ? ", without contact"
@@ -214,6 +230,13 @@ bool MotionEvidence::grows() const
            swings[1] > smallestGrowth * swings[2];
 }
 
+bool MotionEvidence::movesOn() const
+{
+    if (!movedOn || parts < 3) return movedOn;
+    const double rate = std::max(swings[0] / swings[1], swings[1] / swings[2]);
+    return !(rate < Rule::smallestDecay) || swings[0] * rate / (1.0 - rate) > Rule::smallestSwing;
+}
+
 MotionVerdict verdictOf(const MotionEvidence& evidence)
 {
     MotionVerdict verdict;
@@ -223,6 +246,7 @@ MotionVerdict verdictOf(const MotionEvidence& evidence)
     verdict.swing = evidence.swing();
     verdict.rms = evidence.rms;
     verdict.frequency = lasts(verdict.motion) || verdict.motion == Motion::Settles ? evidence.frequency : 0.0;
+    verdict.undersampled = !isSmall(evidence) && evidence.undersampled;
     verdict.rule = ruleOf(evidence, verdict.motion);
     return verdict;
 }
@@ -232,7 +256,7 @@ MotionVerdict judgeMotion(const MotionSamples& samples)
     if (samples.spacing.empty()) return {};
     MotionEvidence whole = evidenceOf(samples, 0, 0.1);
     if (isSmall(whole)) {
-        whole.movesOn = movesOn(std::span(samples.spacing).last((samples.spacing.size() + 1) / 2));
+        whole.movedOn = movesOn(std::span(samples.spacing).last((samples.spacing.size() + 1) / 2));
         return verdictOf(whole);
     }
     const std::size_t landing = landingOf(samples);

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/formats/units.h"
+
 namespace touchdown {
 
 namespace {
@@ -45,7 +47,10 @@ void RunRecorder::keepPoints()
 
 void RunRecorder::addEvent(double time, std::string name)
 {
-    if (events_.size() + newEvents_.size() < mostEvents) newEvents_.push_back({time, std::move(name)});
+    if (events_.size() + newEvents_.size() < mostEvents)
+        newEvents_.push_back({time, std::move(name)});
+    else if (droppedEvents_++ == 0)
+        firstDropped_ = time;
 }
 
 bool RunRecorder::silent() const { return wallClock() - lastSent_ > longestSilence; }
@@ -73,6 +78,10 @@ Summary RunRecorder::summary(const RunEnd& end, double endTime, std::span<const 
     summary.events = events_;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (std::isfinite(values[i])) summary.final.emplace_back(quantities_[i].name, values[i]);
+    if (droppedEvents_ > 0)
+        summary.warnings.push_back("only the first " + std::to_string(mostEvents) +
+                                   " switches are listed and counted; there are " + std::to_string(droppedEvents_) +
+                                   " more after " + fewDigits(firstDropped_, "ms", 4));
     statistics_.finish(summary);
     return summary;
 }

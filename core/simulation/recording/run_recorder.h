@@ -70,6 +70,8 @@ private:
     SampleExtremes extremes_;
     SampleBatch samples_;
     std::vector<RunEvent> events_, newEvents_;
+    std::size_t droppedEvents_ = 0;
+    double firstDropped_ = 0.0; // [s]
     std::vector<FieldSnapshot> fields_;
     double begin_ = wallClock(), lastSent_ = begin_, secondsOutside_ = 0.0; // [s]
     bool stopped_ = false;

@@ -168,7 +168,12 @@ void RunStatistics::finish(Summary& summary) const
         if (event.name == "touch-down" || event.name == "take-off") samples.switches.push_back(event.time);
     summary.verdict = judgeMotion(samples);
     // The periods of a random motion are not counted.
-    if (summary.verdict.forced && !summary.peaks.empty()) summary.verdict.frequency = summary.peaks.front().frequency;
+    if (summary.verdict.undersampled)
+        summary.warnings.emplace_back(
+            "the slider moves up and down between two samples: plots and spectra do not show its frequency; a shorter "
+            "run.sample_interval does");
+    else if (summary.verdict.forced && !summary.peaks.empty())
+        summary.verdict.frequency = summary.peaks.front().frequency;
 }
 
 } // namespace touchdown

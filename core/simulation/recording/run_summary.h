@@ -45,6 +45,7 @@ struct MotionVerdict {
     double swing = 0.0;         // of the minimum spacing there, peak to peak [m]
     double rms = 0.0;           // its standard deviation there [m]
     double frequency = 0.0;     // of the main motion [Hz]; 0 where there is none
+    bool undersampled = false;  // it is faster than its samples show; so its frequency is not known
     std::string rule;           // that decided, with its figures
 };
 /// "bounces at 273 kHz", "vibrates in contact, forced by the disk (837 kHz, 0.099 nm rms)", "at rest".

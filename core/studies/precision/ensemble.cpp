@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <random>
 #include <span>
 
 #include "core/case/parameters.h"
@@ -71,9 +72,13 @@ double workOf(const Case& c, const Summary& summary)
 std::vector<double> startsOf(const Case& c, const EnsembleTask& task)
 {
     const double middle = std::get<double>(findParameter(task.key)->get(c));
+    std::mt19937_64 engine(static_cast<std::uint64_t>(task.seed));
     std::vector<double> starts;
-    for (int i = 0; i < task.starts; ++i)
-        starts.push_back(middle + task.spread * ((2.0 * i + 1.0) / task.starts - 1.0));
+    for (int i = 0; i < task.starts; ++i) {
+        const double share = std::ldexp(static_cast<double>(engine() >> 11), -53); // 53 random bits: from 0 to below 1
+        starts.push_back(middle + task.spread * (2.0 * share - 1.0));
+    }
+    std::ranges::sort(starts);
     return starts;
 }
 
@@ -210,11 +215,11 @@ StudyValue deviationOf(const std::vector<double>& values)
     return values.empty() ? StudyValue() : StudyValue(momentsOf(values).deviation);
 }
 
-/// "300 starts with FH(0) within 0.5 nm of 250 nm".
+/// "300 random starts with FH(0) within 0.5 nm of 250 nm".
 std::string describeStarts(const Case& c, const EnsembleTask& task)
 {
     const Parameter& parameter = *findParameter(task.key);
-    return std::to_string(task.starts) + " starts with " + parameter.label + " within " +
+    return std::to_string(task.starts) + " random starts with " + parameter.label + " within " +
            fewDigits(task.spread, parameter.displayUnit, 6) + " of " + toText(c, parameter);
 }
 
@@ -256,8 +261,7 @@ private:
             text += (text.empty() ? "" : "; ") + ends_.classes[k].name + ", " + shareText(share);
         }
         report.findings.push_back("The reference (" + all_[0].setting + ") of " + starts_ + " ends in: " + text +
-                                  ". In brackets: 95 % intervals of as many random starts."
-                                  " These are evenly spaced.");
+                                  ". In brackets: 95 % intervals.");
     }
 
     void tellOne(std::size_t e, StudyReport& report) const

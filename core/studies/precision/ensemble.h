@@ -4,10 +4,9 @@
 // trajectory depends on the last digit of everything, and its error means nothing; the share of starts that ends in
 // each state does mean something, and has an uncertainty.
 //
-// Starts lie evenly at the middles of N equal parts of [x0 - s, x0 + s], so that a share is that of this range within
-// about one part for each border between two ends. The interval tells how much as many starts drawn at random would
-// tell, and is wider. Of n starts out of N with an end, p = n/N, Wilson's interval at 95 % (z = 1.96; Wilson, J. Am.
-// Stat. Assoc. 22, 1927):
+// Starts are drawn at random, evenly over [x0 - s, x0 + s]; the same seed draws the same ones. So the share of the
+// whole range lies, with a probability of 95 %, in Wilson's interval of n starts out of N with an end, p = n/N
+// (z = 1.96; Wilson, J. Am. Stat. Assoc. 22, 1927):
 //
 //   (p + z^2/2N -+ z sqrt(p (1 - p)/N + z^2/4N^2)) / (1 + z^2/N)
 //
@@ -32,7 +31,9 @@ struct EnsembleTask {
     std::string key = "initial.flying_height"; // of a number
     int starts = 300;
     double spread = 0.5e-9; // s [unit of the key]
+    int seed = 1;           // 0 to mostSeed
 };
+inline constexpr int mostSeed = 2147483647;
 
 /// The key of a case's start that an ensemble draws: a height.
 std::string defaultEnsembleKey(const Case& c);

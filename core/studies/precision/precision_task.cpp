@@ -242,6 +242,7 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     EnsembleTask& ensemble = task.ensemble;
     ensemble.key = defaultEnsembleKey(task.start);
     if (const auto starts = reader.integer("ensemble.starts", 2, mostStarts)) ensemble.starts = *starts;
+    if (const auto seed = reader.integer("ensemble.seed", 0, mostSeed)) ensemble.seed = *seed;
     if (const auto key = reader.text("ensemble.key")) {
         const Parameter* parameter = findParameter(*key);
         if (parameter == nullptr || parameter->kind != ParameterKind::Number) {
@@ -297,8 +298,9 @@ StudyForm workPrecisionForm(const Case& c)
     for (StudyKey key : {
              tableKey("ensemble", "Without this table ensembles are made only where the trajectory is not determined."),
              integerKey("ensemble.starts", task.ensemble.starts, 2, mostStarts, "number of runs"),
+             integerKey("ensemble.seed", task.ensemble.seed, 0, mostSeed, "of the random starts"),
              numberKey("ensemble.spread", task.ensemble.spread, "m", "nm", 0.0, INFINITY,
-                       "the starts lie between this much below and above the start of the case"),
+                       "the starts are drawn at random between this much below and above the start of the case"),
              textKey("ensemble.key", defaultEnsembleKey(c), "", "key of the case that differs between the starts"),
              settingsKey("ensemble.set", "changes of the case for the reference ensemble"),
          })

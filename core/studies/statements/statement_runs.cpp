@@ -87,16 +87,19 @@ Spectrum spectrumOf(const Case& c, const SampledRun& run)
                  welchOptions(c.spectrum, c.run.sampleInterval));
 }
 
-/// Peaks within the band that have at least a tenth of the amplitude of its largest one.
+/// Peaks within the band that have at least a tenth of the largest amplitude at any frequency.
 double peaksWithin(const Statement& statement, const SampledRun& run)
 {
     constexpr double smallest = 0.1;
     const Spectrum spectrum = spectrumOf(statement.c, run);
-    double count = 0.0, largest = 0.0;
-    for (const Peak& peak : findPeaks(spectrum, statement.c.spectrum.scaling, spectrum.power.size())) {
-        if (peak.frequency < statement.from || peak.frequency > statement.to) continue;
-        largest = std::max(largest, peak.amplitude); // the first one
-        count += peak.amplitude >= smallest * largest ? 1.0 : 0.0;
+    const std::vector<double>& power = spectrum.power;
+    if (power.size() < 3) return 0.0;
+    const double least = smallest * smallest * *std::max_element(power.begin() + 1, power.end());
+    double count = 0.0;
+    for (std::size_t i = 1; i + 1 < power.size(); ++i) {
+        const double frequency = spectrum.frequency[i];
+        if (frequency < statement.from || frequency > statement.to) continue;
+        count += power[i] >= least && power[i] > power[i - 1] && power[i] >= power[i + 1] ? 1.0 : 0.0;
     }
     return count;
 }

@@ -74,6 +74,7 @@ public:
     StatementTask read()
     {
         starts_ = reader_.integer("starts");
+        seed_ = reader_.integer("seed");
         contradict_ = reader_.flag("contradict");
         only_ = reader_.texts("only").value_or(std::vector<std::string>{});
         std::vector<Candidate> candidates;
@@ -123,13 +124,22 @@ private:
         }
         std::vector<CaseSetting> changes = candidate.set;
         std::ranges::copy(reader_.settings(table + '.' + setKey), std::back_inserter(changes));
-        if (contradict_ && setKey == "set")
-            std::ranges::copy(reader_.settings(table + ".against"), std::back_inserter(changes));
+        if (!change(c, changes, table, {table + '.' + setKey, candidate.table})) return {};
+        if (setKey != "set") return c;
+        // Read without `contradict`, too, so that what is wrong in it is told.
+        Case against = c;
+        if (!change(against, reader_.settings(table + ".against"), table, {table + ".against"})) return {};
+        return contradict_ ? against : c;
+    }
+
+    /// Returns whether the changed case can be run; else adds why not.
+    bool change(Case& c, const std::vector<CaseSetting>& changes, const std::string& table,
+                const std::vector<std::string>& keys)
+    {
         std::string problem = changeCase(c, changes);
         if (problem.empty()) problem = reasonNotToRun(c);
-        if (problem.empty()) return c;
-        reader_.addOfSettings(table, {table + '.' + setKey, candidate.table}, problem);
-        return {};
+        if (!problem.empty()) reader_.addOfSettings(table, keys, problem);
+        return problem.empty();
     }
 
     Statement readStatement(const std::string& table, const Candidate& candidate)
@@ -281,6 +291,7 @@ private:
         if (!reader_.has(table + ".spread")) return;
         EnsembleTask ensemble;
         ensemble.starts = starts_;
+        ensemble.seed = seed_;
         ensemble.key = defaultEnsembleKey(statement.c);
         const Parameter& key = *findParameter(ensemble.key);
         const auto spread = reader_.number(table + ".spread", key.unit, key.displayUnit, 0.0, INFINITY);
@@ -303,7 +314,7 @@ private:
 
     StudyReader& reader_;
     std::vector<std::string> only_;
-    int starts_ = 0;
+    int starts_ = 0, seed_ = 0;
     bool contradict_ = false;
 };
 
@@ -333,7 +344,8 @@ StudyForm statementsForm(const Case&)
     StudyForm form;
     form.keys = {
         integerKey("starts", 20, 1, mostStarts,
-                   "starts of each ensemble, evenly spread; 1: only the case itself, without ensembles"),
+                   "random starts of each ensemble; 1: only the case itself, without ensembles"),
+        integerKey("seed", 1, 0, mostSeed, "of the random starts"),
         onlyOffered(listKey("only", {}, "check only statements whose figure begins with one of these texts")),
         onlyOffered(booleanKey("contradict", false,
                                "run each statement's case with its changes `against`: then none may hold")),

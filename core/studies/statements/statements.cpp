@@ -34,7 +34,7 @@ StudyTable tableOf(const StatementTask& task, const CheckedStatements& checked)
              {"holds", "", "", "Holds"},
              {"found", "", "", "Found"},
              {"expected", "", "", "Expected"},
-             {"starts", "", "", "Starts that do so; in brackets the 95 % interval of as many random starts"},
+             {"starts", "", "", "Starts that do so; in brackets the 95 % interval"},
              {"statement", "", "", "What the text says"},
              {.name = "command", .longName = "Command", .secondary = true},
              {.name = "remark", .longName = "Remark", .secondary = true}})
@@ -103,7 +103,7 @@ std::vector<StudyChart> chartsOf(const StatementTask& task, const CheckedStateme
     panel.bands.push_back({.alongX = false, .lower = 0.5, .upper = 0.5, .label = "one half"});
     return {
         {"Which share of the starts does what the text says?",
-         "Wilson's interval at 95 % of as many random starts, and its middle; hollow: no more than half of the starts.",
+         "Wilson's interval at 95 %, and its middle; hollow: no more than half of the starts.",
          {panel}}};
 }
 

@@ -29,9 +29,9 @@
 // run that fails. With a case `like` (and the changes `like_set`) these are differences: the run's less that of `like`;
 // `difference` is another word for `end`. `distance` is the largest distance of the two at any time: both have the same
 // duration, and samples at the same times. `peak` is the frequency of a peak in the power spectrum of the minimum
-// spacing, `peaks` the number of peaks `from` a frequency `to` another one, and `likeness` tells how far the spectra of
-// the run and of `like` have the same shape, from 0 to 1 (Bhattacharyya's coefficient). `case` is a number of the case
-// itself.
+// spacing, `peaks` the number of peaks `from` a frequency `to` another one with at least a tenth of the largest
+// amplitude at any frequency, and `likeness` tells how far the spectra of the run and of `like` have the same shape,
+// from 0 to 1 (Bhattacharyya's coefficient). `case` is a number of the case itself.
 //
 // A check is worth what it refuses. With the option `contradict` each statement's case is run with its changes
 // `against`, and every statement that holds then proves nothing.

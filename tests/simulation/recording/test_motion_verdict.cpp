@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -89,7 +90,17 @@ private slots:
         QCOMPARE(with([](E e) { e.swings[1] = 1.12e-9, e.switchedLately = true; }), Motion::TooShort);
         QCOMPARE(with([](E e) { e.swings[1] = 1.10e-9; }), Motion::Swings);
         QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9; }), Motion::AtRest);
-        QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9, e.movesOn = true; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9, e.movedOn = true; }), Motion::TooShort);
+        // What it would still move by, at a rate r: swing times r/(1 - r).
+        const auto movedOn = [&](double swing, double before, double first) {
+            return with([=](E e) { e.parts = 3, e.swings = {swing, before, first}, e.movedOn = true; });
+        };
+        QCOMPARE(movedOn(0.009e-9, 0.0135e-9, 0.02025e-9), Motion::AtRest);   // r = 2/3: 0.018 nm
+        QCOMPARE(movedOn(0.011e-9, 0.0165e-9, 0.02475e-9), Motion::TooShort); // 0.022 nm
+        QCOMPARE(movedOn(0.009e-9, 0.0135e-9, 0.0180e-9), Motion::TooShort);  // r = 3/4: 0.027 nm
+        QCOMPARE(movedOn(0.009e-9, 0.0120e-9, 0.0180e-9), Motion::TooShort);
+        QCOMPARE(movedOn(0.002e-9, 0.0022e-9, 0.00242e-9), Motion::TooShort); // 10/11: no decay
+        QCOMPARE(movedOn(0.0, 0.0, 0.0), Motion::TooShort);
         QCOMPARE(with([](E e) { e.swings = {0.021e-9, 0.021e-9}; }), Motion::Swings);
         // Slow and modulated, by 5.4 % from three parts to the next ones; 2.9 % are sustained, as is what takes off.
         const std::array slow{1.30e-9, 1.39e-9, 1.45e-9, 1.44e-9, 1.42e-9, 1.516e-9};
@@ -197,6 +208,38 @@ private slots:
         QCOMPARE(samples.most.front(), 2.5);
         QCOMPARE(samples.touch.size(), std::size_t(3));
         QCOMPARE(samples.first, 2e-6);
+    }
+    /// A swing of 2 nm whose period is no more than a sample's interval: the samples alone would show a slow one.
+    void aFrequencyThatSamplesDoNotShow()
+    {
+        const auto judged = [](double samplesInPeriod) {
+            MotionSamples samples;
+            samples.interval = 1e-8;
+            const auto at = [&](double i) {
+                return 5e-9 + 1e-9 * std::cos(2 * std::numbers::pi * i / samplesInPeriod);
+            };
+            for (int i = 0; i < 1000; ++i) {
+                double least = at(i), most = at(i);
+                for (double back = 0.0; i > 0 && back < 1.0; back += 0.01) {
+                    least = std::min(least, at(i - back));
+                    most = std::max(most, at(i - back));
+                }
+                samples.add(at(i), least, most, Touch::Never);
+            }
+            return judgeMotion(samples);
+        };
+        for (const double fast : {0.75, 1.0, 1.05}) {
+            const MotionVerdict verdict = judged(fast);
+            QCOMPARE(verdict.motion, Motion::Swings);
+            QVERIFY(verdict.undersampled);
+            QCOMPARE(verdict.frequency, 0.0);
+            QVERIFY(QString::fromStdString(verdict.rule).contains("in more than"));
+        }
+        for (const double slow : {4.0, 5.3, 20.0}) {
+            const MotionVerdict verdict = judged(slow);
+            QVERIFY(!verdict.undersampled);
+            QVERIFY(std::abs(verdict.frequency * slow * 1e-8 - 1.0) < 0.02);
+        }
     }
     void nothingToJudge() { QCOMPARE(judgeMotion({}).motion, Motion::NotJudged); }
     void theRuleHasTheFigures()

@@ -21,15 +21,27 @@ class TestEnsemble : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Middles of four equal parts of [8, 12]: 8.5, 9.5, 10.5, 11.5.
-    void startsLieEvenly()
+    /// 2000 starts within [8, 12] nm: the distance of their distribution from the straight line is below 1.63/sqrt(N)
+    /// with a probability of 99 % (Kolmogorov). The same seed draws the same starts, another one draws others.
+    void startsAreDrawnEvenly()
     {
         Case c = sample("fig10a");
         c.initial.flyingHeight = 10e-9;
-        const std::vector<double> starts = startsOf(c, {.key = "initial.flying_height", .starts = 4, .spread = 2e-9});
-        const std::vector<double> expected{8.5e-9, 9.5e-9, 10.5e-9, 11.5e-9};
-        QCOMPARE(starts.size(), expected.size());
-        for (std::size_t i = 0; i < starts.size(); ++i) QVERIFY(std::abs(starts[i] - expected[i]) < 1e-21);
+        const EnsembleTask task{.key = "initial.flying_height", .starts = 2000, .spread = 2e-9, .seed = 7};
+        const std::vector<double> starts = startsOf(c, task);
+        QCOMPARE(starts.size(), std::size_t{2000});
+        double distance = 0.0;
+        for (std::size_t i = 0; i < starts.size(); ++i) {
+            const double share = (starts[i] - 8e-9) / 4e-9;
+            QVERIFY(share >= 0.0 && share <= 1.0);
+            QVERIFY(i == 0 || starts[i] >= starts[i - 1]);
+            distance = std::max(distance, std::abs(share - (static_cast<double>(i) + 0.5) / 2000.0));
+        }
+        QVERIFY(distance < 1.63 / std::sqrt(2000.0));
+        QCOMPARE(startsOf(c, task), starts);
+        EnsembleTask other = task;
+        other.seed = 8;
+        QVERIFY(startsOf(c, other) != starts);
     }
 
     /// Wilson 1927 at z = 1.96. Of 10 out of 10: lower = 1/(1 + z^2/10) = 0.72246; of 0 it is the mirror image. Of 150

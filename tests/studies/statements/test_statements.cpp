@@ -257,6 +257,7 @@ private slots:
         row("no spread", stating("end = [\"flying\"]\nspread = \"0 nm\""), "must be greater than 0");
         row("starts that run refuses", stating("end = [\"flying\"]\nspread = \"400 nm\""), "springs.cutoff");
         row("nothing contradicts", "contradict = true\n" + stating("end = [\"flying\"]"), "has no against");
+        row("against", stating("end = [\"flying\"]\nagainst = { run.duration = \"1 nm\" }"), "run.duration");
         row("case", stating("case = \"fig99\"\nend = [\"flying\"]"), "fig99");
         row("set", stating("set = { run.duration = \"1 nm\" }\nend = [\"flying\"]"), "run.duration");
         row("spread", stating("end = [\"flying\"]\nspread = \"2 m\""), "initial.flying_height");
