@@ -13,6 +13,7 @@
 #include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
 #include "app/terminal/text_table.h"
+#include "core/case/case_key.h"
 #include "core/case/parameters.h"
 #include "core/case_files/surface_text.h"
 #include "core/formats/nearest_name.h"
@@ -81,6 +82,28 @@ std::string unitText(const Parameter& parameter)
     if (parameter.unit.empty()) return numbers ? "-" : "";
     return parameter.unit == parameter.displayUnit ? parameter.unit
                                                    : parameter.displayUnit + " (" + parameter.unit + ")";
+}
+
+/// Each number of rails, walls and points of interest.
+std::string surfaceText()
+{
+    std::string text =
+        wrapped(std::string(surfaceHelp()), 0) + "\n" +
+        wrapped("Each of their numbers has a key for --set, for designs and for studies; all are lengths "
+                "but the wall of an edge. N and K count from 1.",
+                0) +
+        "\n";
+    std::size_t width = 0;
+    for (const SurfaceNumberForm& form : surfaceNumberForms()) width = std::max(width, form.key.size());
+    for (const SurfaceNumberForm& form : surfaceNumberForms()) text += padded(form.key, width) + form.help + "\n";
+    return text;
+}
+
+Json surfaceJson()
+{
+    Json all = Json::array();
+    for (const SurfaceNumberForm& form : surfaceNumberForms()) all.push_back({{"key", form.key}, {"help", form.help}});
+    return all;
 }
 
 std::string table(const Selection& selection)
@@ -263,9 +286,10 @@ std::optional<int> describeStudy(const std::string& key, bool json)
 int describeCommand(const std::string& key, bool asJson)
 {
     const Selection selection = select(key);
-    if (isSurfaceKey(key) || key == railFileKey) {
-        print(asJson ? jsonText({{"fields", Json::array()}, {"surface", surfaceHelp()}})
-                     : wrapped(std::string(surfaceHelp()), 0));
+    if (isSurfaceKey(key) || key == railFileKey || key.starts_with("abs.points_of_interest")) {
+        print(asJson ? jsonText(
+                           {{"fields", Json::array()}, {"surface", surfaceHelp()}, {"surface_numbers", surfaceJson()}})
+                     : surfaceText());
         return exitDone;
     }
     if (selection.empty()) {
@@ -276,7 +300,10 @@ int describeCommand(const std::string& key, bool asJson)
         Json all = Json::array();
         for (const Parameter* parameter : selection) all.push_back(json(*parameter));
         Json result{{"fields", all}};
-        if (key.empty() || key == "abs") result["surface"] = surfaceHelp();
+        if (key.empty() || key == "abs") {
+            result["surface"] = surfaceHelp();
+            result["surface_numbers"] = surfaceJson();
+        }
         print(jsonText(result));
     } else {
         print(selection.size() == 1 && selection.front()->key == key ? details(*selection.front()) : table(selection));

@@ -114,6 +114,16 @@ std::optional<std::string> setText(Case& target, const Parameter& parameter, std
 
 } // namespace
 
+double numberOf(const Parameter& parameter, const Case& c)
+{
+    const ParameterValue value = parameter.get(c);
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* whole = std::get_if<int>(&value)) return *whole;
+    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
+        return list->front();
+    return std::nan("");
+}
+
 std::string allowedRange(const Parameter& parameter)
 {
     switch (parameter.kind) {

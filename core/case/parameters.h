@@ -78,6 +78,9 @@ std::optional<std::string> setFromText(Case& target, const Parameter& parameter,
 std::optional<std::string> setFromNumber(Case& target, const Parameter& parameter, double value);
 std::optional<std::string> setFromNumbers(Case& target, const Parameter& parameter, const std::vector<double>& values);
 
+/// The value of a number, the first one of a list [unit of the parameter]; NaN of others.
+double numberOf(const Parameter& parameter, const Case& c);
+
 /// The numbers of a List as people write them, separated by commas or semicolons.
 std::vector<std::string_view> listElements(std::string_view text);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_settings.h"
 
+#include "core/case/case_key.h"
 #include "core/case/disk_setup.h"
-#include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/nearest_name.h"
@@ -11,12 +11,22 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 
 namespace touchdown {
 
 namespace {
 
 std::string_view keyOf(std::string_view setting) { return trimmed(setting.substr(0, setting.find('=')), blanks); }
+
+/// The parameter of a key, or "unknown key; did you mean ...?".
+std::variant<Parameter, std::string> settingKey(const Case& c, std::string_view key)
+{
+    auto found = caseKey(c, key);
+    const bool ofSurface = key.starts_with("abs.") && key.find('[') != std::string_view::npos;
+    if (std::holds_alternative<std::string>(found) && !ofSurface) return "unknown key" + didYouMean(nearestKey(key));
+    return found;
+}
 
 /// Applies one "key=value"; returns its problem.
 std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
@@ -28,9 +38,10 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
     if (equals == std::string_view::npos) return problem("", inQuotes(setting) + " is not key=value");
     const std::string_view key = keyOf(setting);
     const std::string_view written = trimmed(setting.substr(equals + 1), blanks);
-    const Parameter* parameter = findParameter(key);
+    const auto found = settingKey(target, key);
+    const auto* parameter = std::get_if<Parameter>(&found);
     if (parameter == nullptr)
-        return problem(key.empty() ? inQuotes(setting) : std::string(key), "unknown key" + didYouMean(nearestKey(key)));
+        return problem(key.empty() ? inQuotes(setting) : std::string(key), std::get<std::string>(found));
 
     const std::string_view value = withoutQuotes(written);
     const bool quoted = value.size() < written.size();
@@ -77,11 +88,12 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (document.valid())
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     // A value without effect in the file may have one now; a setting may have none.
+    const auto parameterOf = [&](std::string_view key) { return std::get<Parameter>(caseKey(document.value, key)); };
     std::erase_if(document.unused,
-                  [&](const InputProblem& unused) { return findParameter(unused.key)->used(document.value); });
+                  [&](const InputProblem& unused) { return parameterOf(unused.key).used(document.value); });
     for (const std::string& setting : settings) {
         const std::string key(keyOf(setting));
-        if (const std::string message = unusedMessage(document.value, *findParameter(key)); !message.empty())
+        if (const std::string message = unusedMessage(document.value, parameterOf(key)); !message.empty())
             document.unused.push_back({"--set", 0, key, message, ProblemKind::Setting});
     }
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
@@ -91,9 +103,10 @@ std::string changeCase(Case& c, const std::vector<CaseSetting>& settings)
 {
     Case changed = c;
     for (const CaseSetting& setting : settings) {
-        const Parameter* parameter = findParameter(setting.key);
-        if (parameter == nullptr) return setting.key + ": unknown key" + didYouMean(nearestKey(setting.key));
-        if (const auto problem = setFromText(changed, *parameter, setting.value)) return setting.key + ": " + *problem;
+        const auto found = settingKey(changed, setting.key);
+        if (const auto* problem = std::get_if<std::string>(&found)) return setting.key + ": " + *problem;
+        if (const auto problem = setFromText(changed, std::get<Parameter>(found), setting.value))
+            return setting.key + ": " + *problem;
     }
     for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
     c = std::move(changed);

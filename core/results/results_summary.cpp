@@ -17,7 +17,7 @@ void putCount(const Hdf5Group& group, const std::string& name, long long value, 
     group.put(name, std::int64_t{value}, "1", longName);
 }
 
-Quantity known(const std::vector<Quantity>& quantities, const std::string& name)
+Quantity quantityNamed(const std::vector<Quantity>& quantities, const std::string& name)
 {
     const int i = findQuantity(quantities, name);
     return i >= 0 ? quantities[static_cast<std::size_t>(i)] : Quantity{name, "", "", name};
@@ -45,7 +45,8 @@ void writePeaks(const Hdf5Group& summary, const std::vector<Quantity>& quantitie
         amplitudes.push_back(peak.amplitude);
     }
     group.put("frequency", frequencies, "Hz", "Peaks of the minimum spacing's spectrum");
-    group.put("amplitude", amplitudes, known(quantities, "minimum_spacing").unit, "Amplitude of a sine with that peak");
+    group.put("amplitude", amplitudes, quantityNamed(quantities, "minimum_spacing").unit,
+              "Amplitude of a sine with that peak");
 }
 
 void writeFit(const Hdf5Group& group, const CharacteristicFit& fit)
@@ -106,7 +107,7 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
 
     const Hdf5Group final = group.create("final");
     for (const auto& [key, value] : summary.final) {
-        const Quantity quantity = known(quantities, key);
+        const Quantity quantity = quantityNamed(quantities, key);
         putFinite(final, key, value, quantity.unit, quantity.longName + " at the end");
     }
     const auto putExtremes = [](const Hdf5Group& one, const Quantity& quantity, double least, double most,
@@ -116,10 +117,10 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
     };
     const Hdf5Group extremes = group.create("extremes");
     for (const auto& [key, value] : summary.extremes)
-        putExtremes(extremes.create(key), known(quantities, key), value.least, value.most, "whole run");
+        putExtremes(extremes.create(key), quantityNamed(quantities, key), value.least, value.most, "whole run");
     const Hdf5Group tail = group.create("tail");
     for (const auto& [key, value] : summary.tail) {
-        const Quantity quantity = known(quantities, key);
+        const Quantity quantity = quantityNamed(quantities, key);
         const Hdf5Group one = tail.create(key);
         putFinite(one, "mean", value.mean, quantity.unit, quantity.longName + ", mean of the last 10 %");
         putFinite(one, "std", value.std, quantity.unit, quantity.longName + ", standard deviation of the last 10 %");

@@ -42,7 +42,7 @@ inline std::vector<HeldStep> loop()
 inline HeldSteps task()
 {
     HeldSteps steps;
-    steps.parameter = std::get<DesignKey>(designKey(steps.start, "ono_yamane.meniscus_force"));
+    steps.parameter = std::get<Parameter>(numberKey(steps.start, "ono_yamane.meniscus_force"));
     steps.values = {0.0, 1e-3, 2e-3, 3e-3};
     return steps;
 }

@@ -18,7 +18,7 @@ std::optional<Case> caseAt(const BouncingMapTask& task, double x, double y, std:
 {
     Case c = task.start;
     for (const auto& [axis, value] : {std::pair(&task.x, x), std::pair(&task.y, y)})
-        if (const auto wrong = axis->keys.set(c, value)) {
+        if (const auto wrong = setFromNumber(c, axis->keys, value)) {
             problem = axis->keys.key + ": " + *wrong;
             return {};
         }

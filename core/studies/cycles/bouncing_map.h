@@ -14,14 +14,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/case/case_key.h"
 #include "core/studies/cycles/bouncing_run.h"
 #include "core/studies/hysteresis/value_ranges.h"
-#include "core/studies/runs/design_key.h"
 
 namespace touchdown {
 
 struct MapAxis {
-    DesignKey keys;
+    Parameter keys;
     ParameterText text;
     bool logarithmic = false;
     std::vector<double> values; // in rising order, both ends included [unit of the keys]

@@ -29,7 +29,7 @@ constexpr const char* markedByWork =
     "the W of theirs; what the map shows there is its own slider.";
 constexpr std::array severities{0, 1, 2, 3, 1, 3}; // by MapClass
 
-std::optional<double> readEnd(StudyReader& reader, const std::string& name, const DesignKey& keys, bool logarithmic)
+std::optional<double> readEnd(StudyReader& reader, const std::string& name, const Parameter& keys, bool logarithmic)
 {
     if (!reader.has(name)) {
         reader.add(name, "is missing: a map has no range of its own");
@@ -38,7 +38,7 @@ std::optional<double> readEnd(StudyReader& reader, const std::string& name, cons
     const std::optional<double> value = readValue(reader, name, keys);
     if (!value) return {};
     Case changed = reader.start();
-    if (const auto problem = keys.set(changed, *value)) {
+    if (const auto problem = setFromNumber(changed, keys, *value)) {
         reader.add(name, *problem);
         return {};
     }
@@ -61,7 +61,7 @@ std::optional<MapAxis> readAxis(StudyReader& reader, const std::string& name)
         reader.has(name + "_to");
         return {};
     }
-    const std::optional<DesignKey> keys = readKeys(reader, name, *text, axis.text);
+    const std::optional<Parameter> keys = readKeys(reader, name, *text, axis.text);
     if (!keys) return {};
     axis.keys = *keys;
     const std::optional<double> from = readEnd(reader, name + "_from", *keys, axis.logarithmic),
@@ -82,7 +82,7 @@ std::optional<MapAxis> readAxis(StudyReader& reader, const std::string& name)
 std::optional<double> workOfLaw(const BouncingMapTask& task, double x, double y)
 {
     Case c = task.start;
-    if (task.x.keys.set(c, x) || task.y.keys.set(c, y)) return {};
+    if (setFromNumber(c, task.x.keys, x) || setFromNumber(c, task.y.keys, y)) return {};
     return OnoYamaneLaw(c.onoYamane).cycleWork();
 }
 

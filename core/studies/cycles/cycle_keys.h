@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "core/case/parameters.h"
 #include "core/studies/hysteresis/value_ranges.h"
-#include "core/studies/runs/design_key.h"
 
 namespace touchdown {
 
@@ -17,9 +17,9 @@ class StudyReader;
 inline constexpr const char* neededKeys = "a key of the case, or several with commas between them, in quotation marks";
 
 /// The keys of the text as one. Nothing where there is a problem, which is added to the study's key `name`.
-std::optional<DesignKey> readKeys(StudyReader& reader, const std::string& name, const std::string& text,
+std::optional<Parameter> readKeys(StudyReader& reader, const std::string& name, const std::string& text,
                                   ParameterText& label);
-/// A value of the keys that the study's key `name` gives, within the range of the first one.
-std::optional<double> readValue(StudyReader& reader, const std::string& name, const DesignKey& keys);
+/// A value of the keys that the study's key `name` gives, within the range of each.
+std::optional<double> readValue(StudyReader& reader, const std::string& name, const Parameter& keys);
 
 } // namespace touchdown

@@ -231,7 +231,7 @@ StudyPerformance planCycles(StudyReader& reader)
         for (const std::string& mark : reader.tables("mark"))
             reader.add(mark, "needs a map: the table [map] is missing");
     }
-    const std::optional<DesignKey> parameter = readKeys(reader, "parameter", keys, task.text);
+    const std::optional<Parameter> parameter = readKeys(reader, "parameter", keys, task.text);
     if (!parameter) return {};
     task.parameter = *parameter;
     const std::optional<double> from = readEnd(reader, task, "from", 0.0),

@@ -18,7 +18,7 @@ constexpr int halvingsOfZero = 50;
 std::optional<double> workOfValue(const CyclesTask& task, double value)
 {
     Case c = task.start;
-    if (task.parameter.set(c, value)) return {};
+    if (setFromNumber(c, task.parameter, value)) return {};
     return OnoYamaneLaw(c.onoYamane).cycleWork();
 }
 

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case_key.h"
 #include "core/studies/cycles/bouncing_run.h"
 #include "core/studies/cycles/cycle_branches.h"
 #include "core/studies/hysteresis/value_ranges.h"
-#include "core/studies/runs/design_key.h"
 
 namespace touchdown {
 
 struct CyclesTask {
     Case start;
-    DesignKey parameter; // sets all keys
+    Parameter parameter; // sets all keys
     ParameterText text;
     double from = 0.0, to = 1.0; // [unit of the parameter]
     std::vector<double> values;  // at which runs start, there [unit of the parameter]

@@ -239,11 +239,11 @@ std::string reasonNotToDesign(const Case& c)
 std::string applyParameters(Case& c, const std::vector<DesignParameter>& parameters, const std::vector<double>& values)
 {
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const std::vector<DesignKey>& keys = parameters[i].keys;
-        const double change = values[i] - keys.front().get(c);
+        const std::vector<Parameter>& keys = parameters[i].keys;
+        const double change = values[i] - numberOf(keys.front(), c);
         for (std::size_t k = 0; k < keys.size(); ++k) {
-            const double value = k == 0 ? values[i] : keys[k].get(c) + change;
-            if (const auto problem = keys[k].set(c, value)) return keys[k].key + ": " + *problem;
+            const double value = k == 0 ? values[i] : numberOf(keys[k], c) + change;
+            if (const auto problem = setFromNumber(c, keys[k], value)) return keys[k].key + ": " + *problem;
         }
     }
     for (const CaseProblem& problem : checkCombinations(c)) return problem.key + ": " + problem.message;

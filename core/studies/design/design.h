@@ -15,15 +15,15 @@
 #include <string>
 #include <vector>
 
+#include "core/case/case_key.h"
 #include "core/simulation/recording/quantity.h"
 #include "core/simulation/static_state/steady.h"
-#include "core/studies/runs/design_key.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
 
 struct DesignParameter {
-    std::vector<DesignKey> keys; // the first is meant by the numbers below; the others change by as much
+    std::vector<Parameter> keys; // the first is meant by the numbers below; the others change by as much
     double start = 0.0, minimum = 0.0, maximum = 0.0; // [unit of the first key]
 };
 

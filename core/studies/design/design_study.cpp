@@ -33,7 +33,7 @@ void addFindings(const DesignTask& task, const DesignStudy& study, StudyReport& 
                               states);
     for (std::size_t i = 0; i < best.parameters.size(); ++i) {
         const DesignParameter& parameter = task.parameters[i];
-        const DesignKey& key = parameter.keys.front();
+        const Parameter& key = parameter.keys.front();
         report.findings.push_back(key.key + ": " + fewDigits(best.parameters[i], key.displayUnit, 7) + ", from " +
                                   fewDigits(parameter.start, key.displayUnit, 7) + ".");
     }
@@ -74,7 +74,7 @@ StudyTable stepsOf(const DesignTask& task, const DesignStudy& study)
 {
     StudyTable table{.name = "steps", .columns = {{"iteration", "", "", "Iteration"}}};
     for (const DesignParameter& parameter : task.parameters) {
-        const DesignKey& key = parameter.keys.front();
+        const Parameter& key = parameter.keys.front();
         table.columns.push_back({key.key, key.unit, key.displayUnit, "Parameter " + key.key});
     }
     for (const DesignTarget& target : task.targets) {

@@ -40,10 +40,10 @@ DesignTask defaultTask(const Case& c)
     const double height = c.initial.nominalTrailingEdgeHeight > 0.0 ? c.initial.nominalTrailingEdgeHeight : 10e-9;
     const double load = c.suspension.preload > 0.0 ? c.suspension.preload : 10e-3;
     const bool held = c.steady.fixedAttitude;
-    const auto key = designKey(c, held ? "initial.nominal_trailing_edge_height" : "suspension.preload");
-    if (!reasonNotToDesign(c).empty() || !std::holds_alternative<DesignKey>(key)) return task;
+    const auto key = numberKey(c, held ? "initial.nominal_trailing_edge_height" : "suspension.preload");
+    if (!reasonNotToDesign(c).empty() || !std::holds_alternative<Parameter>(key)) return task;
     const double middle = held ? height : load, wanted = held ? load : height;
-    const DesignKey& moved = std::get<DesignKey>(key);
+    const Parameter& moved = std::get<Parameter>(key);
     const std::vector<Quantity> all = wantedQuantities();
     const Quantity& aim = all[static_cast<std::size_t>(findQuantity(all, held ? "net_force" : "minimum_spacing"))];
     const auto plain = [](double value, const std::string& displayUnit) { // two digits of what is shown
@@ -135,13 +135,13 @@ private:
             };
             DesignParameter parameter;
             for (const std::string& name : keysOf(table)) {
-                auto key = designKey(start_, name);
+                auto key = numberKey(start_, name);
                 const std::string at = table + (reader_.has(table + ".keys") ? ".keys" : ".key");
                 if (!names.insert(name).second)
                     refuse(at, inQuotes(name) + " is changed by more than one parameter");
                 else if (const auto* problem = std::get_if<std::string>(&key))
                     refuse(at, inQuotes(name) + ' ' + *problem);
-                else if (parameter.keys.push_back(std::get<DesignKey>(key));
+                else if (parameter.keys.push_back(std::get<Parameter>(key));
                          parameter.keys.back().unit != parameter.keys.front().unit)
                     refuse(at, inQuotes(name) + " has another unit than the first key");
             }
@@ -152,8 +152,8 @@ private:
 
     bool readBounds(const std::string& table, DesignParameter& parameter)
     {
-        const DesignKey& first = parameter.keys.front();
-        const double own = first.get(start_);
+        const Parameter& first = parameter.keys.front();
+        const double own = numberOf(first, start_);
         const auto value = [&](const char* name, std::optional<double> otherwise = {}) {
             return number(table + '.' + name, first.unit, first.displayUnit, otherwise);
         };
@@ -174,8 +174,8 @@ private:
                                        shown(*maximum) + ")");
         for (const auto& [name, bound] : {std::pair{"minimum", *minimum}, std::pair{"maximum", *maximum}}) {
             Case tried = start_;
-            for (const DesignKey& key : parameter.keys)
-                if (const auto problem = key.set(tried, key.get(tried) + bound - own))
+            for (const Parameter& key : parameter.keys)
+                if (const auto problem = setFromNumber(tried, key, numberOf(key, tried) + bound - own))
                     return refuse(name, key.key + ": " + *problem);
         }
         return true;
@@ -218,7 +218,7 @@ std::string tablesText(const DesignTask& task)
         text += std::string(key) + " = " + tomlString(value) + remark + "\n";
     };
     for (const DesignParameter& parameter : task.parameters) {
-        const DesignKey& key = parameter.keys.front();
+        const Parameter& key = parameter.keys.front();
         text += "\n[[parameter]] # one or more\n";
         line("key", key.key, " # of the case or of a rail, such as abs.rail[1].width");
         line("minimum", formatQuantity(parameter.minimum, key.displayUnit));
@@ -247,8 +247,7 @@ StudyForm designForm(const Case& c)
         row(numberKey(key, {}, "", "", -infinity, infinity, help));
     };
     row(textKey("parameter.key", {}, neededKey,
-                "the number that is searched: of the case, or recess, x, y, length "
-                "or width of a rail, such as abs.rail[1].width"));
+                "the number that is searched, of the case or of its surface, such as abs.rail[1].width"));
     row(listKey("parameter.keys", {}, "several keys instead of one; all change by the same amount"));
     number("parameter.start", "default: the value of the case");
     number("parameter.minimum", "lower bound");

@@ -52,10 +52,10 @@ ContactBranch branchAfter(const HeldEnd& before)
 
 bool belongsToStart(const std::string& key) { return key.starts_with("initial."); }
 
-std::string setParameter(Case& c, const DesignKey& parameter, double value)
+std::string setParameter(Case& c, const Parameter& parameter, double value)
 {
     Case changed = c;
-    if (const auto problem = parameter.set(changed, value)) return parameter.key + ": " + *problem;
+    if (const auto problem = setFromNumber(changed, parameter, value)) return parameter.key + ": " + *problem;
     for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
     c = std::move(changed);
     return {};

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "core/studies/runs/design_key.h"
+#include "core/case/case_key.h"
 #include "core/studies/runs/measured_run.h"
 
 namespace touchdown {
 
 struct HeldSteps {
     Case start; // as it stands, with the first value's start
-    DesignKey parameter;
+    Parameter parameter;
     std::vector<double> values; // in their order, there [unit of the parameter]
     double hold = 1e-3;         // [s]
     bool fresh = false;         // each value begins as the case says, and there is no way back
@@ -40,7 +40,7 @@ struct HeldStep {
 bool belongsToStart(const std::string& key);
 
 /// The case at a value; what is wrong with it, in a sentence, or "".
-std::string setParameter(Case& c, const DesignKey& parameter, double value);
+std::string setParameter(Case& c, const Parameter& parameter, double value);
 
 /// A run that has ended.
 struct HeldEnd {

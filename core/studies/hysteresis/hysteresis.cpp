@@ -235,12 +235,11 @@ bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
         reader.add("parameter", inQuotes(key) + " " + *problem);
         return false;
     }
-    steps.parameter = std::get<DesignKey>(found);
-    const Interval allowed = allowedValues(key);
+    steps.parameter = std::get<Parameter>(found);
     const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
         const bool given = reader.has(name);
-        std::optional<double> value =
-            reader.number(name, steps.parameter.unit, steps.parameter.displayUnit, allowed.lower, allowed.upper);
+        std::optional<double> value = reader.number(name, steps.parameter.unit, steps.parameter.displayUnit,
+                                                    steps.parameter.minimum, steps.parameter.maximum);
         if (!given && key != standard.key) {
             reader.add(name,
                        "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "core/case/case_key.h"
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
-#include "core/studies/runs/design_key.h"
 
 namespace touchdown {
 
@@ -18,13 +18,12 @@ constexpr std::size_t mostNamed = 3; // ranges in a sentence
 
 std::string ParameterText::of(double value) const { return fewDigits(value, displayUnit, 4); }
 
-ParameterText parameterText(const DesignKey& key)
+ParameterText parameterText(const Parameter& key)
 {
     ParameterText text{key.key, key.unit, key.displayUnit};
-    if (const Parameter* parameter = findParameter(key.key)) {
-        text.label = capitalized(parameter->label);
-        if (!parameter->symbol.empty()) text.label += " " + parameter->symbol;
-    }
+    if (findParameter(key.key) == nullptr) return text;
+    text.label = capitalized(key.label);
+    if (!key.symbol.empty()) text.label += " " + key.symbol;
     return text;
 }
 

@@ -8,7 +8,7 @@
 
 namespace touchdown {
 
-struct DesignKey;
+struct Parameter;
 
 struct ParameterText {
     std::string label; // "Static flying height"
@@ -16,7 +16,7 @@ struct ParameterText {
     /// A value with four digits and its unit.
     std::string of(double value) const;
 };
-ParameterText parameterText(const DesignKey& key);
+ParameterText parameterText(const Parameter& key);
 
 struct ValueRange {
     double lower = 0.0, upper = 0.0; // [unit of the parameter]

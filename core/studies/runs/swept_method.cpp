@@ -87,16 +87,6 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
 
 } // namespace
 
-double numberOf(const Parameter& parameter, const Case& c)
-{
-    const ParameterValue value = parameter.get(c);
-    if (const auto* number = std::get_if<double>(&value)) return *number;
-    if (const auto* whole = std::get_if<int>(&value)) return *whole;
-    if (const auto* list = std::get_if<std::vector<double>>(&value); list != nullptr && !list->empty())
-        return list->front();
-    return std::nan("");
-}
-
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
 {
     std::vector<MethodSpec> specs;

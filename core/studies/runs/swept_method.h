@@ -55,8 +55,6 @@ struct SweptMethod {
     bool ordered = false; // its settings go from coarse to fine
     std::vector<MethodSetting> settings{};
 };
-/// The value of a number, the first one of a list [unit of the parameter]; NaN of others.
-double numberOf(const Parameter& parameter, const Case& c);
 
 /// "rk4 (10 ns)".
 std::string nameOf(const std::string& method, const std::string& setting);

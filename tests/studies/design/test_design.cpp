@@ -25,8 +25,8 @@ Case slider()
 DesignParameter parameter(const Case& c, const std::vector<const char*>& names, double minimum, double maximum)
 {
     DesignParameter result;
-    for (const char* name : names) result.keys.push_back(std::get<DesignKey>(designKey(c, name)));
-    result.start = result.keys.front().get(c);
+    for (const char* name : names) result.keys.push_back(std::get<Parameter>(numberKey(c, name)));
+    result.start = numberOf(result.keys.front(), c);
     result.minimum = minimum;
     result.maximum = maximum;
     return result;

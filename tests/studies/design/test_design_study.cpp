@@ -18,7 +18,8 @@ private slots:
     void report()
     {
         DesignTask task;
-        task.parameters = {{.keys = {{"suspension.preload", "N", "mN"}}, .start = 0.02}};
+        task.parameters = {
+            {.keys = {Parameter{.key = "suspension.preload", .unit = "N", .displayUnit = "mN"}}, .start = 0.02}};
         task.targets = {{{"pitch", "rad", "urad", "Pitch, leading edge up"}, 150e-6, 1e-6}};
         DesignStudy study;
         study.status = StudyStatus::Completed;
@@ -45,7 +46,8 @@ private slots:
     void noState()
     {
         DesignTask task;
-        task.parameters = {{.keys = {{"suspension.preload", "N", "mN"}}, .start = 0.02}};
+        task.parameters = {
+            {.keys = {Parameter{.key = "suspension.preload", .unit = "N", .displayUnit = "mN"}}, .start = 0.02}};
         task.targets = {{{"pitch", "rad", "urad", ""}, 150e-6, 1e-6}};
         DesignStudy study;
         study.steps = {{0, {0.02}, {}, 0.0, "not converged"}};

@@ -143,7 +143,7 @@ private slots:
         QVERIFY2(whole.valid(), qPrintable(said(whole)));
         const Case& c = whole.start.value;
         DesignTask task = taskOf(whole.text, c);
-        for (DesignParameter& parameter : task.parameters) parameter.start = parameter.keys.front().get(c);
+        for (DesignParameter& parameter : task.parameters) parameter.start = numberOf(parameter.keys.front(), c);
         const DesignStudy study = studyDesign(c, task);
         QVERIFY2(study.status == StudyStatus::Completed, study.message.c_str());
         QCOMPARE(study.solves, 1);

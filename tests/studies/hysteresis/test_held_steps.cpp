@@ -11,7 +11,7 @@ using namespace touchdown;
 
 namespace test_held_steps {
 
-DesignKey keyOf(const Case& c, const char* key) { return std::get<DesignKey>(designKey(c, key)); }
+Parameter keyOf(const Case& c, const char* key) { return std::get<Parameter>(numberKey(c, key)); }
 
 HeldSteps heights(std::vector<double> values)
 {
