@@ -116,14 +116,14 @@ private:
                                  const Candidate& candidate)
     {
         Case c = reader_.start();
+        std::vector<CaseSetting> changes = candidate.set;
+        std::ranges::copy(reader_.settings(table + '.' + setKey), std::back_inserter(changes));
         if (const auto named = reader_.text(table + '.' + caseKey)) {
             const CaseDocument document = openFurtherCase(reader_, *named);
             for (const InputProblem& problem : document.problems) reader_.add(table + '.' + caseKey, problem.text());
             if (!document.valid()) return {};
             c = document.value;
         }
-        std::vector<CaseSetting> changes = candidate.set;
-        std::ranges::copy(reader_.settings(table + '.' + setKey), std::back_inserter(changes));
         if (!change(c, changes, table, {table + '.' + setKey, candidate.table})) return {};
         if (setKey != "set") return c;
         // Read without `contradict`, too, so that what is wrong in it is told.
@@ -247,7 +247,7 @@ private:
         }
         // What is taken of their spectra has no unit; its name is still that of the samples.
         if (statement.taken == Taken::Peaks || statement.taken == Taken::Likeness)
-            statement.quantity.unit = statement.quantity.displayUnit = "1";
+            statement.quantity.unit = statement.quantity.displayUnit = "";
         readBand(table, statement);
         const Quantity& q = statement.quantity;
         const auto bound = [&](const char* leaf) {

@@ -29,15 +29,15 @@ StudyTable tableOf(const StatementTask& task, const CheckedStatements& checked)
     const bool several = !task.candidates.empty();
     StudyTable table{.name = "statements"};
     if (several) table.columns.push_back({"candidate", "", "", "Candidate"});
-    for (const StudyColumn& column : std::initializer_list<StudyColumn>{
-             {"figure", "", "", "Figure"},
-             {"holds", "", "", "Holds"},
-             {"found", "", "", "Found"},
-             {"expected", "", "", "Expected"},
-             {"starts", "", "", "Starts that do so; in brackets the 95 % interval"},
-             {"statement", "", "", "What the text says"},
-             {.name = "command", .longName = "Command", .secondary = true},
-             {.name = "remark", .longName = "Remark", .secondary = true}})
+    for (const StudyColumn& column :
+         std::initializer_list<StudyColumn>{{"figure", "", "", "Figure"},
+                                            {"holds", "", "", "Holds"},
+                                            {"found", "", "", "Found"},
+                                            {"expected", "", "", "Expected"},
+                                            {"starts", "", "", "Starts that do so; in brackets the 95 % interval"},
+                                            {"statement", "", "", "What the text says"},
+                                            {.name = "command", .longName = "Command", .secondary = true},
+                                            {.name = "remark", .longName = "Remark", .secondary = true}})
         table.columns.push_back(column);
     for (std::size_t i = 0; i < task.statements.size(); ++i) {
         if (!checked.all[i].done) continue;
@@ -101,10 +101,9 @@ std::vector<StudyChart> chartsOf(const StatementTask& task, const CheckedStateme
     }
     if (panel.series.empty()) return {};
     panel.bands.push_back({.alongX = false, .lower = 0.5, .upper = 0.5, .label = "one half"});
-    return {
-        {"Which share of the starts does what the text says?",
-         "Wilson's interval at 95 %, and its middle; hollow: no more than half of the starts.",
-         {panel}}};
+    return {{"Which share of the starts does what the text says?",
+             "Wilson's interval at 95 %, and its middle; hollow: no more than half of the starts.",
+             {panel}}};
 }
 
 StudyReport reportOf(const StatementTask& task, const CheckedStatements& checked)
