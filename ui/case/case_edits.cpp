@@ -11,9 +11,15 @@ namespace touchdown {
 /// A case is small: a command keeps the whole state before and after.
 class CaseEdits::Edit : public QUndoCommand {
 public:
-    Edit(CaseEdits& edits, const QString& text, State after)
-        : QUndoCommand(text), edits_(edits), before_(edits.state_), after_(std::move(after))
+    Edit(CaseEdits& edits, const QString& text, State after, int merge)
+        : QUndoCommand(text), edits_(edits), before_(edits.state_), after_(std::move(after)), merge_(merge)
     {}
+    int id() const override { return merge_ == 0 ? -1 : merge_; }
+    bool mergeWith(const QUndoCommand* next) override
+    {
+        after_ = static_cast<const Edit*>(next)->after_;
+        return true;
+    }
     void undo() override { edits_.apply(before_); }
     void redo() override { edits_.apply(after_); }
 
@@ -21,6 +27,7 @@ private:
     CaseEdits& edits_;
     State before_;
     State after_;
+    int merge_;
 };
 
 CaseEdits::CaseEdits(QObject* parent) : QObject(parent) { apply(state_); }
@@ -64,6 +71,13 @@ void CaseEdits::resetAll()
 
 void CaseEdits::setAll(const Case& value, const QString& text) { push(text, {value, {}}); }
 
+void CaseEdits::setSurface(const AirBearingSurface& surface, const QString& text, int merge)
+{
+    State after = state_;
+    after.value.surface = surface;
+    push(text, std::move(after), merge);
+}
+
 bool CaseEdits::changed(const Parameter& parameter) const
 {
     return badEntry(parameter) != nullptr || parameter.get(state_.value) != parameter.get(opened_);
@@ -91,7 +105,10 @@ QString CaseEdits::reasonNotToRun() const
     return parameter ? named(*parameter, sentence(problem.message)) : sentence(problem.message);
 }
 
-void CaseEdits::push(const QString& text, State after) { undo_.push(new Edit(*this, text, std::move(after))); }
+void CaseEdits::push(const QString& text, State after, int merge)
+{
+    undo_.push(new Edit(*this, text, std::move(after), merge));
+}
 
 void CaseEdits::apply(const State& state)
 {

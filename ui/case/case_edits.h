@@ -42,6 +42,8 @@ public:
     void resetAll();
     /// All values at once, as one edit.
     void setAll(const Case& value, const QString& text);
+    /// The surface alone. Edits in a row with the same `merge` other than 0 are one for undo.
+    void setSurface(const AirBearingSurface& surface, const QString& text, int merge = 0);
 
     bool changed(const Parameter& parameter) const;
     /// Any value at all, also of rails, walls and points of interest.
@@ -66,7 +68,7 @@ private:
     };
     class Edit;
 
-    void push(const QString& text, State after);
+    void push(const QString& text, State after, int merge = 0);
     void apply(const State& state);
 
     Case opened_;

@@ -10,10 +10,10 @@
 
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
+#include "ui/film/surface_page.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/fields_view.h"
 #include "ui/maps/map_kinds.h"
-#include "ui/slider/surface_view.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -36,7 +36,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       gridShown_(new QCheckBox(tr("&Grid"), this)),
       note_(new QLabel(tr("The parameters have changed since this was solved."), this)),
       pages_(new QStackedWidget(this)),
-      surface_(new SurfaceView(this)),
+      shape_(new SurfacePage(this)),
       maps_(new FieldsView(this))
 {
     for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess")}) tabs_->addTab(name);
@@ -52,7 +52,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     tabs_->setFocusPolicy(Qt::StrongFocus);
     gridShown_->setToolTip(tr("Show the cells of the solver"));
     note_->setContentsMargins(10, 0, 0, 0);
-    pages_->addWidget(surface_);
+    pages_->addWidget(shape_);
     pages_->addWidget(maps_);
     pages_->addWidget(buildEmptyPage(solve));
 
@@ -71,7 +71,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     layout->addWidget(pages_, 1);
 
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
-    connect(gridShown_, &QCheckBox::toggled, surface_, &SurfaceView::setGridShown);
+    connect(gridShown_, &QCheckBox::toggled, surface(), &SurfaceView::setGridShown);
     connect(gridShown_, &QCheckBox::toggled, maps_->map(), &FieldMap::setGridShown);
     setSolving(false);
     showPage();
@@ -95,11 +95,9 @@ QWidget* FilmView::buildEmptyPage(QAction* solve)
     return page;
 }
 
-void FilmView::setCase(const Case& c)
-{
-    surface_->setSurface(c.surface, c.slider.length, c.slider.width);
-    surface_->setSkew(c.disk.skew);
-}
+SurfaceView* FilmView::surface() const { return shape_->editor(); }
+
+void FilmView::setCase(const Case& c) { shape_->setCase(c); }
 
 void FilmView::setResult(const Case& solved, const SteadyResult& result)
 {
@@ -113,7 +111,7 @@ void FilmView::setResult(const Case& solved, const SteadyResult& result)
     std::vector<double> pressure = result.pressure;
     for (double& value : pressure) value -= airOf(solved.air).pressure;
     maps_->setFields(result.grid, {std::move(pressure), result.gap, result.recess});
-    surface_->setGrid(result.grid);
+    surface()->setGrid(result.grid);
     showPage();
 }
 
@@ -124,7 +122,7 @@ void FilmView::clearResult()
     minimumAt_.reset();
     maps_->proposeSectionPoint(std::nullopt);
     maps_->setFields({}, {});
-    surface_->setGrid({});
+    surface()->setGrid({});
     showPage();
 }
 
@@ -144,21 +142,21 @@ void FilmView::setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page
 
 void FilmView::fit()
 {
-    surface_->fit();
+    surface()->fit();
     maps_->fit();
 }
 
 void FilmView::showPage()
 {
-    const bool surface = page() == Page::Surface;
-    if (!surface) maps_->setField(tabs_->currentIndex() - 1); // the maps have the same order as their tabs
-    pages_->setCurrentIndex(surface ? 0 : solved_ ? 1 : 2);
-    maps_->controls()->setVisible(!surface && solved_);
+    const bool shaping = page() == Page::Surface;
+    if (!shaping) maps_->setField(tabs_->currentIndex() - 1); // the maps have the same order as their tabs
+    pages_->setCurrentIndex(shaping ? 0 : solved_ ? 1 : 2);
+    maps_->controls()->setVisible(!shaping && solved_);
     gridShown_->setEnabled(solved_);
     setTextColour(note_, meaningColours(palette()).warning);
-    note_->setVisible(solved_ && stale_ && !surface);
+    note_->setVisible(solved_ && stale_ && !shaping);
     // The minimum spacing is that of the solved surface.
-    surface_->setMinimumSpacing(stale_ ? std::nullopt : minimumAt_, minimumSpacing_);
+    surface()->setMinimumSpacing(stale_ ? std::nullopt : minimumAt_, minimumSpacing_);
 }
 
 } // namespace touchdown

@@ -17,6 +17,7 @@
 namespace touchdown {
 
 class FieldsView;
+class SurfacePage;
 class SurfaceView;
 struct Case;
 struct SteadyResult;
@@ -46,7 +47,8 @@ public:
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     void fit();
 
-    SurfaceView* surface() const { return surface_; }
+    SurfaceView* surface() const;
+    SurfacePage* shape() const { return shape_; }
     FieldsView* maps() const { return maps_; }
 
 private:
@@ -57,7 +59,7 @@ private:
     QCheckBox* gridShown_;
     QLabel* note_;
     QStackedWidget* pages_;
-    SurfaceView* surface_;
+    SurfacePage* shape_;
     FieldsView* maps_;
     QLabel* emptyText_ = nullptr;
     bool solved_ = false;

@@ -4,9 +4,13 @@
 #include <exception>
 #include <utility>
 
+#include "core/case/parameters.h"
+#include "core/physics/slider/surface_check.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
+#include "ui/film/shape_follower.h"
+#include "ui/film/surface_page.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/slider/attitude_table.h"
 #include "ui/style/quantity_format.h"
@@ -23,6 +27,8 @@ bool sameFilm(const Case& a, Case b)
     b.folder = a.folder;
     return a == b;
 }
+
+constexpr int restTime = 250; // after the last edit of the shape [ms]
 
 } // namespace
 
@@ -61,12 +67,19 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
       controller_(std::move(solver)),
       view_(new FilmView(solve, parent)),
       attitude_(new AttitudeTable(parent)),
-      progress_(new ProgressStrip(controller_, tr("static solution"), tr("Solving"), parent))
+      progress_(new ProgressStrip(controller_, tr("static solution"), tr("Solving"), parent)),
+      follower_(new ShapeFollower(controller_.solver(), this))
 {
     connect(&controller_, &SteadyController::stateChanged, view_,
             [this](SteadyController::State state) { view_->setSolving(state != SteadyController::State::Idle); });
     connect(&controller_, &SteadyController::finished, this,
             [this](int, const SteadyResult& result) { onFinished(result); });
+    SurfacePage* shape = view_->shape();
+    connect(shape, &SurfacePage::previewed, this, &FilmWindow::onPreviewed);
+    connect(shape, &SurfacePage::edited, this, &FilmWindow::onSurfaceEdited);
+    connect(follower_, &ShapeFollower::followed, this, &FilmWindow::onFollowed);
+    restTimer_.setSingleShot(true);
+    connect(&restTimer_, &QTimer::timeout, this, &FilmWindow::followEdit);
 }
 
 void FilmWindow::open(const Case& c)
@@ -74,15 +87,27 @@ void FilmWindow::open(const Case& c)
     controller_.stopAndWait();
     result_.reset();
     stale_ = false;
+    forgetPreviews();
+    restTimer_.stop();
+    reference_.reset();
     view_->clearResult();
     attitude_->clear();
     edited_ = c;
     view_->setCase(c);
+    view_->shape()->open(c);
     view_->fit();
+}
+
+void FilmWindow::forgetPreviews()
+{
+    follower_->forget();
+    coarseReference_.reset();
+    preview_.reset();
 }
 
 void FilmWindow::edit(const Case& c)
 {
+    if (edited_ != c) forgetPreviews();
     edited_ = c;
     view_->setCase(c);
     updateStale();
@@ -115,9 +140,57 @@ void FilmWindow::onFinished(const SteadyResult& result)
         solved_ = asked_;
         view_->setResult(solved_, result);
         attitude_->setResult(solved_, result);
+        view_->shape()->showFlight(result, reference_, false);
         updateStale();
     }
     emit solved(result);
+}
+
+void FilmWindow::onPreviewed(const AirBearingSurface& surface)
+{
+    if (!view_->shape()->follows()) return;
+    if (view_->shape()->editor()->dragging()) controller_.stop();
+    restTimer_.stop();
+    Case preview = edited_;
+    preview.surface = surface;
+    if (const auto problems = surfaceProblems(surface); !problems.empty()) {
+        view_->shape()->showObstacle(QString::fromStdString(problems.front().sentence));
+        return;
+    }
+    // A change is told from the same grid: the case itself comes first.
+    if (coarseReference_)
+        follower_->follow(preview);
+    else if (std::exchange(preview_, std::move(preview)); !follower_->busy())
+        follower_->follow(edited_);
+}
+
+void FilmWindow::onFollowed(const SteadyResult& result)
+{
+    if (!coarseReference_) {
+        coarseReference_ = result;
+        if (auto next = std::exchange(preview_, std::nullopt)) follower_->follow(*next);
+        return;
+    }
+    view_->shape()->showFlight(result, coarseReference_, true);
+}
+
+void FilmWindow::onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge)
+{
+    if (result_ && !stale_) reference_ = result_;
+    emit surfaceEdited(surface, text, merge);
+    if (view_->shape()->follows()) restTimer_.start(restTime);
+}
+
+void FilmWindow::followEdit()
+{
+    if (controller_.active() || follower_->busy()) {
+        restTimer_.start(restTime);
+        return;
+    }
+    if (const auto problems = checkCombinations(edited_); !problems.empty())
+        view_->shape()->showObstacle(sentence(problems.front().message));
+    else
+        solve(edited_, false);
 }
 
 void FilmWindow::updateStale()

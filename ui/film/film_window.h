@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <QAction>
+#include <QTimer>
 
 #include "core/simulation/static_state/steady.h"
 #include "ui/calculation/calculation_controller.h"
@@ -17,6 +18,7 @@ namespace touchdown {
 class AttitudeTable;
 class FilmView;
 class ProgressStrip;
+class ShapeFollower;
 
 /// Solves one case at a time for its static state, beside the window.
 class SteadyController : public CalculationController {
@@ -31,6 +33,7 @@ public:
 
     /// See CalculationController::begin.
     int start(Case c);
+    const Solver& solver() const { return solver_; }
 
 signals:
     void finished(int number, const touchdown::SteadyResult& result);
@@ -72,20 +75,33 @@ public:
     bool stale() const { return stale_; }
 
 signals:
+    /// The surface was changed in the plan or in its list: the case is to have it. See SurfaceEditor::edited.
+    void surfaceEdited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
     /// Everything shows it by now.
     void solved(const touchdown::SteadyResult& result);
 
 private:
     void onFinished(const SteadyResult& result);
+    void onPreviewed(const AirBearingSurface& surface);
+    void onFollowed(const SteadyResult& result);
+    void forgetPreviews();
+    void onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge);
+    /// Solves on the case's own grid once the hand rests.
+    void followEdit();
     void updateStale();
 
     SteadyController controller_;
     FilmView* view_;
     AttitudeTable* attitude_;
     ProgressStrip* progress_;
-    Case edited_; // as it is now
-    Case asked_;  // of the solution under way, as it was edited
-    Case solved_; // of the result
+    ShapeFollower* follower_;
+    QTimer restTimer_;                            // since the last edit of the shape
+    std::optional<SteadyResult> reference_;       // the state before the last edit of the shape
+    std::optional<SteadyResult> coarseReference_; // of the case itself on the grid of previews
+    std::optional<Case> preview_;                 // waits for that one
+    Case edited_;                                 // as it is now
+    Case asked_;                                  // of the solution under way, as it was edited
+    Case solved_;                                 // of the result
     std::optional<SteadyResult> result_;
     bool stale_ = false;
 };

@@ -9,15 +9,6 @@ namespace touchdown {
 
 namespace {
 
-double distanceToEdge(const QPointF& point, const QPointF& a, const QPointF& b)
-{
-    const QPointF along = b - a;
-    const double square = QPointF::dotProduct(along, along);
-    const double part = square > 0.0 ? std::clamp(QPointF::dotProduct(point - a, along) / square, 0.0, 1.0) : 0.0;
-    const QPointF away = point - a - part * along;
-    return std::hypot(away.x(), away.y());
-}
-
 double distanceToOutline(const QPointF& point, const QPolygonF& polygon)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -29,6 +20,15 @@ double distanceToOutline(const QPointF& point, const QPolygonF& polygon)
 bool holds(const QPolygonF& polygon, const QPointF& point) { return polygon.containsPoint(point, Qt::OddEvenFill); }
 
 } // namespace
+
+double distanceToEdge(const QPointF& point, const QPointF& a, const QPointF& b)
+{
+    const QPointF along = b - a;
+    const double square = QPointF::dotProduct(along, along);
+    const double part = square > 0.0 ? std::clamp(QPointF::dotProduct(point - a, along) / square, 0.0, 1.0) : 0.0;
+    const QPointF away = point - a - part * along;
+    return std::hypot(away.x(), away.y());
+}
 
 QPolygonF railPolygon(const Rail& rail)
 {

@@ -7,11 +7,15 @@
 #include <optional>
 #include <vector>
 
+#include <QPointF>
 #include <QPolygonF>
 
 #include "core/physics/slider/air_bearing_surface.h"
 
 namespace touchdown {
+
+/// Of a point from the line between two others.
+double distanceToEdge(const QPointF& point, const QPointF& a, const QPointF& b);
 
 /// The corners in m, x to the right and y upwards.
 QPolygonF railPolygon(const Rail& rail);

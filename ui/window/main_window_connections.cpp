@@ -128,6 +128,7 @@ void MainWindow::connectFilm()
     connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
     connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
+    connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
 }
 

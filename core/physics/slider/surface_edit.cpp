@@ -42,6 +42,22 @@ PartSelection only(const PartSelection& parts, PartKind kind)
     return some;
 }
 
+/// To 1e-15 m, so that a place has few digits in a file.
+double tidy(double place)
+{
+    constexpr double perMetre = 1e15;
+    return std::abs(place) < 1.0 ? std::round(place * perMetre) / perMetre : place;
+}
+
+double turned(double y, double width) { return tidy(width - y); }
+
+template <class Point>
+void moveBy(Point& point, SurfaceShift by)
+{
+    if (by.x != 0.0) point.x = tidy(point.x + by.x);
+    if (by.y != 0.0) point.y = tidy(point.y + by.y);
+}
+
 /// Where a line through `from` along (dx, dy) meets the line through `at` whose normal is (nx, ny); nothing where they
 /// are parallel.
 std::optional<SurfacePoint> meeting(const RailPoint& from, double dx, double dy, SurfacePoint at, double nx, double ny)
@@ -67,15 +83,13 @@ void shiftEdge(Rail& rail, std::size_t edge, SurfaceShift by)
         const auto met = meeting(moves, moves.x - neighbour.x, moves.y - neighbour.y, at, nx, ny);
         const SurfacePoint place = met ? *met : SurfacePoint{moves.x + distance * nx, moves.y + distance * ny};
         // An edge along x or y keeps that coordinate of its neighbour to the bit.
-        moves.x = moves.x == neighbour.x && nx == 0.0 ? moves.x : place.x;
-        moves.y = moves.y == neighbour.y && ny == 0.0 ? moves.y : place.y;
+        if (moves.x != neighbour.x || nx != 0.0) moves.x = tidy(place.x);
+        if (moves.y != neighbour.y || ny != 0.0) moves.y = tidy(place.y);
     };
     const RailPoint ahead = rail.points[before(rail, edge)], behind = rail.points[after(rail, next)];
     slide(edge, ahead);
     slide(next, behind);
 }
-
-double turned(double y, double width) { return width - y; }
 
 } // namespace
 
@@ -92,15 +106,9 @@ AirBearingSurface moved(AirBearingSurface surface, const PartSelection& parts, S
         shiftEdge(surface.rails[parts.begin()->item], parts.begin()->index, by);
         return surface;
     }
-    for (const auto& [rail, corner] : cornersOf(surface, parts)) {
-        surface.rails[rail].points[corner].x += by.x;
-        surface.rails[rail].points[corner].y += by.y;
-    }
-    for (const SurfacePart& part : only(parts, PartKind::Interest)) {
-        if (!has(surface, part)) continue;
-        surface.pointsOfInterest[part.item].x += by.x;
-        surface.pointsOfInterest[part.item].y += by.y;
-    }
+    for (const auto& [rail, corner] : cornersOf(surface, parts)) moveBy(surface.rails[rail].points[corner], by);
+    for (const SurfacePart& part : only(parts, PartKind::Interest))
+        if (has(surface, part)) moveBy(surface.pointsOfInterest[part.item], by);
     return surface;
 }
 
@@ -237,10 +245,11 @@ AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelec
             RailPoint& to = result.rails[i].points[k];
             if (rail == i && corner == k) // on the centre line
                 to.y = from.y;
-            else if (still(own))
-                to.x = from.x + image.x, to.y = from.y - image.y;
-            else
-                to.x = from.x + 0.5 * (own.x + image.x), to.y = from.y + 0.5 * (own.y - image.y);
+            else {
+                to = from;
+                moveBy(to, still(own) ? SurfaceShift{image.x, -image.y}
+                                      : SurfaceShift{0.5 * (own.x + image.x), 0.5 * (own.y - image.y)});
+            }
         }
     }
     return result;

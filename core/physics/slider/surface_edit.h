@@ -2,8 +2,8 @@
 //
 // What an editor does to an air bearing surface: functions from a surface to a changed one. They check nothing, so that
 // a shape may pass through an impossible one while it is drawn (core/physics/slider/surface_check.h tells what is
-// wrong); they keep the numbers that they do not change, bit for bit. Rails, edges and corners count from 0; edge i
-// runs from corner i to the next one.
+// wrong); they keep the numbers that they do not change, bit for bit, and round places that they change to 1e-15 m.
+// Rails, edges and corners count from 0; edge i runs from corner i to the next one.
 #pragma once
 
 #include <cstdint>

@@ -48,9 +48,10 @@ void splitBySpacing(std::vector<Place>& places, const std::function<void(std::sp
 
 double meanSpacing(std::span<const Place> places)
 {
+    const double first = places.front().spacing;
     double sum = 0.0;
-    for (const Place& place : places) sum += place.spacing - places.front().spacing;
-    return places.front().spacing + sum / static_cast<double>(places.size());
+    for (const Place& place : places) sum += place.spacing - first;
+    return first + sum / static_cast<double>(places.size());
 }
 
 } // namespace
@@ -73,11 +74,9 @@ std::vector<double> startsOf(const Case& c, const EnsembleTask& task)
 {
     const double middle = std::get<double>(findParameter(task.key)->get(c));
     std::mt19937_64 engine(static_cast<std::uint64_t>(task.seed));
-    std::vector<double> starts;
-    for (int i = 0; i < task.starts; ++i) {
-        const double share = std::ldexp(static_cast<double>(engine() >> 11), -53); // 53 random bits: from 0 to below 1
-        starts.push_back(middle + task.spread * (2.0 * share - 1.0));
-    }
+    std::vector<double> starts(static_cast<std::size_t>(task.starts));
+    for (double& start : starts) // from 53 random bits
+        start = middle + task.spread * (2.0 * std::ldexp(static_cast<double>(engine() >> 11), -53) - 1.0);
     std::ranges::sort(starts);
     return starts;
 }

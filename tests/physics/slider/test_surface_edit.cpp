@@ -64,11 +64,9 @@ private slots:
                                                {PartKind::Rail, 9}},
                                               {10e-6, -20e-6});
         AirBearingSurface expected = before;
-        for (RailPoint& p : expected.rails[2].points) p.x += 10e-6, p.y += -20e-6;
-        expected.rails[3].points[2].x += 10e-6;
-        expected.rails[3].points[2].y += -20e-6;
-        expected.pointsOfInterest[0].x += 10e-6;
-        expected.pointsOfInterest[0].y += -20e-6;
+        expected.rails[2] = rectangle(0.81e-3, 0.28e-3, 0.91e-3, 0.48e-3);
+        expected.rails[3].points[2] = {0.31e-3, 0.23e-3, 3};
+        expected.pointsOfInterest[0] = {0.91e-3, 0.38e-3};
         QVERIFY(after == expected);
         QVERIFY(moved(before, {}, {1e-6, 1e-6}) == before);
     }

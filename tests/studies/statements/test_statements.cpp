@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QFile>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -92,7 +93,26 @@ private slots:
             const std::string text = csvCell(std::get<std::string>(entry.value));
             QVERIFY2(kept.contains(text.c_str()), text.c_str());
         }
-        QVERIFY(statements >= 30);
+        QVERIFY(statements >= 90);
+    }
+
+    /// The card of a case has the share of its starts that the help shows.
+    void cardsAgreeWithTheHelp()
+    {
+        const QString kept =
+            QString::fromUtf8(contents(QStringLiteral(TOUCHDOWN_SOURCE_DIR "/resources/help/paper.csv")));
+        const QRegularExpression share(
+            QStringLiteral(",(\\d+ of )(\\d+) starts \\((\\d+) % to (\\d+ %)\\),[^\r\n]*,touchdown run (\\w+),"));
+        int cards = 0;
+        for (auto found = share.globalMatch(kept); found.hasNext(); ++cards) {
+            const QRegularExpressionMatch each = found.next();
+            const QString card = QString::fromStdString(sample(each.captured(5).toStdString()).about.watch);
+            for (const QString& part :
+                 {QStringLiteral("Of %1 random starts").arg(each.captured(2)), each.captured(1) + each.captured(2),
+                  QStringLiteral("%1 to %2)").arg(each.captured(3), each.captured(4))})
+                QVERIFY2(card.contains(part), qPrintable(each.captured(5) + QLatin1String(": ") + part));
+        }
+        QCOMPARE(cards, 9);
     }
 
     /// A number that is not what the text says is told as such, with what was found.

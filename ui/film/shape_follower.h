@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The static state of a slider while it is shaped: of each position of the mouse on a coarse grid, one solution at a
+// time. A newer position waits, and replaces one that waits already.
+#pragma once
+
+#include <optional>
+
+#include "ui/film/film_window.h"
+
+namespace touchdown {
+
+class ShapeFollower : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ShapeFollower(SteadyController::Solver solver, QObject* parent = nullptr);
+
+    /// Returns at once.
+    void follow(const Case& c);
+    /// Forgets what waits, and the solution under way.
+    void forget();
+    bool busy() const { return controller_.active() || waiting_.has_value(); }
+
+    /// The case on at most 65 x 65 nodes, for its attitude alone.
+    static Case coarse(const Case& c);
+
+signals:
+    void followed(const touchdown::SteadyResult& result);
+
+private:
+    void startNext();
+
+    SteadyController controller_;
+    std::optional<Case> waiting_;
+    int wanted_ = 0; // number of the solution under way; 0: it is forgotten
+};
+
+} // namespace touchdown

@@ -1,0 +1,395 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/shape_panel.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "core/case/case_key.h"
+#include "ui/case/parameter_text.h"
+#include "ui/slider/part_picking.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int keyRole = Qt::UserRole;
+constexpr int kindRole = Qt::UserRole + 1;
+
+std::string railKey(std::size_t rail) { return "abs.rail[" + std::to_string(rail + 1) + "]"; }
+std::string wallKey(std::size_t wall) { return "abs.wall[" + std::to_string(wall + 1) + "]"; }
+
+} // namespace
+
+ShapePanel::ShapePanel(QWidget* parent)
+    : QWidget(parent),
+      list_(new QTreeWidget(this)),
+      table_(new QTableWidget(this)),
+      caption_(new QLabel(this)),
+      problem_(new QLabel(this))
+{
+    buildList();
+    caption_->setContentsMargins(4, 4, 4, 0);
+    caption_->setBuddy(table_);
+    problem_->setWordWrap(true);
+    problem_->hide();
+    table_->setAccessibleName(tr("Numbers of the chosen part"));
+    table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    table_->setSelectionBehavior(QAbstractItemView::SelectItems);
+    table_->setTabKeyNavigation(false);
+
+    const auto button = [this](const QString& text, const QString& tip, auto perform) {
+        auto* made = new QToolButton(this);
+        made->setText(text);
+        made->setToolTip(tip);
+        made->setAccessibleName(tip);
+        made->setFocusPolicy(Qt::StrongFocus);
+        connect(made, &QToolButton::clicked, this, perform);
+        return made;
+    };
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(button(tr("+ Wall"), tr("Add a wall profile"), [this] { addWall(); }));
+    buttons->addWidget(button(tr("+ Point"), tr("Add a point of interest"), [this] { addInterest(); }));
+    buttons->addStretch(1);
+    buttons->addWidget(forward_ = button(QStringLiteral("↓"), tr("Forward, over the next rail of the list"),
+                                         [this] { moveChosen(1); }));
+    buttons->addWidget(
+        backward_ = button(QStringLiteral("↑"), tr("Backward, under the rail before"), [this] { moveChosen(-1); }));
+    buttons->addWidget(remove_ = button(tr("Delete"), tr("Delete the chosen part"), [this] { removeChosen(); }));
+
+    auto* upper = new QWidget(this);
+    auto* upperLayout = new QVBoxLayout(upper);
+    upperLayout->setContentsMargins(0, 0, 0, 0);
+    upperLayout->addWidget(list_, 1);
+    upperLayout->addLayout(buttons);
+    auto* lower = new QWidget(this);
+    auto* lowerLayout = new QVBoxLayout(lower);
+    lowerLayout->setContentsMargins(0, 0, 0, 0);
+    lowerLayout->addWidget(caption_);
+    lowerLayout->addWidget(table_, 1);
+    lowerLayout->addWidget(problem_);
+    auto* parts = new QSplitter(Qt::Horizontal, this);
+    parts->addWidget(upper);
+    parts->addWidget(lower);
+    parts->setChildrenCollapsible(false);
+    parts->setStretchFactor(0, 2);
+    parts->setStretchFactor(1, 3);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 0, 4, 4);
+    layout->addWidget(parts);
+
+    connect(list_, &QTreeWidget::itemSelectionChanged, this, &ShapePanel::onListSelected);
+    connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
+        if (!filling_) take(item->data(column, keyRole).toString().toStdString(), item->text(column));
+    });
+    connect(table_, &QTableWidget::itemChanged, this, [this](QTableWidgetItem* item) {
+        if (!filling_) take(item->data(keyRole).toString().toStdString(), item->text());
+    });
+    connect(table_, &QTableWidget::itemSelectionChanged, this, &ShapePanel::onTableSelected);
+}
+
+void ShapePanel::buildList()
+{
+    list_->setColumnCount(3);
+    list_->setHeaderLabels({tr("Part"), tr("Recess [µm]"), tr("Points")});
+    list_->setAccessibleName(tr("Rails, walls and points of interest"));
+    list_->setUniformRowHeights(true);
+    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+    for (const int column : {1, 2}) list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    list_->header()->setStretchLastSection(false);
+    for (QTreeWidgetItem** group : {&rails_, &walls_, &interests_}) {
+        *group = new QTreeWidgetItem(list_);
+        (*group)->setFlags(Qt::ItemIsEnabled);
+        (*group)->setExpanded(true);
+    }
+}
+
+void ShapePanel::setCase(const Case& c)
+{
+    const bool same = c.surface == case_.surface;
+    case_ = c;
+    if (same && list_->topLevelItemCount() > 0 && rails_->childCount() > 0) return;
+    say({});
+    fillList();
+    fillTable();
+}
+
+void ShapePanel::fillList()
+{
+    filling_ = true;
+    const QSignalBlocker silent(list_);
+    const AirBearingSurface& surface = case_.surface;
+    const auto resize = [](QTreeWidgetItem* group, std::size_t count, const QString& name) {
+        group->setText(0, QStringLiteral("%1 (%2)").arg(name).arg(count));
+        while (group->childCount() > static_cast<int>(count)) delete group->takeChild(group->childCount() - 1);
+        while (group->childCount() < static_cast<int>(count)) new QTreeWidgetItem(group);
+    };
+    resize(rails_, surface.rails.size(), tr("Rails"));
+    resize(walls_, surface.walls.size(), tr("Walls"));
+    resize(interests_, surface.pointsOfInterest.size(), tr("Points of interest"));
+    const auto fill = [&](QTreeWidgetItem* group, std::size_t i, Kind kind, const QString& name, std::size_t points) {
+        QTreeWidgetItem* item = group->child(static_cast<int>(i));
+        item->setText(0, name);
+        item->setData(0, kindRole, static_cast<int>(kind));
+        item->setText(2, points > 0 ? QString::number(points) : QString());
+        item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
+        return item;
+    };
+    for (std::size_t i = 0; i < surface.rails.size(); ++i) {
+        const Rail& rail = surface.rails[i];
+        const QString name = rail.kind == RailKind::Ramp ? tr("Rail %1, ramp").arg(i + 1) : tr("Rail %1").arg(i + 1);
+        QTreeWidgetItem* item = fill(rails_, i, Kind::Rail, name, rail.points.size());
+        const std::string key = railKey(i) + ".recess";
+        item->setText(1, editorText(case_, std::get<Parameter>(caseKey(case_, key))));
+        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
+        item->setData(1, keyRole, QString::fromStdString(key));
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+    }
+    for (std::size_t i = 0; i < surface.walls.size(); ++i)
+        fill(walls_, i, Kind::Wall, tr("Wall %1").arg(i + 1), surface.walls[i].distance.size());
+    for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
+        fill(interests_, i, Kind::Interest, tr("P%1").arg(i + 1), 0);
+    filling_ = false;
+    const std::size_t counts[] = {0, surface.rails.size(), surface.walls.size(), surface.pointsOfInterest.size()};
+    if (chosen_.item >= counts[static_cast<int>(chosen_.kind)]) chosen_ = {};
+    updateButtons();
+}
+
+ShapePanel::Chosen ShapePanel::chosenOf(const QTreeWidgetItem* item) const
+{
+    if (item == nullptr || item->parent() == nullptr) return {};
+    return {static_cast<Kind>(item->data(0, kindRole).toInt()),
+            static_cast<std::size_t>(item->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(item)))};
+}
+
+void ShapePanel::setSelection(const PartSelection& parts)
+{
+    selection_ = parts;
+    {
+        const QSignalBlocker silent(list_);
+        list_->clearSelection();
+        for (const SurfacePart& part : parts) {
+            QTreeWidgetItem* group = part.kind == PartKind::Interest ? interests_ : rails_;
+            QTreeWidgetItem* item = group->child(static_cast<int>(part.item));
+            if (item == nullptr) continue;
+            item->setSelected(true);
+            if (part == *parts.begin()) {
+                list_->setCurrentItem(item, 0, QItemSelectionModel::NoUpdate);
+                list_->scrollToItem(item);
+                chosen_ = chosenOf(item);
+            }
+        }
+    }
+    if (parts.empty() && chosen_.kind != Kind::Wall) chosen_ = {};
+    fillTable();
+    updateButtons();
+}
+
+void ShapePanel::onListSelected()
+{
+    PartSelection parts;
+    for (const QTreeWidgetItem* item : list_->selectedItems()) {
+        const Chosen one = chosenOf(item);
+        if (one.kind == Kind::Rail) parts.insert({PartKind::Rail, one.item});
+        if (one.kind == Kind::Interest) parts.insert({PartKind::Interest, one.item});
+    }
+    const Chosen current = chosenOf(list_->currentItem());
+    if (current.kind != Kind::None) chosen_ = current;
+    selection_ = parts;
+    fillTable();
+    updateButtons();
+    emit selected(parts);
+}
+
+void ShapePanel::onTableSelected()
+{
+    if (filling_ || chosen_.kind != Kind::Rail) return;
+    PartSelection parts;
+    for (const QTableWidgetItem* item : table_->selectedItems())
+        parts.insert({PartKind::Corner, chosen_.item, static_cast<std::size_t>(item->row())});
+    if (parts.empty() || parts == selection_) return;
+    selection_ = parts;
+    emit selected(parts);
+}
+
+void ShapePanel::setHeaders(const QStringList& headers)
+{
+    table_->setColumnCount(static_cast<int>(headers.size()));
+    table_->setHorizontalHeaderLabels(headers);
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+}
+
+void ShapePanel::setCell(int row, int column, const QString& text, const std::string& key)
+{
+    auto* item = new QTableWidgetItem(text);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    item->setData(keyRole, QString::fromStdString(key));
+    if (key.empty()) item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    table_->setItem(row, column, item);
+}
+
+void ShapePanel::setNumber(int row, int column, const std::string& key)
+{
+    const auto found = caseKey(case_, key);
+    if (const auto* parameter = std::get_if<Parameter>(&found))
+        setCell(row, column, editorText(case_, *parameter), key);
+    else
+        setCell(row, column, {});
+}
+
+void ShapePanel::fillTable()
+{
+    filling_ = true;
+    const QSignalBlocker silent(table_);
+    const AirBearingSurface& surface = case_.surface;
+    table_->clearContents();
+    table_->setRowCount(0);
+    switch (chosen_.kind) {
+    case Kind::Rail:
+        caption_->setText(tr("Corners of rail %1").arg(chosen_.item + 1));
+        fillRail(surface.rails[chosen_.item], railKey(chosen_.item));
+        break;
+    case Kind::Wall:
+        caption_->setText(tr("Profile of wall %1: recess against the distance from the edge").arg(chosen_.item + 1));
+        fillWall(surface.walls[chosen_.item], wallKey(chosen_.item));
+        break;
+    case Kind::Interest: {
+        caption_->setText(tr("Point of interest %1").arg(chosen_.item + 1));
+        setHeaders({tr("x [mm]"), tr("y [mm]")});
+        table_->setRowCount(1);
+        const std::string key = "abs.points_of_interest[" + std::to_string(chosen_.item + 1) + "]";
+        setNumber(0, 0, key + ".x");
+        setNumber(0, 1, key + ".y");
+        break;
+    }
+    case Kind::None:
+        caption_->setText(tr("Select a rail, a wall or a point to see its numbers."));
+        setHeaders({});
+        break;
+    }
+    filling_ = false;
+}
+
+void ShapePanel::fillRail(const Rail& rail, const std::string& key)
+{
+    const bool ramp = rail.kind == RailKind::Ramp;
+    QStringList headers{tr("x [mm]"), tr("y [mm]"), tr("wall"), tr("edge [µm]"), tr("angle [°]")};
+    if (ramp) headers << tr("recess [µm]");
+    setHeaders(headers);
+    table_->setRowCount(static_cast<int>(rail.points.size()));
+    for (std::size_t k = 0; k < rail.points.size(); ++k) {
+        const int row = static_cast<int>(k);
+        const std::string index = "[" + std::to_string(k + 1) + "]";
+        setNumber(row, 0, key + ".point" + index + ".x");
+        setNumber(row, 1, key + ".point" + index + ".y");
+        setNumber(row, 2, key + ".wall" + index);
+        const RailPoint &a = rail.points[k], &b = rail.points[(k + 1) % rail.points.size()];
+        setCell(row, 3, typeset(std::hypot(b.x - a.x, b.y - a.y) * 1e6, 2));
+        setCell(row, 4, typeset(std::atan2(b.y - a.y, b.x - a.x) * 180.0 / std::numbers::pi, 1));
+        if (ramp) setNumber(row, 5, key + ".recess" + index);
+        for (const SurfacePart& part : selection_)
+            if (part == SurfacePart{PartKind::Corner, chosen_.item, k}) table_->item(row, 0)->setSelected(true);
+    }
+}
+
+void ShapePanel::fillWall(const WallProfile& wall, const std::string& key)
+{
+    setHeaders({tr("distance [µm]"), tr("recess [µm]")});
+    table_->setRowCount(static_cast<int>(wall.distance.size()));
+    for (std::size_t k = 0; k < wall.distance.size(); ++k) {
+        const std::string index = "[" + std::to_string(k + 1) + "]";
+        setNumber(static_cast<int>(k), 0, key + ".distance" + index);
+        setNumber(static_cast<int>(k), 1, key + ".recess" + index);
+    }
+}
+
+std::string ShapePanel::keyAt(int row, int column) const
+{
+    const QTableWidgetItem* item = table_->item(row, column);
+    return item ? item->data(keyRole).toString().toStdString() : std::string();
+}
+
+void ShapePanel::say(const QString& problem)
+{
+    setTextColour(problem_, meaningColours(palette()).failure);
+    problem_->setText(problem);
+    problem_->setVisible(!problem.isEmpty());
+}
+
+void ShapePanel::take(const std::string& key, const QString& typed)
+{
+    const auto found = caseKey(case_, key);
+    const auto* parameter = std::get_if<Parameter>(&found);
+    if (parameter == nullptr) return;
+    Case changed = case_;
+    if (const auto reason = setFromText(changed, *parameter, entryText(typed, *parameter))) {
+        say(tr("%1: %2").arg(QString::fromStdString(key), sentence(*reason)));
+        fillList(); // as it was
+        fillTable();
+        return;
+    }
+    say({});
+    if (changed.surface == case_.surface) {
+        fillList();
+        fillTable();
+        return;
+    }
+    emit edited(changed.surface, tr("change %1").arg(QString::fromStdString(parameter->label)), 0);
+}
+
+void ShapePanel::addWall()
+{
+    // A slope of 10 um down to the base, to begin with.
+    AirBearingSurface surface = case_.surface;
+    surface.walls.push_back({{0.0, 10e-6}, {0.0, surface.baseRecess}});
+    chosen_ = {Kind::Wall, surface.walls.size() - 1};
+    emit edited(surface, tr("add a wall"), 0);
+}
+
+void ShapePanel::addInterest()
+{
+    AirBearingSurface surface = case_.surface;
+    surface.pointsOfInterest.push_back({0.5 * case_.slider.length, 0.5 * case_.slider.width});
+    const SurfacePart added{PartKind::Interest, surface.pointsOfInterest.size() - 1};
+    emit edited(surface, tr("add a point of interest"), 0);
+    setSelection({added});
+    emit selected({added});
+}
+
+void ShapePanel::removeChosen()
+{
+    if (chosen_.kind == Kind::Wall)
+        emit edited(withoutWall(case_.surface, chosen_.item), tr("delete wall %1").arg(chosen_.item + 1), 0);
+    else if (!selection_.empty())
+        emit edited(without(case_.surface, selection_), tr("delete %1").arg(selectionText(selection_)), 0);
+}
+
+void ShapePanel::moveChosen(int places)
+{
+    const auto count = static_cast<std::ptrdiff_t>(case_.surface.rails.size());
+    const auto place = static_cast<std::ptrdiff_t>(chosen_.item) + places;
+    if (chosen_.kind != Kind::Rail || place < 0 || place >= count) return;
+    const SurfacePart rail{PartKind::Rail, static_cast<std::size_t>(place)};
+    emit edited(reordered(case_.surface, chosen_.item, rail.item), tr("change the order of rails"), 0);
+    setSelection({rail});
+    emit selected({rail});
+}
+
+void ShapePanel::updateButtons()
+{
+    remove_->setEnabled(chosen_.kind == Kind::Wall || !selection_.empty());
+    const std::size_t count = case_.surface.rails.size();
+    forward_->setEnabled(chosen_.kind == Kind::Rail && chosen_.item + 1 < count);
+    backward_->setEnabled(chosen_.kind == Kind::Rail && chosen_.item > 0);
+}
+
+} // namespace touchdown

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The air bearing surface as a list and a table beside its plan: rails with their recess, walls, points of interest,
+// and the numbers of the chosen one, each typed as a parameter is (core/case/case_key.h). The last rail of the list
+// lies on top.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QLabel>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include "core/case/case.h"
+#include "core/physics/slider/surface_edit.h"
+
+namespace touchdown {
+
+class ShapePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ShapePanel(QWidget* parent = nullptr);
+
+    void setCase(const Case& c);
+    /// Shows and marks these parts; emits nothing.
+    void setSelection(const PartSelection& parts);
+
+    /// "abs.rail[3].point[2].x" of a cell of the table; empty where it cannot be changed.
+    std::string keyAt(int row, int column) const;
+
+signals:
+    void selected(const touchdown::PartSelection& parts);
+    void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
+
+private:
+    enum class Kind { None, Rail, Wall, Interest };
+    struct Chosen {
+        Kind kind = Kind::None;
+        std::size_t item = 0;
+        bool operator==(const Chosen&) const = default;
+    };
+
+    void buildList();
+    void fillList();
+    void fillTable();
+    void fillRail(const Rail& rail, const std::string& key);
+    void fillWall(const WallProfile& wall, const std::string& key);
+    void onListSelected();
+    void onTableSelected();
+    void take(const std::string& key, const QString& typed);
+    void addWall();
+    void addInterest();
+    void removeChosen();
+    void moveChosen(int places);
+    void setHeaders(const QStringList& headers);
+    void setCell(int row, int column, const QString& text, const std::string& key = {});
+    void setNumber(int row, int column, const std::string& key);
+    void say(const QString& problem);
+    Chosen chosenOf(const QTreeWidgetItem* item) const;
+    void updateButtons();
+
+    Case case_;
+    Chosen chosen_;
+    PartSelection selection_;
+    bool filling_ = false;
+    QTreeWidget* list_;
+    QTreeWidgetItem *rails_ = nullptr, *walls_ = nullptr, *interests_ = nullptr;
+    QTableWidget* table_;
+    QLabel* caption_;
+    QLabel* problem_;
+    QToolButton *remove_ = nullptr, *forward_ = nullptr, *backward_ = nullptr;
+};
+
+} // namespace touchdown

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/surface_page.h"
+
+#include <cmath>
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+/// "min 8.75 nm  +0.31 (±0.16)": the change is left out where there is nothing to compare with, the error where it is
+/// not known.
+QString part(const QString& name, double value, std::optional<double> before, double error, double unit,
+             const QString& unitName, int decimals)
+{
+    QString text = QStringLiteral("%1 <b>%2</b> %3").arg(name, typeset(value / unit, decimals), unitName);
+    if (before) {
+        const double change = (value - *before) / unit;
+        const QString number = typeset(change, decimals);
+        text += QStringLiteral("  ") + (change > 0.0 ? QStringLiteral("+") : QString()) + number;
+    }
+    if (std::isfinite(error) && error > 0.0) text += QStringLiteral(" (±%1)").arg(typeset(error / unit, decimals));
+    return text;
+}
+
+} // namespace
+
+SurfacePage::SurfacePage(QWidget* parent)
+    : QWidget(parent),
+      editor_(new SurfaceEditor(this)),
+      panel_(new ShapePanel(this)),
+      follow_(new QCheckBox(tr("Fol&low"), this)),
+      flight_(new QLabel(this))
+{
+    follow_->setChecked(true);
+    follow_->setToolTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
+                           "case's own grid afterwards"));
+    flight_->setAccessibleName(tr("How the slider flies"));
+    flight_->setContentsMargins(8, 2, 8, 2);
+    flight_->setTextFormat(Qt::RichText);
+    flight_->setMinimumWidth(1);
+
+    auto* upper = new QWidget(this);
+    auto* layout = new QVBoxLayout(upper);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(buildTools());
+    layout->addWidget(flight_);
+    layout->addWidget(editor_, 1);
+    auto* split = new QSplitter(Qt::Vertical, this);
+    split->addWidget(upper);
+    split->addWidget(panel_);
+    split->setStretchFactor(0, 1);
+    split->setStretchFactor(1, 0);
+    split->setSizes({480, 220});
+    auto* whole = new QHBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(split);
+
+    connect(editor_, &SurfaceEditor::selectionChanged, this, [this] { panel_->setSelection(editor_->selection()); });
+    connect(panel_, &ShapePanel::selected, editor_, &SurfaceEditor::select);
+    connect(editor_, &SurfaceEditor::previewed, this, &SurfacePage::previewed);
+    connect(editor_, &SurfaceEditor::edited, this, &SurfacePage::edited);
+    connect(panel_, &ShapePanel::edited, this, &SurfacePage::edited);
+}
+
+QWidget* SurfacePage::buildTools()
+{
+    auto* row = new QWidget(this);
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(6, 2, 8, 2);
+    auto* group = new QButtonGroup(this);
+    const auto tool = [&](SurfaceEditor::Tool which, const QString& text, const QString& tip) {
+        auto* button = new QToolButton(row);
+        button->setText(text);
+        button->setToolTip(tip);
+        button->setAccessibleName(tip);
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        group->addButton(button, static_cast<int>(which));
+        layout->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, which] {
+            editor_->setTool(which);
+            editor_->setFocus();
+        });
+    };
+    tool(SurfaceEditor::Tool::Select, tr("Select"), tr("Select and drag rails, edges and corners (V)"));
+    tool(SurfaceEditor::Tool::Rectangle, tr("Rectangle"), tr("Draw a rectangular rail (R)"));
+    tool(SurfaceEditor::Tool::Polygon, tr("Polygon"), tr("Draw a rail corner by corner; Enter closes it (P)"));
+    group->button(0)->setChecked(true);
+    connect(editor_, &SurfaceEditor::toolChanged, this,
+            [this, group] { group->button(static_cast<int>(editor_->tool()))->setChecked(true); });
+    const auto toggle = [&](const QString& text, const QString& tip, bool on, auto perform) {
+        auto* box = new QCheckBox(text, row);
+        box->setToolTip(tip);
+        box->setChecked(on);
+        connect(box, &QCheckBox::toggled, editor_, perform);
+        layout->addWidget(box);
+    };
+    layout->addSpacing(10);
+    toggle(tr("S&nap"), tr("Snap to corners of other rails, to the centre line, the border and 1 µm; Ctrl lets go"),
+           true, [this](bool on) { editor_->setSnapping(on); });
+    toggle(tr("&Pairs"), tr("Rails that are mirror images move together"), false,
+           [this](bool on) { editor_->setPairs(on); });
+    layout->addWidget(follow_);
+    layout->addStretch(1);
+    return row;
+}
+
+void SurfacePage::setCase(const Case& c)
+{
+    editor_->setCase(c.surface, c.slider.length, c.slider.width);
+    editor_->setSkew(c.disk.skew);
+    panel_->setCase(c);
+}
+
+void SurfacePage::open(const Case& c)
+{
+    editor_->select({});
+    editor_->setGhost(c.surface);
+    clearFlight();
+}
+
+void SurfacePage::showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview)
+{
+    if (state.status != SteadyStatus::Converged) {
+        showObstacle(tr("does not fly so: %1").arg(QString::fromStdString(state.message)));
+        return;
+    }
+    const auto before = [&](double SteadyResult::*member) {
+        return reference ? std::optional((*reference).*member) : std::nullopt;
+    };
+    const auto angle = [&](double Attitude::*member) {
+        return reference ? std::optional(reference->attitude.*member) : std::nullopt;
+    };
+    const DiscretisationError& error = state.discretisationError;
+    constexpr double nm = 1e-9, urad = 1e-6;
+    const double unknown = DiscretisationError::unknown;
+    flightParts_ =
+        part(tr("min"), state.minimumSpacing, before(&SteadyResult::minimumSpacing), error.minimumSpacing, nm,
+             QStringLiteral("nm"), 2) +
+        QStringLiteral(" &nbsp; ") +
+        part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, urad, QStringLiteral("µrad"), 1) +
+        QStringLiteral(" &nbsp; ") +
+        part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), unknown, urad, QStringLiteral("µrad"), 2) +
+        QStringLiteral(" &nbsp; ") + tr("%1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) +
+        (preview ? tr(", preview") : QString());
+    setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());
+    flight_->setText(flightParts_);
+}
+
+void SurfacePage::showObstacle(const QString& reason)
+{
+    setTextColour(flight_, meaningColours(palette()).failure);
+    flight_->setText(reason.toHtmlEscaped());
+}
+
+void SurfacePage::clearFlight()
+{
+    flightParts_.clear();
+    setTextColour(flight_, meaningColours(palette()).muted);
+    flight_->setText(tr("Not solved yet: F9 finds how it flies."));
+}
+
+} // namespace touchdown

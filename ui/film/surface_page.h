@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page on which a slider is shaped: tools, the plan as an editor, the list of its parts, and above the plan how it
+// flies.
+#pragma once
+
+#include <optional>
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QToolButton>
+#include <QWidget>
+
+#include "core/case/case.h"
+#include "core/simulation/static_state/steady.h"
+#include "ui/film/shape_panel.h"
+#include "ui/slider/surface_editor.h"
+
+namespace touchdown {
+
+class SurfacePage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SurfacePage(QWidget* parent = nullptr);
+
+    /// The case as it is edited.
+    void setCase(const Case& c);
+    /// Another case was opened: it is the one to compare with.
+    void open(const Case& c);
+
+    SurfaceEditor* editor() const { return editor_; }
+    ShapePanel* panel() const { return panel_; }
+    bool follows() const { return follow_->isChecked(); }
+
+    /// The state of the shape as it is, and how it differs from `reference`. `preview`: on a coarse grid.
+    void showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview);
+    /// Why there is none; the state before stays, pale.
+    void showObstacle(const QString& reason);
+    /// Nothing is known of how it flies.
+    void clearFlight();
+    QString flightText() const { return flight_->text(); }
+
+signals:
+    void previewed(const touchdown::AirBearingSurface& surface);
+    void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
+
+private:
+    QWidget* buildTools();
+
+    SurfaceEditor* editor_;
+    ShapePanel* panel_;
+    QCheckBox* follow_;
+    QLabel* flight_;
+    QString flightParts_;
+};
+
+} // namespace touchdown

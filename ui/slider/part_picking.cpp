@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slider/part_picking.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <QCoreApplication>
+
+#include "ui/slider/rail_drawing.h"
+#include "ui/slider/slider_plan.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double cornerReach = 8.0, edgeReach = 5.0; // [px]
+
+double apart(const QPointF& a, const QPointF& b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
+
+/// The nearest of all that are offered within a reach.
+class Nearest {
+public:
+    explicit Nearest(double reach) : best_(reach) {}
+    void offer(const SurfacePart& part, double distance, bool preferred)
+    {
+        if (distance > reach_ || (distance >= best_ && preferred == preferred_) || (preferred_ && !preferred)) return;
+        best_ = distance;
+        preferred_ = preferred;
+        part_ = part;
+    }
+    const std::optional<SurfacePart>& part() const { return part_; }
+
+private:
+    double best_, reach_ = best_;
+    bool preferred_ = false;
+    std::optional<SurfacePart> part_;
+};
+
+bool isOf(const PartSelection& parts, std::size_t rail)
+{
+    return std::ranges::any_of(
+        parts, [rail](const SurfacePart& part) { return part.kind != PartKind::Interest && part.item == rail; });
+}
+
+QString translated(const char* text) { return QCoreApplication::translate("SurfaceEditor", text); }
+
+} // namespace
+
+std::optional<SurfacePart> partAt(const SliderPlan& plan, const AirBearingSurface& surface, const QPointF& pixel,
+                                  const PartSelection& preferred)
+{
+    Nearest corner(cornerReach), edge(edgeReach);
+    for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
+        corner.offer({PartKind::Interest, i}, apart(pixel, plan.toPixel(surface.pointsOfInterest[i])), true);
+    // From the top: of corners that coincide the one that is seen is first.
+    for (std::size_t i = surface.rails.size(); i-- > 0;) {
+        const std::vector<RailPoint>& points = surface.rails[i].points;
+        const bool first = isOf(preferred, i);
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const RailPoint& next = points[(k + 1) % points.size()];
+            const QPointF a = plan.toPixel({points[k].x, points[k].y}), b = plan.toPixel({next.x, next.y});
+            corner.offer({PartKind::Corner, i, k}, apart(pixel, a), first);
+            edge.offer({PartKind::Edge, i, k}, distanceToEdge(pixel, a, b), first);
+        }
+    }
+    if (corner.part()) return corner.part();
+    if (edge.part()) return edge.part();
+    if (const auto rail = railAt(surface, plan.toSlider(pixel))) return SurfacePart{PartKind::Rail, *rail};
+    return {};
+}
+
+PartSelection partsWithin(const AirBearingSurface& surface, const QRectF& area)
+{
+    PartSelection rails, corners, interests;
+    for (std::size_t i = 0; i < surface.rails.size(); ++i) {
+        bool whole = true;
+        for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
+            const RailPoint& point = surface.rails[i].points[k];
+            if (area.contains(point.x, point.y))
+                corners.insert({PartKind::Corner, i, k});
+            else
+                whole = false;
+        }
+        if (whole) rails.insert({PartKind::Rail, i});
+    }
+    for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
+        if (area.contains(surface.pointsOfInterest[i].x, surface.pointsOfInterest[i].y))
+            interests.insert({PartKind::Interest, i});
+    PartSelection found = rails.empty() ? corners : rails;
+    found.merge(interests);
+    return found;
+}
+
+QString partText(const SurfacePart& part)
+{
+    const QString item = QString::number(part.item + 1), index = QString::number(part.index + 1);
+    switch (part.kind) {
+    case PartKind::Rail: return translated("rail %1").arg(item);
+    case PartKind::Edge: return translated("edge %1 of rail %2").arg(index, item);
+    case PartKind::Corner: return translated("corner %1 of rail %2").arg(index, item);
+    case PartKind::Interest: return translated("point of interest %1").arg(item);
+    }
+    return {};
+}
+
+QString selectionText(const PartSelection& parts)
+{
+    if (parts.size() == 1) return partText(*parts.begin());
+    return translated("%1 parts").arg(parts.size());
+}
+
+SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near)
+{
+    if (part.kind == PartKind::Interest) return surface.pointsOfInterest[part.item];
+    const std::vector<RailPoint>& points = surface.rails[part.item].points;
+    std::size_t corner = part.index;
+    if (part.kind == PartKind::Rail) {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < points.size(); ++k)
+            if (const double away = std::hypot(points[k].x - near.x, points[k].y - near.y); away < least)
+                least = away, corner = k;
+    }
+    return {points[corner].x, points[corner].y};
+}
+
+} // namespace touchdown

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Which part of a surface lies under the pointer, and how a selection reads.
+#pragma once
+
+#include <optional>
+
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+
+#include "core/physics/slider/surface_edit.h"
+
+namespace touchdown {
+
+class SliderPlan;
+
+/// The nearest corner or point of interest within 8 px, else the nearest edge within 5 px, else the top that is seen.
+/// Parts of rails in `preferred` come before those of others.
+std::optional<SurfacePart> partAt(const SliderPlan& plan, const AirBearingSurface& surface, const QPointF& pixel,
+                                  const PartSelection& preferred);
+
+/// What lies in a rectangle [m]: rails that are whole in it; where there is none, corners; and points of interest.
+PartSelection partsWithin(const AirBearingSurface& surface, const QRectF& area);
+
+/// "rail 3", "corner 2 of rail 3", "5 parts".
+QString partText(const SurfacePart& part);
+QString selectionText(const PartSelection& parts);
+
+/// The place of a corner, of an edge's first corner, or of a point of interest; of a rail the corner nearest to `near`.
+SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near);
+
+} // namespace touchdown

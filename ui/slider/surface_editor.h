@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The plan of the air bearing surface as an editor. A gesture previews the surface that it would make; when it ends,
+// `edited` asks the owner to make that one edit of the case, which comes back with setCase.
+//
+// Mouse: click or drag a rectangle to select, Shift adds; drag a corner, an edge, a rail or a point of interest: Shift
+// keeps to x or y, Ctrl lets go of the snap, Esc gives back; double click on an edge inserts a corner. The middle
+// button or Space with the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with
+// Shift by 10 µm, with Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), M (mirror), Page Up and Down (order of
+// overlap), F (fit); V, R, P choose the tool.
+#pragma once
+
+#include "core/physics/slider/surface_edit.h"
+#include "ui/slider/surface_view.h"
+
+namespace touchdown {
+
+class SurfaceEditor : public SurfaceView {
+    Q_OBJECT
+
+public:
+    enum class Tool { Select, Rectangle, Polygon };
+    Q_ENUM(Tool)
+
+    explicit SurfaceEditor(QWidget* parent = nullptr);
+
+    /// The surface of the case; ends a gesture.
+    void setCase(const AirBearingSurface& surface, double length, double width);
+    const AirBearingSurface& committed() const { return committed_; }
+    /// Drawn behind, as it was last saved.
+    void setGhost(const AirBearingSurface& surface);
+
+    const PartSelection& selection() const { return selection_; }
+    void select(const PartSelection& parts);
+
+    Tool tool() const { return tool_; }
+    void setTool(Tool tool);
+    void setSnapping(bool on) { snapping_ = on; }
+    void setPairs(bool on) { pairs_ = on; }
+
+    void nudge(SurfaceShift by);
+    void removeSelected();
+    void copySelected();
+    void mirrorSelected();
+    /// In the order of overlap: 1 forward, -1 backward.
+    void moveInOrder(int places);
+    void insertCorner(std::size_t rail, std::size_t edge, SurfacePoint at);
+    /// During a drag nothing else may change the case.
+    bool dragging() const { return gesture_ != Gesture::None; }
+
+signals:
+    /// While the mouse moves; at the end of the gesture, or when it is given up, the committed surface again.
+    void previewed(const touchdown::AirBearingSurface& surface);
+    /// `merge`: edits with the same number in a row are one for undo; 0: none.
+    void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
+    void selectionChanged();
+    void toolChanged();
+
+protected:
+    void paintContent(QPainter& painter, const PlotTheme& theme) override;
+    QStringList readingAt(const SurfacePoint& point) const override;
+    bool event(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+private:
+    enum class Gesture { None, Pressed, Move, Band, View, Rectangle };
+
+    bool moveByKey(const QKeyEvent& event);
+    bool actByKey(const QKeyEvent& event);
+    void giveUp();
+    void commit(const AirBearingSurface& surface, const QString& text, int merge = 0);
+    void preview(const AirBearingSurface& surface);
+    AirBearingSurface movedSelection(SurfaceShift by) const;
+    SurfaceShift wantedShift(const QMouseEvent& event) const;
+    SurfacePoint snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
+    SnapGrid snapGrid() const;
+    void press(const QMouseEvent& event);
+    void addOutline(const std::vector<SurfacePoint>& corners);
+    void addPolygonCorner(const SurfacePoint& at);
+    void finishPolygon();
+    void updateCursor();
+    void paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const;
+    void paintSelection(QPainter& painter, const PlotTheme& theme) const;
+    void paintGesture(QPainter& painter, const PlotTheme& theme) const;
+
+    AirBearingSurface committed_, ghost_;
+    PartSelection selection_;
+    std::optional<SurfacePart> hovered_;
+    Tool tool_ = Tool::Select;
+    bool snapping_ = true, pairs_ = false, spaceHeld_ = false;
+
+    Gesture gesture_ = Gesture::None;
+    std::optional<SurfacePart> grabbed_;
+    bool addedByPress_ = false;         // a click on what is selected already selects it alone
+    QPointF pressedAt_, pointer_;       // [px]
+    SurfacePoint pressedPoint_;         // [m]
+    std::vector<SurfacePoint> polygon_; // under way [m]
+    int nudges_ = 0;                    // number of the row of nudges
+};
+
+} // namespace touchdown
