@@ -64,9 +64,8 @@ std::string defaultEnsembleKey(const Case& c)
 
 double workOf(const Case& c, const Summary& summary)
 {
-    if (c.model == ModelKind::Film)
-        for (const RunFigure& figure : summary.figures)
-            if (figure.quantity.name == "film_solves") return figure.value;
+    for (const RunFigure& figure : summary.figures)
+        if (c.model == ModelKind::Film && figure.quantity.name == "film_solves") return figure.value;
     return static_cast<double>(summary.evaluations);
 }
 
