@@ -107,14 +107,18 @@ void FilmWindow::forgetPreviews()
 
 void FilmWindow::edit(const Case& c)
 {
+    const bool shaped = c.surface != edited_.surface;
     if (edited_ != c) forgetPreviews();
     edited_ = c;
+    // Undo and redo are followed, too.
+    if (shaped && result_ && view_->shape()->follows()) restTimer_.start(restTime);
     view_->setCase(c);
     updateStale();
 }
 
 void FilmWindow::solve(const Case& c, bool given)
 {
+    restTimer_.stop();
     controller_.stopAndWait();
     asked_ = c;
     Case wanted = c;
@@ -183,6 +187,7 @@ void FilmWindow::onSurfaceEdited(const AirBearingSurface& surface, const QString
 
 void FilmWindow::followEdit()
 {
+    if (result_ && !stale_) return; // undone meanwhile
     if (controller_.active() || follower_->busy()) {
         restTimer_.start(restTime);
         return;
@@ -198,6 +203,7 @@ void FilmWindow::updateStale()
     if (!result_) return;
     stale_ = !sameFilm(edited_, solved_);
     view_->setStale(stale_);
+    view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);
 }
 

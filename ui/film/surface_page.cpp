@@ -39,6 +39,7 @@ SurfacePage::SurfacePage(QWidget* parent)
       follow_(new QCheckBox(tr("Fol&low"), this)),
       flight_(new QLabel(this))
 {
+    follow_->setObjectName(QStringLiteral("follow"));
     follow_->setChecked(true);
     follow_->setToolTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
                            "case's own grid afterwards"));
@@ -158,8 +159,15 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
 
 void SurfacePage::showObstacle(const QString& reason)
 {
-    setTextColour(flight_, meaningColours(palette()).failure);
-    flight_->setText(reason.toHtmlEscaped());
+    setTextColour(flight_, meaningColours(palette()).muted);
+    const QString problem = QStringLiteral("<span style='color:%1'>%2</span>")
+                                .arg(meaningColours(palette()).failure.name(), reason.toHtmlEscaped());
+    flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + flightParts_);
+}
+
+void SurfacePage::setStale(bool stale)
+{
+    if (!flightParts_.isEmpty()) setTextColour(flight_, stale ? meaningColours(palette()).muted : QColor());
 }
 
 void SurfacePage::clearFlight()

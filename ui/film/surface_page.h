@@ -37,6 +37,8 @@ public:
     void showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview);
     /// Why there is none; the state before stays, pale.
     void showObstacle(const QString& reason);
+    /// What is shown is of the case before.
+    void setStale(bool stale);
     /// Nothing is known of how it flies.
     void clearFlight();
     QString flightText() const { return flight_->text(); }

@@ -233,17 +233,18 @@ void SurfaceEditor::paintOutline(QPainter& painter, const Rail& rail, const QPen
 
 void SurfaceEditor::paintSelection(QPainter& painter, const PlotTheme& theme) const
 {
+    const QColor mark = theme.selection;
     const auto& rails = surface().rails;
     const auto square = [&](const RailPoint& point, bool filled) {
         const QPointF at = toPixel({point.x, point.y});
-        painter.setPen(QPen(theme.cursor, 1.4));
-        painter.setBrush(filled ? theme.cursor : theme.background);
+        painter.setPen(QPen(mark, 1.4));
+        painter.setBrush(filled ? mark : theme.background);
         painter.drawRect(QRectF(at.x() - 0.5 * handle, at.y() - 0.5 * handle, handle, handle));
     };
     const auto line = [&](const SurfacePart& edge, double width) {
         const std::vector<RailPoint>& points = rails[edge.item].points;
         const RailPoint &a = points[edge.index], &b = points[(edge.index + 1) % points.size()];
-        painter.setPen(QPen(theme.cursor, width, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(mark, width, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(toPixel({a.x, a.y}), toPixel({b.x, b.y}));
     };
     if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Edge) line(*hovered_, 2.5);
@@ -252,12 +253,12 @@ void SurfaceEditor::paintSelection(QPainter& painter, const PlotTheme& theme) co
     for (const SurfacePart& part : selection_) {
         if (!has(surface(), part)) continue;
         if (part.kind == PartKind::Interest) {
-            painter.setPen(QPen(theme.cursor, 2.5));
+            painter.setPen(QPen(mark, 2.5));
             painter.setBrush(Qt::NoBrush);
             painter.drawEllipse(toPixel(surface().pointsOfInterest[part.item]), 9.0, 9.0);
             continue;
         }
-        paintOutline(painter, rails[part.item], QPen(theme.cursor, part.kind == PartKind::Rail ? 2.6 : 1.4));
+        paintOutline(painter, rails[part.item], QPen(mark, part.kind == PartKind::Rail ? 2.6 : 1.4));
         for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
             square(rails[part.item].points[k],
                    part.kind == PartKind::Corner && selection_.contains({PartKind::Corner, part.item, k}));
@@ -267,8 +268,8 @@ void SurfaceEditor::paintSelection(QPainter& painter, const PlotTheme& theme) co
 
 void SurfaceEditor::paintGesture(QPainter& painter, const PlotTheme& theme) const
 {
-    painter.setPen(QPen(theme.cursor, 1.4, Qt::DashLine));
-    QColor fill = theme.cursor;
+    painter.setPen(QPen(theme.selection, 1.4, Qt::DashLine));
+    QColor fill = theme.selection;
     fill.setAlphaF(0.12F);
     painter.setBrush(fill);
     if (gesture_ == Gesture::Band || gesture_ == Gesture::Rectangle)

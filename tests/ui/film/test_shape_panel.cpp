@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/shape_panel.h"
+
+#include <memory>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/test_program.h"
+#include "tests/ui/sample_slider.h"
+#include "ui/case/case_edits.h"
+#include "ui/style/theme.h"
+
+using namespace touchdown;
+
+namespace test_shape_panel {
+
+class TestShapePanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale::c());
+        applyTheme(Theme::Light);
+    }
+    void init()
+    {
+        case_ = sampleFilmCase();
+        edits_ = std::make_unique<CaseEdits>();
+        panel_ = std::make_unique<ShapePanel>();
+        connect(edits_.get(), &CaseEdits::edited, panel_.get(), [this] { panel_->setCase(edits_->value()); });
+        connect(panel_.get(), &ShapePanel::edited, edits_.get(), &CaseEdits::setSurface);
+        edits_->open(case_);
+        list_ = panel_->findChild<QTreeWidget*>();
+        table_ = panel_->findChild<QTableWidget*>();
+        panel_->resize(800, 300);
+        panel_->show();
+    }
+
+    void listsAllParts()
+    {
+        QCOMPARE(list_->topLevelItem(0)->text(0), QStringLiteral("Rails (4)"));
+        QCOMPARE(list_->topLevelItem(0)->child(0)->text(1), QStringLiteral("0.15"));
+        QCOMPARE(list_->topLevelItem(0)->child(3)->text(2), QStringLiteral("5"));
+        QCOMPARE(list_->topLevelItem(1)->childCount(), 2);
+        QCOMPARE(list_->topLevelItem(2)->childCount(), 3);
+    }
+    void theSelectionIsShared()
+    {
+        QSignalSpy selected(panel_.get(), &ShapePanel::selected);
+        panel_->setSelection({{PartKind::Corner, 3, 2}});
+        QCOMPARE(selected.count(), 0);
+        QVERIFY(list_->topLevelItem(0)->child(3)->isSelected());
+        QCOMPARE(table_->rowCount(), 5);
+        QCOMPARE(table_->item(2, 1)->text(), QStringLiteral("0.4"));
+        QVERIFY(table_->item(2, 0)->isSelected());
+        list_->setCurrentItem(list_->topLevelItem(0)->child(1));
+        QCOMPARE(selected.back().front().value<PartSelection>(), (PartSelection{{PartKind::Rail, 1}}));
+        QCOMPARE(table_->rowCount(), 4);
+        table_->item(3, 1)->setSelected(true);
+        QCOMPARE(selected.back().front().value<PartSelection>(), (PartSelection{{PartKind::Corner, 1, 3}}));
+    }
+    /// In the unit of the column, or with one of its own.
+    void numbersAreTyped()
+    {
+        panel_->setSelection({{PartKind::Rail, 1}});
+        table_->item(0, 0)->setText(QStringLiteral("0.16"));
+        QCOMPARE(edits_->value().surface.rails[1].points[0].x, 0.16e-3);
+        table_->item(0, 1)->setText(QStringLiteral("120 um"));
+        QCOMPARE(edits_->value().surface.rails[1].points[0].y, 120e-6);
+        QCOMPARE(table_->item(0, 1)->text(), QStringLiteral("0.12"));
+        table_->item(2, 2)->setText(QStringLiteral("1"));
+        QCOMPARE(edits_->value().surface.rails[1].points[2].wall, 1);
+        list_->topLevelItem(0)->child(1)->setText(1, QStringLiteral("0.02"));
+        QCOMPARE(edits_->value().surface.rails[1].recess[0], 0.02e-6);
+        QCOMPARE(edits_->undoStack().count(), 4);
+        for (int i = 0; i < 4; ++i) edits_->undoStack().undo();
+        QVERIFY(edits_->value() == case_);
+        QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
+    }
+    void aWrongNumberIsRefused()
+    {
+        panel_->setSelection({{PartKind::Rail, 1}});
+        for (const auto& [column, text, reason] :
+             {std::tuple(0, "2 mN", "length"), std::tuple(0, "wide", "wide"), std::tuple(2, "7", "at most 2")}) {
+            table_->item(0, column)->setText(QString::fromUtf8(text));
+            QVERIFY(edits_->value() == case_);
+            QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
+            bool told = false;
+            for (const QLabel* label : panel_->findChildren<QLabel*>())
+                told = told || (label->isVisible() && label->text().contains(QString::fromUtf8(reason)));
+            QVERIFY2(told, text);
+        }
+        table_->item(0, 0)->setText(QStringLiteral("0.16"));
+        for (const QLabel* label : panel_->findChildren<QLabel*>())
+            QVERIFY(!label->isVisible() || !label->text().contains(QStringLiteral("out of range")));
+    }
+    void lengthsAndAnglesAreOnlyShown()
+    {
+        panel_->setSelection({{PartKind::Rail, 1}});
+        QCOMPARE(table_->item(0, 3)->text(), QStringLiteral("250.00"));
+        QVERIFY(!table_->item(0, 3)->flags().testFlag(Qt::ItemIsEditable));
+        QCOMPARE(panel_->keyAt(0, 3), std::string());
+        QCOMPARE(panel_->keyAt(2, 1), std::string("abs.rail[2].point[3].y"));
+    }
+    void aRampHasThreeRecesses()
+    {
+        AirBearingSurface ramp = case_.surface;
+        ramp.rails[0].kind = RailKind::Ramp;
+        ramp.rails[0].recess = {150e-9, 100e-9, 100e-9};
+        edits_->setSurface(ramp, QStringLiteral("ramp"));
+        panel_->setSelection({{PartKind::Rail, 0}});
+        table_->item(1, 5)->setText(QStringLiteral("0.2"));
+        QCOMPARE(edits_->value().surface.rails[0].recess[1], 0.2e-6);
+        QCOMPARE(panel_->keyAt(3, 5), std::string()); // at the first three points alone
+    }
+    /// A removed wall leaves vertical edges; the next one keeps its edges.
+    void walls()
+    {
+        const auto press = [&](const QString& name) {
+            for (QToolButton* button : panel_->findChildren<QToolButton*>())
+                if (button->accessibleName() == name) return button->click();
+            QFAIL(qPrintable(name));
+        };
+        list_->setCurrentItem(list_->topLevelItem(1)->child(0));
+        QCOMPARE(table_->rowCount(), 3);
+        table_->item(2, 1)->setText(QStringLiteral("1.4"));
+        QCOMPARE(edits_->value().surface.walls[0].recess[2], 1.4e-6);
+        press(QStringLiteral("Delete the chosen part"));
+        QCOMPARE(edits_->value().surface.walls.size(), std::size_t(1));
+        QCOMPARE(edits_->value().surface.rails[0].points[0].wall, 0);
+        QCOMPARE(edits_->value().surface.rails[1].points[0].wall, 1);
+        press(QStringLiteral("Add a wall profile"));
+        QCOMPARE(edits_->value().surface.walls.size(), std::size_t(2));
+        press(QStringLiteral("Add a point of interest"));
+        QCOMPARE(edits_->value().surface.pointsOfInterest.size(), std::size_t(4));
+        table_->item(0, 0)->setText(QStringLiteral("0.5"));
+        QCOMPARE(edits_->value().surface.pointsOfInterest[3].x, 0.5e-3);
+        press(QStringLiteral("Delete the chosen part"));
+        QCOMPARE(edits_->value().surface.pointsOfInterest.size(), std::size_t(3));
+        panel_->setSelection({{PartKind::Rail, 0}});
+        press(QStringLiteral("Forward, over the next rail of the list"));
+        QVERIFY(edits_->value().surface.rails[0] == [&] {
+            Rail moved = case_.surface.rails[1];
+            for (RailPoint& point : moved.points) point.wall = 1;
+            return moved;
+        }());
+    }
+    void everyControlHasAName()
+    {
+        for (const QToolButton* button : panel_->findChildren<QToolButton*>())
+            QVERIFY(!button->accessibleName().isEmpty());
+        QVERIFY(!list_->accessibleName().isEmpty() && !table_->accessibleName().isEmpty());
+    }
+
+private:
+    Case case_;
+    std::unique_ptr<CaseEdits> edits_;
+    std::unique_ptr<ShapePanel> panel_;
+    QTreeWidget* list_ = nullptr;
+    QTableWidget* table_ = nullptr;
+};
+
+TOUCHDOWN_TEST(TestShapePanel)
+
+} // namespace test_shape_panel
+
+#include "test_shape_panel.moc"
