@@ -107,7 +107,7 @@ void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
         problems.push_back({"abs.taper_length",
                             "must be at most slider.length (" + formatQuantity(c.slider.length, "mm") + ")",
                             {"slider.length"}});
-    for (const auto& [key, sentence] : surfaceProblems(c.surface))
+    for (const auto& [key, sentence, places] : surfaceProblems(c.surface))
         problems.push_back({key, sentence.substr(0, sentence.find_last_not_of('.') + 1)});
 }
 

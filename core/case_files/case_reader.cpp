@@ -221,7 +221,7 @@ private:
         for (const CaseProblem& warning : caseWarnings(c))
             document_.warnings.push_back(warning.in(document_.name, lineOf(warning.key, toml)));
         if (!usesSliderSurface(c)) return;
-        for (const auto& [key, sentence] : surfaceWarnings(c.surface, c.slider.length, c.slider.width))
+        for (const auto& [key, sentence, places] : surfaceWarnings(c.surface, c.slider.length, c.slider.width))
             document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
     }
 

@@ -58,10 +58,10 @@ void readRails(const CmlFiles::File& file, CmlParameters& parameters)
     parameters.warnings.insert(parameters.warnings.end(), rails.warnings.begin(), rails.warnings.end());
     if (!rails.valid()) return;
     parameters.setSurface(rails);
-    for (const auto& [key, sentence] : surfaceProblems(rails.surface))
+    for (const auto& [key, sentence, places] : surfaceProblems(rails.surface))
         parameters.addProblem(parameters.lineOf(key), asMessage(sentence));
     if (!parameters.problems.empty()) return;
-    for (const auto& [key, sentence] : surfaceWarnings(rails.surface, rails.length, rails.width))
+    for (const auto& [key, sentence, places] : surfaceWarnings(rails.surface, rails.length, rails.width))
         parameters.addWarning(parameters.lineOf(key), asMessage(sentence));
 }
 

@@ -84,6 +84,7 @@ QWidget* SurfacePage::buildTools()
         button->setToolTip(tip);
         button->setAccessibleName(tip);
         button->setCheckable(true);
+        button->setAutoRaise(true);
         button->setFocusPolicy(Qt::StrongFocus);
         group->addButton(button, static_cast<int>(which));
         layout->addWidget(button);

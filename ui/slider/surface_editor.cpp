@@ -40,7 +40,7 @@ void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, dou
 {
     gesture_ = Gesture::None;
     committed_ = surface;
-    setSurface(surface, length, width);
+    showSurface(surface, length, width);
     hovered_.reset();
     PartSelection kept;
     std::ranges::copy_if(selection_, std::inserter(kept, kept.end()),
@@ -86,9 +86,16 @@ void SurfaceEditor::commit(const AirBearingSurface& surface, const QString& text
     emit edited(surface, text, merge);
 }
 
+void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length, double width)
+{
+    setSurface(surface, length, width);
+    problems_ = surfaceProblems(surface);
+    warnings_ = problems_.empty() ? surfaceWarnings(surface, length, width) : std::vector<SurfaceProblem>{};
+}
+
 void SurfaceEditor::preview(const AirBearingSurface& surface)
 {
-    setSurface(surface, area().width(), area().height());
+    showSurface(surface, area().width(), area().height());
     emit previewed(surface);
 }
 

@@ -10,6 +10,7 @@
 // overlap), F (fit); V, R, P choose the tool.
 #pragma once
 
+#include "core/physics/slider/surface_check.h"
 #include "core/physics/slider/surface_edit.h"
 #include "ui/slider/surface_view.h"
 
@@ -45,6 +46,8 @@ public:
     /// In the order of overlap: 1 forward, -1 backward.
     void moveInOrder(int places);
     void insertCorner(std::size_t rail, std::size_t edge, SurfacePoint at);
+    /// Of the surface that is shown, drawn at their places.
+    const std::vector<SurfaceProblem>& problems() const { return problems_; }
     /// During a drag nothing else may change the case.
     bool dragging() const { return gesture_ != Gesture::None; }
 
@@ -89,8 +92,11 @@ private:
     void paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const;
     void paintSelection(QPainter& painter, const PlotTheme& theme) const;
     void paintGesture(QPainter& painter, const PlotTheme& theme) const;
+    void paintProblems(QPainter& painter, const PlotTheme& theme) const;
+    void showSurface(const AirBearingSurface& surface, double length, double width);
 
     AirBearingSurface committed_, ghost_;
+    std::vector<SurfaceProblem> problems_, warnings_; // of the surface that is shown
     PartSelection selection_;
     std::optional<SurfacePart> hovered_;
     Tool tool_ = Tool::Select;

@@ -11,6 +11,7 @@
 #include "ui/slider/part_picking.h"
 #include "ui/slider/rail_drawing.h"
 #include "ui/slider/surface_editor.h"
+#include "ui/style/theme.h"
 
 namespace touchdown {
 
@@ -204,6 +205,11 @@ void SurfaceEditor::updateCursor()
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
 {
     QStringList parts = SurfaceView::readingAt(point);
+    constexpr double near = 10.0; // [px]
+    for (const SurfaceProblem& warning : warnings_)
+        for (const SurfacePoint& place : warning.places)
+            if (QPointF away = toPixel(place) - toPixel(point); std::hypot(away.x(), away.y()) < near)
+                return {QString::fromStdString(warning.sentence)};
     if (hovered_ && hovered_->kind != PartKind::Rail && !dragging()) parts << partText(*hovered_);
     return parts;
 }
@@ -219,7 +225,35 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
                 paintOutline(painter, ghost_.rails[i], pen);
     }
     paintSelection(painter, theme);
+    paintProblems(painter, theme);
     paintGesture(painter, theme);
+}
+
+void SurfaceEditor::paintProblems(QPainter& painter, const PlotTheme& theme) const
+{
+    const MeaningColours colours = meaningColours(palette());
+    const auto ring = [&](const SurfaceProblem& problem, const QColor& colour) {
+        for (const SurfacePoint& place : problem.places) {
+            painter.setBrush(Qt::NoBrush);
+            painter.setPen(QPen(theme.background, 4.0));
+            painter.drawEllipse(toPixel(place), 8.0, 8.0);
+            painter.setPen(QPen(colour, 2.0));
+            painter.drawEllipse(toPixel(place), 8.0, 8.0);
+        }
+    };
+    for (const SurfaceProblem& warning : warnings_) ring(warning, colours.warning);
+    TakenRoom taken;
+    painter.setFont(font());
+    for (const SurfaceProblem& problem : problems_) {
+        ring(problem, colours.failure);
+        if (problem.places.empty()) continue;
+        const QString sentence = QString::fromStdString(problem.sentence);
+        const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(sentence) + 8.0;
+        QPointF at = toPixel(problem.places.front()) + QPointF(0.0, 24.0);
+        at.setX(std::clamp(at.x(), planArea().left() + half,
+                           std::max(planArea().left() + half, planArea().right() - half)));
+        paintPlanLabel(painter, at, sentence, theme, taken);
+    }
 }
 
 void SurfaceEditor::paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/physics/slider/rail_outline.h"
 
@@ -48,13 +50,22 @@ struct Part {
     std::string name; // "Rail 3"
     std::string key;  // "abs.rail[3]"
     Problems& problems;
+    const std::vector<RailPoint>* corners = nullptr; // of a rail
 
-    void add(const std::string& predicate) const { problems.push_back({key, name + predicate}); }
+    void add(const std::string& predicate, std::vector<SurfacePoint> places = {}) const
+    {
+        problems.push_back({key, name + predicate, std::move(places)});
+    }
     /// Of points, if there are any: "Rail 3: point 4", then the verb for one or for several points, then the rest.
     void add(const Indices& points, const char* one, const char* several, const std::string& rest,
              const char* before = ": ") const
     {
-        if (!points.empty()) add(before + pointList(points) + (points.size() == 1 ? one : several) + rest);
+        if (points.empty()) return;
+        std::vector<SurfacePoint> places;
+        for (const std::size_t i : points)
+            if (corners != nullptr && std::isfinite((*corners)[i].x) && std::isfinite((*corners)[i].y))
+                places.push_back({(*corners)[i].x, (*corners)[i].y});
+        add(before + pointList(points) + (points.size() == 1 ? one : several) + rest, std::move(places));
     }
 };
 
@@ -89,15 +100,24 @@ Meeting meeting(const RailPoint& a, const RailPoint& b, const RailPoint& c, cons
     return acrossClearly(offC, offD) && acrossClearly(offA, offB) ? Meeting::Crossing : Meeting::Touching;
 }
 
-/// The first two edges of the outline, without repeated points, that meet so; neighbours are left out.
-bool meetsItself(const std::vector<RailPoint>& points, Meeting how)
+/// Where the lines a-b and c-d meet; the middle of c-d where they are parallel.
+SurfacePoint meetingPoint(const RailPoint& a, const RailPoint& b, const RailPoint& c, const RailPoint& d)
+{
+    const double offC = cross(a, b, c), offD = cross(a, b, d);
+    const double share = offC != offD ? std::clamp(offC / (offC - offD), 0.0, 1.0) : 0.5;
+    return {std::lerp(c.x, d.x, share), std::lerp(c.y, d.y, share)};
+}
+
+/// Where the first two edges of the outline, without repeated points, meet so; neighbours are left out.
+std::optional<SurfacePoint> meetsItself(const std::vector<RailPoint>& points, Meeting how)
 {
     const std::size_t count = points.size();
     for (std::size_t i = 0; i + 2 < count; ++i) {
         for (std::size_t j = i + 2; j < count - (i == 0 ? 1 : 0); ++j)
-            if (meeting(points[i], points[i + 1], points[j], points[(j + 1) % count]) == how) return true;
+            if (meeting(points[i], points[i + 1], points[j], points[(j + 1) % count]) == how)
+                return meetingPoint(points[i], points[i + 1], points[j], points[(j + 1) % count]);
     }
-    return false;
+    return {};
 }
 
 bool finite(const Rail& rail, const Part& part)
@@ -134,10 +154,10 @@ void checkRail(const Rail& rail, const Part& part, std::size_t walls)
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     double size = 0.0;
     for (const RailPoint& p : points) size = std::max(size, distance(points[0], p));
-    if (meetsItself(points, Meeting::Crossing))
-        part.add(": the outline crosses itself.");
+    if (const auto at = meetsItself(points, Meeting::Crossing))
+        part.add(": the outline crosses itself.", {*at});
     else if (std::abs(signedArea(points)) <= 1e-12 * size * size)
-        part.add(" has no area.");
+        part.add(" has no area.", {{first.x, first.y}});
 }
 
 void checkWall(const WallProfile& wall, const Part& part)
@@ -185,7 +205,8 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
     }
     part.add(collinear, " lies", " lie", " on the line between the points before and after.");
     part.add(reversing, "", "", " the outline turns back on itself.", ": at ");
-    if (reversing.empty() && meetsItself(points, Meeting::Touching)) part.add(": the outline touches itself.");
+    if (const auto at = meetsItself(points, Meeting::Touching); at && reversing.empty())
+        part.add(": the outline touches itself.", {*at});
     const bool hasWalls = std::any_of(points.begin(), points.end(), [](const RailPoint& p) { return p.wall > 0; });
     if (hasWalls && rail.kind == RailKind::Ramp)
         part.add(" is a ramp: its walls are not used.");
@@ -193,9 +214,9 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
         part.add(" does not rise above the base recess: its walls are not used.");
 }
 
-Part railPart(std::size_t index, Problems& problems)
+Part railPart(const AirBearingSurface& surface, std::size_t index, Problems& problems)
 {
-    return {"Rail " + text(index + 1), "abs.rail[" + text(index + 1) + "]", problems};
+    return {"Rail " + text(index + 1), "abs.rail[" + text(index + 1) + "]", problems, &surface.rails[index].points};
 }
 
 } // namespace
@@ -204,7 +225,7 @@ std::vector<SurfaceProblem> surfaceProblems(const AirBearingSurface& surface)
 {
     Problems problems;
     for (std::size_t i = 0; i < surface.rails.size(); ++i)
-        checkRail(surface.rails[i], railPart(i, problems), surface.walls.size());
+        checkRail(surface.rails[i], railPart(surface, i, problems), surface.walls.size());
     for (std::size_t i = 0; i < surface.walls.size(); ++i)
         checkWall(surface.walls[i], {"Wall profile " + text(i + 1), "abs.wall[" + text(i + 1) + "]", problems});
     const std::pair<std::string_view, double> numbers[] = {
@@ -224,7 +245,7 @@ std::vector<SurfaceProblem> surfaceWarnings(const AirBearingSurface& surface, do
 {
     Problems warnings;
     for (std::size_t i = 0; i < surface.rails.size(); ++i)
-        warnOfRail(surface.rails[i], railPart(i, warnings), surface.baseRecess, length, width);
+        warnOfRail(surface.rails[i], railPart(surface, i, warnings), surface.baseRecess, length, width);
     const auto outside = indicesWhere(surface.pointsOfInterest.size(), [&](std::size_t i) {
         const SurfacePoint& p = surface.pointsOfInterest[i];
         return !(p.x >= 0.0 && p.x <= length && p.y >= 0.0 && p.y <= width);

@@ -11,8 +11,9 @@
 namespace touchdown {
 
 struct SurfaceProblem {
-    std::string key;      // of a case file: "abs.rail[3]", "abs.wall[1]", else "abs"
-    std::string sentence; // "Rail 3 has no area."
+    std::string key;                    // of a case file: "abs.rail[3]", "abs.wall[1]", else "abs"
+    std::string sentence;               // "Rail 3 has no area."
+    std::vector<SurfacePoint> places{}; // on the surface, where it has any: corners, or where an outline crosses itself
 };
 
 /// Problems that leave the recess undefined; empty for a valid surface.

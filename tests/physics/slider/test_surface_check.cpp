@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include <QRegularExpression>
 #include <QTest>
@@ -63,6 +64,27 @@ private slots:
         QCOMPARE(toList(surfaceProblems(AirBearingSurface{})), QStringList());
         for (unsigned seed = 1; seed <= 20; ++seed)
             QCOMPARE(toList(surfaceProblems(test::RandomSurface(seed).draw())), QStringList());
+    }
+
+    /// The bow tie's edges from (100, 200) to (200, 100) um and back cross in its middle.
+    void placesOnTheSurface()
+    {
+        const auto only = [](const std::vector<SurfaceProblem>& problems) {
+            if (problems.size() != 1) qFatal("not one problem");
+            return problems.front().places;
+        };
+        AirBearingSurface surface = goodSurface();
+        std::swap(surface.rails[0].points[2], surface.rails[0].points[3]);
+        const std::vector<SurfacePoint> crossing = only(surfaceProblems(surface));
+        QCOMPARE(crossing.size(), std::size_t(1));
+        QVERIFY(std::abs(crossing[0].x - 1.5e-4) < 1e-12 && std::abs(crossing[0].y - 1.5e-4) < 1e-12);
+        surface = goodSurface();
+        surface.rails[0].points[1].x = notANumber;
+        QVERIFY(only(surfaceProblems(surface)).empty());
+        surface = goodSurface();
+        surface.rails[1].points[1].x = surface.rails[1].points[2].x = 2.0 * length;
+        const std::vector<SurfacePoint> outside = only(surfaceWarnings(surface, length, width));
+        QCOMPARE(outside, (std::vector<SurfacePoint>{{2.0 * length, 1e-4}, {2.0 * length, 2e-4}}));
     }
 
     void problems_data()

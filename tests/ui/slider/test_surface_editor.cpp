@@ -39,6 +39,7 @@ private slots:
     void snapsToTheCentreLine();
     void escapeGivesBack();
     void previewsWithoutEdits();
+    void whatIsWrongStandsAtItsPlace();
     void arrowsMove();
     void aRowOfArrowsIsOneEdit();
     void insertsAndDeletes();
@@ -199,6 +200,26 @@ void TestSurfaceEditor::previewsWithoutEdits()
     QCOMPARE(edited.count(), 0);
     QTest::mouseRelease(editor_.get(), Qt::LeftButton, {}, pixel(0.35e-3, 0.35e-3));
     QCOMPARE(edited.count(), 1);
+}
+
+/// A corner dragged over the opposite edge: the outline crosses itself, during the drag and after it.
+void TestSurfaceEditor::whatIsWrongStandsAtItsPlace()
+{
+    const RailPoint from = point(1, 2), to = point(1, 0);
+    drag(pixel(from.x, from.y), pixel(to.x - 0.05e-3, to.y + 0.1e-3), Qt::ControlModifier, false);
+    QCOMPARE(editor_->problems().size(), std::size_t(1));
+    QVERIFY(editor_->problems().front().sentence.find("crosses itself") != std::string::npos);
+    QCOMPARE(editor_->problems().front().places.size(), std::size_t(1));
+    const QPoint place = editor_->toPixel(editor_->problems().front().places.front()).toPoint();
+    QTest::mouseRelease(editor_.get(), Qt::LeftButton, Qt::ControlModifier, pixel(to.x - 0.05e-3, to.y + 0.1e-3));
+    QCOMPARE(editor_->problems().size(), std::size_t(1)); // the shape stays: it is the user's
+    const QImage picture = editor_->grab().toImage();
+    const QColor ring = meaningColours(editor_->palette()).failure;
+    int found = 0;
+    for (int i = -10; i <= 10; ++i) found += picture.pixelColor(place + QPoint(i, 0)) == ring;
+    QVERIFY(found >= 2);
+    edits_->undoStack().undo();
+    QVERIFY(editor_->problems().empty());
 }
 
 void TestSurfaceEditor::arrowsMove()
