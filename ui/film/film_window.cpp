@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/film_window.h"
 
-#include <exception>
 #include <utility>
 
 #include "core/case/parameters.h"
@@ -9,7 +8,6 @@
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
-#include "ui/film/shape_follower.h"
 #include "ui/film/surface_page.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/slider/attitude_table.h"
@@ -32,43 +30,13 @@ constexpr int restTime = 250; // after the last edit of the shape [ms]
 
 } // namespace
 
-SteadyController::SteadyController(Solver solver, QObject* parent)
-    : CalculationController(parent), solver_(std::move(solver))
-{}
-
-int SteadyController::start(Case c)
-{
-    return begin([this, c = std::move(c)](const std::stop_token& stop) {
-        SteadyResult result;
-        try {
-            result = solver_(c, [&](const SteadyProgress& progress) {
-                mailbox_.post([&](Mail& mail) { mail.progress = progress; });
-                return !stop.stop_requested();
-            });
-        } catch (const std::exception& problem) {
-            result = {};
-            result.message = std::string("The calculation stopped with an error: ") + problem.what();
-        }
-        mailbox_.post([&](Mail& mail) { mail.result = std::move(result); });
-    });
-}
-
-void SteadyController::deliver()
-{
-    const Mail mail = mailbox_.take();
-    if (mail.progress) emit progressed(current(), progressOf(*mail.progress));
-    if (!mail.result) return;
-    end();
-    emit finished(current(), *mail.result);
-}
-
-FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent)
+FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent, ShapeFollower::Solver near)
     : QObject(parent),
       controller_(std::move(solver)),
       view_(new FilmView(solve, parent)),
       attitude_(new AttitudeTable(parent)),
       progress_(new ProgressStrip(controller_, tr("static solution"), tr("Solving"), parent)),
-      follower_(new ShapeFollower(controller_.solver(), this))
+      follower_(new ShapeFollower(std::move(near), this))
 {
     connect(&controller_, &SteadyController::stateChanged, view_,
             [this](SteadyController::State state) { view_->setSolving(state != SteadyController::State::Idle); });
@@ -175,7 +143,9 @@ void FilmWindow::onFollowed(const SteadyResult& result)
         if (auto next = std::exchange(preview_, std::nullopt)) follower_->follow(*next);
         return;
     }
-    view_->shape()->showFlight(result, coarseReference_, true);
+    SteadyResult shown = result;
+    shown.discretisationError = coarseReference_->discretisationError;
+    view_->shape()->showFlight(shown, coarseReference_, true);
 }
 
 void FilmWindow::onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge)

@@ -4,59 +4,28 @@
 // them.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include <QAction>
 #include <QTimer>
 
-#include "core/simulation/static_state/steady.h"
-#include "ui/calculation/calculation_controller.h"
+#include "core/simulation/static_state/steady_near.h"
+#include "ui/film/shape_follower.h"
+#include "ui/film/steady_controller.h"
 
 namespace touchdown {
 
 class AttitudeTable;
 class FilmView;
 class ProgressStrip;
-class ShapeFollower;
-
-/// Solves one case at a time for its static state, beside the window.
-class SteadyController : public CalculationController {
-    Q_OBJECT
-
-public:
-    using Solver = std::function<SteadyResult(const Case&, const SteadyCallback&)>;
-
-    /// `solver` is `touchdown::steady` or a stand-in of a test.
-    explicit SteadyController(Solver solver, QObject* parent = nullptr);
-    ~SteadyController() override { giveUp(); }
-
-    /// See CalculationController::begin.
-    int start(Case c);
-    const Solver& solver() const { return solver_; }
-
-signals:
-    void finished(int number, const touchdown::SteadyResult& result);
-
-protected:
-    void deliver() override;
-
-private:
-    struct Mail {
-        std::optional<SteadyProgress> progress;
-        std::optional<SteadyResult> result;
-    };
-
-    Solver solver_;
-    Mailbox<Mail> mailbox_{*this};
-};
 
 class FilmWindow : public QObject {
     Q_OBJECT
 
 public:
     /// `solve` is the action that starts the solution.
-    FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent);
+    FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent,
+               ShapeFollower::Solver near = steadyNear);
 
     FilmView* view() const { return view_; }
     AttitudeTable* attitude() const { return attitude_; }

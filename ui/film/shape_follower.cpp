@@ -12,11 +12,21 @@ constexpr int mostNodes = 65; // of a side
 
 } // namespace
 
-ShapeFollower::ShapeFollower(SteadyController::Solver solver, QObject* parent)
-    : QObject(parent), controller_(std::move(solver))
+ShapeFollower::ShapeFollower(Solver solver, QObject* parent)
+    : QObject(parent), controller_([this, solver = std::move(solver)](const Case& c, const SteadyCallback& callback) {
+          return solver(c, before_, from_, callback);
+      })
 {
     connect(&controller_, &SteadyController::finished, this, [this](int number, const SteadyResult& result) {
-        if (number == wanted_) emit followed(result);
+        if (number == wanted_) {
+            if (result.status == SteadyStatus::Converged) {
+                before_ = solving_;
+                from_ = result;
+            }
+            emit followed(result);
+        } else {
+            from_ = {};
+        }
         startNext();
     });
 }
@@ -46,9 +56,9 @@ void ShapeFollower::forget()
 void ShapeFollower::startNext()
 {
     if (!waiting_) return;
-    Case next = std::move(*waiting_);
+    solving_ = std::move(*waiting_);
     waiting_.reset();
-    wanted_ = controller_.start(std::move(next));
+    wanted_ = controller_.start(solving_);
 }
 
 } // namespace touchdown

@@ -2,6 +2,7 @@
 #include "ui/film/shape_follower.h"
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -12,6 +13,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
 #include "ui/film/surface_page.h"
 #include "ui/style/theme.h"
 
@@ -25,13 +27,15 @@ struct Solver {
     std::atomic<int> solving = 0, most = 0;
     std::mutex mutex;
     std::vector<Case> asked;
+    std::vector<double> starts; // minimum spacing of what it came from
 
-    SteadyResult operator()(const Case& c, const SteadyCallback& callback)
+    SteadyResult operator()(const Case& c, const Case&, const SteadyResult& from, const SteadyCallback& callback)
     {
         most = std::max<int>(most, ++solving);
         {
             const std::lock_guard lock(mutex);
             asked.push_back(c);
+            starts.push_back(from.minimumSpacing);
         }
         bool stopped = false;
         while (held && !stopped) {
@@ -78,8 +82,7 @@ private slots:
     void theNewestReplacesTheWaiting()
     {
         auto solver = std::make_shared<Solver>();
-        ShapeFollower follower(
-            [solver](const Case& c, const SteadyCallback& callback) { return (*solver)(c, callback); });
+        ShapeFollower follower(std::ref(*solver));
         QSignalSpy followed(&follower, &ShapeFollower::followed);
         Case c = sampleFilmCase();
         solver->held = true;
@@ -93,6 +96,7 @@ private slots:
         QTRY_COMPARE(followed.count(), 2);
         QCOMPARE(followed[0].front().value<SteadyResult>().minimumSpacing, 1e-9);
         QCOMPARE(followed[1].front().value<SteadyResult>().minimumSpacing, 10e-9);
+        QCOMPARE(solver->starts, (std::vector<double>{0.0, 1e-9})); // each from the state before
         QCOMPARE(solver->most, 1);
         QVERIFY(!follower.busy());
     }
@@ -100,8 +104,7 @@ private slots:
     void whatIsForgottenIsNotTold()
     {
         auto solver = std::make_shared<Solver>();
-        ShapeFollower follower(
-            [solver](const Case& c, const SteadyCallback& callback) { return (*solver)(c, callback); });
+        ShapeFollower follower(std::ref(*solver));
         QSignalSpy followed(&follower, &ShapeFollower::followed);
         solver->held = true;
         follower.follow(sampleFilmCase());
@@ -121,8 +124,9 @@ private slots:
         auto solver = std::make_shared<Solver>();
         QWidget window;
         QAction action;
-        FilmWindow film([solver](const Case& c, const SteadyCallback& callback) { return (*solver)(c, callback); },
-                        &action, &window);
+        FilmWindow film(
+            [solver](const Case& c, const SteadyCallback& callback) { return (*solver)(c, c, {}, callback); }, &action,
+            &window, std::ref(*solver));
         Case c = sampleFilmCase();
         c.film.nodes = {193, 193};
         film.open(c);

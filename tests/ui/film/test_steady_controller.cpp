@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/film/film_window.h"
+#include "ui/film/steady_controller.h"
 
 #include <atomic>
 #include <stdexcept>

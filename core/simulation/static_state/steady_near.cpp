@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/steady_near.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/numerics/wall_clock.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/static_check.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostIterations = 20;   // where the change is small, five do
+constexpr double onLine = 1e-10;     // distance of an edge from its line [m]
+constexpr double leastStretch = 0.5; // of the cells between two lines [-]
+
+/// The grid with its lines on the edges as they are now. Nothing where rails came or went.
+std::optional<CellGrid> movedGrid(const CellGrid& grid, const AirBearingSurface& before, const AirBearingSurface& now)
+{
+    std::vector<double> fromX, toX, fromY, toY;
+    if (before.rails.size() != now.rails.size()) return {};
+    for (std::size_t i = 0; i < now.rails.size(); ++i) {
+        const std::vector<RailPoint>&a = before.rails[i].points, &b = now.rails[i].points;
+        if (a.size() != b.size()) return {};
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            fromX.push_back(a[k].x), toX.push_back(b[k].x);
+            fromY.push_back(a[k].y), toY.push_back(b[k].y);
+        }
+    }
+    auto x = movedLines(grid.x, fromX, toX), y = movedLines(grid.y, fromY, toY);
+    if (!x || !y) return {};
+    return CellGrid{std::move(*x), std::move(*y)};
+}
+
+/// Nothing where no state is found nearby.
+std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, const SteadyCallback& callback)
+{
+    StaticFilm film(c, from);
+    if (!whyNoStaticState(c, film.spacing).empty()) return {};
+    FilmLevel& level = film.level;
+    SteadyResult result;
+    result.attitude = from.attitude;
+    const auto monitor = [&](int iteration, double residual, double loadError, const Attitude& attitude) {
+        return !callback || callback({"nearby", iteration, residual, loadError, attitude});
+    };
+    const AttitudeSolution solution = level.flying.solve(level.pressure, result.attitude,
+                                                         {.filmTolerance = c.film.tolerance,
+                                                          .loadTolerance = c.steady.loadTolerance,
+                                                          .maximumIterations = mostIterations,
+                                                          .patience = mostIterations,
+                                                          .throughDisk = false},
+                                                         monitor);
+    result.iterations = solution.iterations;
+    result.solves = solution.solves;
+    result.residual = solution.residual;
+    result.loadError = solution.loadError;
+    if (solution.cancelled) {
+        result.status = SteadyStatus::Cancelled;
+        return result;
+    }
+    const MinimumSpacing::Place nearest = film.spacing.at(result.attitude);
+    if (!solution.converged || !(nearest.spacing > 0.0)) return {};
+    level.film.setAttitude(result.attitude);
+    result.status = SteadyStatus::Converged;
+    result.minimumSpacing = nearest.spacing;
+    result.minimumAt = nearest.at;
+    result.forces = level.loads.forces(level.pressure);
+    for (const SurfacePoint& point : c.surface.pointsOfInterest)
+        result.interestSpacing.push_back(film.recess.at(point.x, point.y) +
+                                         level.gaps.lift(result.attitude, point.x, point.y));
+    KnownFilm fields = level.known(c);
+    result.grid = std::move(fields.grid);
+    result.pressure = std::move(fields.pressure);
+    result.gap = std::move(fields.gap);
+    result.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+    return result;
+}
+
+} // namespace
+
+std::optional<std::vector<double>> movedLines(const std::vector<double>& lines, const std::vector<double>& from,
+                                              const std::vector<double>& to)
+{
+    // Which lines lie on an edge, and where they go. An edge that stays holds its line.
+    std::vector<std::optional<double>> goal(lines.size());
+    goal.front() = lines.front();
+    goal.back() = lines.back();
+    for (std::size_t i = 1; i + 1 < lines.size(); ++i)
+        for (std::size_t k = 0; k < from.size(); ++k)
+            if (std::abs(from[k] - lines[i]) < onLine && (!goal[i] || to[k] == from[k])) goal[i] = to[k];
+    std::vector<double> moved = lines;
+    for (std::size_t begin = 0; begin + 1 < lines.size();) {
+        std::size_t end = begin + 1;
+        while (!goal[end]) ++end;
+        const double stretch = (*goal[end] - *goal[begin]) / (lines[end] - lines[begin]);
+        if (!(stretch > leastStretch)) return {};
+        const bool stays = *goal[begin] == lines[begin] && *goal[end] == lines[end];
+        for (std::size_t i = begin; i < end && !stays; ++i)
+            moved[i] = *goal[begin] + stretch * (lines[i] - lines[begin]);
+        moved[end] = *goal[end];
+        begin = end;
+    }
+    return moved;
+}
+
+SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& from, const SteadyCallback& callback)
+{
+    const double start = wallClock();
+    std::optional<SteadyResult> result;
+    if (from.status == SteadyStatus::Converged && !from.pressure.empty() && !c.steady.fixedAttitude)
+        if (auto grid = movedGrid(from.grid, before.surface, c.surface)) {
+            SteadyResult moved = from;
+            moved.grid = std::move(*grid);
+            result = followed(c, moved, callback);
+        }
+    if (!result) result = steady(c, callback);
+    result->wallSeconds = wallClock() - start;
+    return *result;
+}
+
+} // namespace touchdown
