@@ -19,6 +19,7 @@
 #include "core/case_files/surface_text.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
+#include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/physics/slider/surface_check.h"
 
@@ -64,6 +65,49 @@ void readRails(const CmlFiles::File& file, CmlParameters& parameters)
     for (const auto& [key, sentence, places] : surfaceWarnings(rails.surface, rails.length, rails.width))
         parameters.addWarning(parameters.lineOf(key), asMessage(sentence));
 }
+
+/// Mass and inertias that no file gives, of a homogeneous block of the slider's material.
+class SliderBlock {
+public:
+    /// Sets them.
+    explicit SliderBlock(CmlParameters& parameters) : parameters_(parameters)
+    {
+        const SliderCase slider = parameters.value().slider;
+        const double block = density * slider.length * slider.width * slider.thickness;
+        const double mass = parameters.wasSet("slider.mass") ? slider.mass : block;
+        const auto inertia = [&](double a) { return mass * (a * a + slider.thickness * slider.thickness) / 12.0; };
+        set("slider.mass", mass);
+        set("slider.pitch_inertia", inertia(slider.length));
+        set("slider.roll_inertia", inertia(slider.width));
+    }
+
+    /// Of those that hold after all.
+    void tell(const std::string& file) const
+    {
+        std::vector<std::string> told;
+        for (const auto& [key, text] : values_)
+            if (toText(parameters_.value(), *findParameter(key)) == text) told.push_back(key + " = " + text);
+        if (told.empty()) return;
+        parameters_.beginFile(file);
+        parameters_.addWarning(
+            0, "no file gives the slider's " + std::string(told.size() == 3 ? "mass and inertias" : "inertias") +
+                   ": those of a block of AlTiC with 4000 kg/m^3 (4000 to 4250 are reported), " + joined(told));
+    }
+
+private:
+    static constexpr double density = 4000.0; // [kg/m^3]
+    static constexpr int digits = 4;
+
+    void set(const std::string& key, double value)
+    {
+        if (parameters_.wasSet(key)) return;
+        parameters_.setNumber(key, roundedTo(value, digits), 0);
+        values_.emplace_back(key, toText(parameters_.value(), *findParameter(key)));
+    }
+
+    CmlParameters& parameters_;
+    std::vector<std::pair<std::string, std::string>> values_; // key and value
+};
 
 /// Latin-1, which the program writes, as UTF-8; control characters become '?'.
 std::string commentLine(std::string_view line)
@@ -278,14 +322,16 @@ bool isCmlPath(const fs::path& path)
 void readCmlFiles(const CmlFiles& files, CmlParameters& parameters)
 {
     readRails(files.rail, parameters);
-    if (!files.run.name.empty()) {
-        parameters.beginFile(files.run.name);
-        readCmlRun(files.run.text, parameters);
-        applyKeptValues(parameters);
-    } else if (!files.dynamics.name.empty()) {
-        parameters.beginFile(files.dynamics.name);
-        readCmlDynamics(files.dynamics.text, parameters);
+    const bool dynamic = files.run.name.empty() && !files.dynamics.name.empty();
+    const CmlFiles::File& other = dynamic ? files.dynamics : files.run;
+    if (!other.name.empty()) {
+        parameters.beginFile(other.name);
+        (dynamic ? readCmlDynamics : readCmlRun)(other.text, parameters);
     }
+    if (!parameters.problems.empty()) return;
+    const SliderBlock block(parameters);
+    if (!other.name.empty() && !dynamic) applyKeptValues(parameters);
+    block.tell(files.rail.name);
     if (parameters.problems.empty()) parameters.checkCombinations();
 }
 

@@ -31,7 +31,8 @@ private slots:
             const Outcome o = folder_->touchdown(QStringList{"convert"} + step);
             QCOMPARE(o.code, 0);
             QCOMPARE(o.out, QByteArray());
-            QCOMPARE(o.err, QByteArray());
+            QCOMPARE(o.err.count('\n'), 1); // of the mass
+            QVERIFY(o.err.contains("no file gives the slider's mass"));
         }
         QCOMPARE(folder_->files(), (QStringList{"a.toml", "b.cml", "c", "d.toml", "slider"}));
         const CaseDocument first = openCase(folder_->path("slider").toStdString());
@@ -56,7 +57,7 @@ private slots:
                      QByteArray::fromStdString(cmlRunText()).replace("  0              40.0", "  1              40.0"));
         const Outcome read = folder_->touchdown({"convert", "slider", "a.toml"});
         QCOMPARE(read.code, 0);
-        QCOMPARE(read.err, QByteArray("warning: slider/run.dat:77: Additional Parameters: not modelled: humidity\n"));
+        QVERIFY(read.err.startsWith("warning: slider/run.dat:77: Additional Parameters: not modelled: humidity\n"));
         folder_->put(
             "b.toml",
             "model = \"film\"\n[film]\nscheme = \"exponential\"\ngrid = \"uniform\"\n[steady]\nshear_arm = 1\n");

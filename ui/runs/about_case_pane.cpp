@@ -114,7 +114,7 @@ void AboutCasePane::write()
     if (detailsShown_ && !details_.isEmpty())
         html += QStringLiteral("<p style='margin:0'>%1</p>")
                     .arg(details_.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
-    part(tr("⚠ Entries of the file without effect"), warnings_.join(QLatin1Char('\n')), colours.warning);
+    part(tr("⚠ Remarks on the file"), warnings_.join(QLatin1Char('\n')), colours.warning);
     part(tr("≈ Assumptions"), QString::fromStdString(about_.assumed), colours.warning);
     setHtml(html);
 }

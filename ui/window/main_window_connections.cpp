@@ -255,8 +255,9 @@ void MainWindow::onImported(const QString& path, const QStringList& warnings)
     else
         messages_->show(MessageStrip::Kind::Warning,
                         text + QLatin1Char(' ') +
-                            tr("%n entry(ies) of the file are not modelled: see About this case.", nullptr,
-                               static_cast<int>(warnings.size())));
+                            (warnings.size() == 1
+                                 ? tr("There is a remark on the files: see About this case.")
+                                 : tr("There are %1 remarks on the files: see About this case.").arg(warnings.size())));
 }
 
 void MainWindow::onExported(const QString& path, const QStringList& warnings)
