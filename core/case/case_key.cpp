@@ -63,6 +63,7 @@ std::optional<std::size_t> takeIndex(std::string_view& name)
     if (open == std::string_view::npos) return 0;
     if (!name.ends_with(']')) return {};
     const std::string_view digits = name.substr(open + 1, name.size() - open - 2);
+    if (digits.size() > 1 && digits.front() == '0') return {}; // each number has one name
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
     if (error != std::errc() || end != digits.data() + digits.size()) return {};
@@ -73,6 +74,7 @@ std::optional<std::size_t> takeIndex(std::string_view& name)
 std::optional<Place> placeOf(std::string_view key)
 {
     if (!key.starts_with("abs.")) return {};
+    if (key.ends_with('.') || key.find("..") != std::string_view::npos) return {};
     std::array<std::string_view, 3> parts{};
     std::string_view rest = key.substr(4);
     for (std::string_view& part : parts) {

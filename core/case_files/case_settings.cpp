@@ -8,6 +8,7 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
+#include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
 #include <optional>
@@ -52,6 +53,28 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
     return problem(key, *message);
 }
 
+/// Where settings changed the surface or the slider's size.
+void renewSurfaceWarnings(CaseDocument& document, const std::vector<std::string>& settings)
+{
+    const auto changes = [](const std::string& setting) {
+        return keyOf(setting).starts_with("abs.") || keyOf(setting).starts_with("slider.");
+    };
+    if (std::ranges::none_of(settings, changes) || !usesSliderSurface(document.value)) return;
+    const auto isOfSurface = [](const InputProblem& warning) {
+        return warning.key == "abs" || warning.key.starts_with("abs.rail[") || warning.key.starts_with("abs.wall[");
+    };
+    const std::vector<InputProblem> before = document.warnings;
+    std::erase_if(document.warnings, isOfSurface);
+    const Case& c = document.value;
+    for (const SurfaceProblem& warning : surfaceWarnings(c.surface, c.slider.length, c.slider.width)) {
+        const auto same = std::ranges::find(before, warning.sentence, &InputProblem::message);
+        if (same != before.end())
+            document.warnings.push_back(*same);
+        else
+            document.warnings.push_back({"--set", 0, warning.key, warning.sentence, ProblemKind::Setting});
+    }
+}
+
 /// A warning of a value that was set has the setting as its place; one that was there before keeps its line.
 void renewWarnings(CaseDocument& document, const std::vector<std::string>& settings)
 {
@@ -67,6 +90,7 @@ void renewWarnings(CaseDocument& document, const std::vector<std::string>& setti
             warning.file = "--set", warning.line = 0, warning.kind = ProblemKind::Setting;
         document.warnings.push_back(std::move(warning));
     }
+    renewSurfaceWarnings(document, settings);
 }
 
 } // namespace
@@ -88,12 +112,13 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (document.valid())
         for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
     // A value without effect in the file may have one now; a setting may have none.
-    const auto parameterOf = [&](std::string_view key) { return std::get<Parameter>(caseKey(document.value, key)); };
     std::erase_if(document.unused,
-                  [&](const InputProblem& unused) { return parameterOf(unused.key).used(document.value); });
+                  [&](const InputProblem& unused) { return findParameter(unused.key)->used(document.value); });
     for (const std::string& setting : settings) {
         const std::string key(keyOf(setting));
-        if (const std::string message = unusedMessage(document.value, parameterOf(key)); !message.empty())
+        const auto parameter = caseKey(document.value, key); // none where a later setting took its place away
+        if (std::holds_alternative<std::string>(parameter)) continue;
+        if (const std::string message = unusedMessage(document.value, std::get<Parameter>(parameter)); !message.empty())
             document.unused.push_back({"--set", 0, key, message, ProblemKind::Setting});
     }
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);

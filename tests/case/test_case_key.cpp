@@ -114,6 +114,8 @@ private slots:
                                  << "is none of the numbers ";
         QTest::newRow("more") << "abs.rail[5].point[1].x.y"
                               << "is none of the numbers ";
+        for (const char* twice : {"abs.rail[5].x.", "abs.rail[5].x..", "abs.rail[05].x", "abs.rail[5].point[01].x"})
+            QTest::newRow(twice) << twice << "is none of the numbers ";
         QTest::newRow("the recess of a step") << "abs.rail[5].recess[2]"
                                               << "rail 5 is a step, which has one recess";
         QTest::newRow("a whole number") << "abs.rail[5].wall[2]"

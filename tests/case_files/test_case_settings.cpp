@@ -83,6 +83,27 @@ private slots:
         QVERIFY(c == before);
     }
 
+    /// A stretch by nearly nothing, then corners on one another: one sentence, no more.
+    void aRailWithoutExtent()
+    {
+        CaseDocument document = openCase("film_fig4_pico");
+        applySettings(document,
+                      {"abs.rail[4].length=0.03 mm", "abs.rail[4].point[1].x=1.2 mm", "abs.rail[4].point[2].x=1.2 mm",
+                       "abs.rail[4].point[3].x=1.2 mm", "abs.rail[4].point[4].x=1.2 mm"});
+        QVERIFY2(problemsOf(document).find("Rail 4 has no area") != std::string::npos, problemsOf(document).c_str());
+    }
+    /// As they are from a file.
+    void warningsOfTheSurface()
+    {
+        CaseDocument document = openCase("film_fig4_pico");
+        QVERIFY(document.warnings.empty());
+        applySettings(document, {"abs.points_of_interest[1].x=3 mm"});
+        QCOMPARE(document.warnings.size(), std::size_t(1));
+        QVERIFY(document.warnings.front().message.find("outside the slider") != std::string::npos);
+        applySettings(document, {"abs.points_of_interest[1].x=1 mm"});
+        QVERIFY(document.warnings.empty());
+    }
+
     /// A springs case has no rails.
     void notOfThisModel()
     {

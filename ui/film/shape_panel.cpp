@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/shape_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,7 @@
 
 #include "core/case/case_key.h"
 #include "ui/case/parameter_text.h"
+#include "ui/film/wall_picture.h"
 #include "ui/slider/part_picking.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
@@ -33,7 +35,8 @@ ShapePanel::ShapePanel(QWidget* parent)
       list_(new QTreeWidget(this)),
       table_(new QTableWidget(this)),
       caption_(new QLabel(this)),
-      problem_(new QLabel(this))
+      problem_(new QLabel(this)),
+      profile_(new WallPicture(this))
 {
     buildList();
     caption_->setContentsMargins(4, 4, 4, 0);
@@ -44,6 +47,8 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setTabKeyNavigation(false);
+    table_->setMinimumWidth(120);
+    list_->setMinimumWidth(120);
 
     const auto button = [this](const QString& text, const QString& tip, auto perform) {
         auto* made = new QToolButton(this);
@@ -55,25 +60,35 @@ ShapePanel::ShapePanel(QWidget* parent)
         return made;
     };
     auto* buttons = new QHBoxLayout;
+    buttons->addWidget(button(tr("+ Rail"), tr("Add a rectangular rail in the middle"), [this] { addRail(); }));
+    buttons->addWidget(corner_ =
+                           button(tr("+ Corner"), tr("Insert a corner after the chosen one"), [this] { addCorner(); }));
     buttons->addWidget(button(tr("+ Wall"), tr("Add a wall profile"), [this] { addWall(); }));
     buttons->addWidget(button(tr("+ Point"), tr("Add a point of interest"), [this] { addInterest(); }));
     buttons->addStretch(1);
-    buttons->addWidget(forward_ = button(QStringLiteral("↓"), tr("Forward, over the next rail of the list"),
-                                         [this] { moveChosen(1); }));
-    buttons->addWidget(
+    auto* verbs = new QHBoxLayout;
+    verbs->addWidget(forward_ = button(QStringLiteral("↓"), tr("Forward, over the next rail of the list"),
+                                       [this] { moveChosen(1); }));
+    verbs->addWidget(
         backward_ = button(QStringLiteral("↑"), tr("Backward, under the rail before"), [this] { moveChosen(-1); }));
-    buttons->addWidget(remove_ = button(tr("Delete"), tr("Delete the chosen part"), [this] { removeChosen(); }));
+    verbs->addWidget(remove_ = button(tr("Delete"), tr("Delete the chosen part"), [this] { removeChosen(); }));
+    verbs->addStretch(1);
 
     auto* upper = new QWidget(this);
     auto* upperLayout = new QVBoxLayout(upper);
     upperLayout->setContentsMargins(0, 0, 0, 0);
     upperLayout->addWidget(list_, 1);
     upperLayout->addLayout(buttons);
+    upperLayout->addLayout(verbs);
+    upperLayout->setSpacing(2);
     auto* lower = new QWidget(this);
     auto* lowerLayout = new QVBoxLayout(lower);
     lowerLayout->setContentsMargins(0, 0, 0, 0);
     lowerLayout->addWidget(caption_);
-    lowerLayout->addWidget(table_, 1);
+    auto* numbers = new QHBoxLayout;
+    numbers->addWidget(table_, 3);
+    numbers->addWidget(profile_, 2);
+    lowerLayout->addLayout(numbers, 1);
     lowerLayout->addWidget(problem_);
     auto* parts = new QSplitter(Qt::Horizontal, this);
     parts->addWidget(upper);
@@ -253,6 +268,7 @@ void ShapePanel::fillTable()
     const AirBearingSurface& surface = case_.surface;
     table_->clearContents();
     table_->setRowCount(0);
+    profile_->setVisible(chosen_.kind == Kind::Wall);
     switch (chosen_.kind) {
     case Kind::Rail:
         caption_->setText(tr("Corners of rail %1").arg(chosen_.item + 1));
@@ -261,6 +277,7 @@ void ShapePanel::fillTable()
     case Kind::Wall:
         caption_->setText(tr("Profile of wall %1: recess against the distance from the edge").arg(chosen_.item + 1));
         fillWall(surface.walls[chosen_.item], wallKey(chosen_.item));
+        profile_->setWall(surface.walls[chosen_.item]);
         break;
     case Kind::Interest: {
         caption_->setText(tr("Point of interest %1").arg(chosen_.item + 1));
@@ -346,46 +363,9 @@ void ShapePanel::take(const std::string& key, const QString& typed)
     emit edited(changed.surface, tr("change %1").arg(QString::fromStdString(parameter->label)), 0);
 }
 
-void ShapePanel::addWall()
-{
-    // A slope of 10 um down to the base, to begin with.
-    AirBearingSurface surface = case_.surface;
-    surface.walls.push_back({{0.0, 10e-6}, {0.0, surface.baseRecess}});
-    chosen_ = {Kind::Wall, surface.walls.size() - 1};
-    emit edited(surface, tr("add a wall"), 0);
-}
-
-void ShapePanel::addInterest()
-{
-    AirBearingSurface surface = case_.surface;
-    surface.pointsOfInterest.push_back({0.5 * case_.slider.length, 0.5 * case_.slider.width});
-    const SurfacePart added{PartKind::Interest, surface.pointsOfInterest.size() - 1};
-    emit edited(surface, tr("add a point of interest"), 0);
-    setSelection({added});
-    emit selected({added});
-}
-
-void ShapePanel::removeChosen()
-{
-    if (chosen_.kind == Kind::Wall)
-        emit edited(withoutWall(case_.surface, chosen_.item), tr("delete wall %1").arg(chosen_.item + 1), 0);
-    else if (!selection_.empty())
-        emit edited(without(case_.surface, selection_), tr("delete %1").arg(selectionText(selection_)), 0);
-}
-
-void ShapePanel::moveChosen(int places)
-{
-    const auto count = static_cast<std::ptrdiff_t>(case_.surface.rails.size());
-    const auto place = static_cast<std::ptrdiff_t>(chosen_.item) + places;
-    if (chosen_.kind != Kind::Rail || place < 0 || place >= count) return;
-    const SurfacePart rail{PartKind::Rail, static_cast<std::size_t>(place)};
-    emit edited(reordered(case_.surface, chosen_.item, rail.item), tr("change the order of rails"), 0);
-    setSelection({rail});
-    emit selected({rail});
-}
-
 void ShapePanel::updateButtons()
 {
+    corner_->setEnabled(chosen_.kind == Kind::Rail);
     remove_->setEnabled(chosen_.kind == Kind::Wall || !selection_.empty());
     const std::size_t count = case_.surface.rails.size();
     forward_->setEnabled(chosen_.kind == Kind::Rail && chosen_.item + 1 < count);

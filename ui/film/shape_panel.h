@@ -19,6 +19,8 @@
 
 namespace touchdown {
 
+class WallPicture;
+
 class ShapePanel : public QWidget {
     Q_OBJECT
 
@@ -52,6 +54,8 @@ private:
     void onListSelected();
     void onTableSelected();
     void take(const std::string& key, const QString& typed);
+    void addRail();
+    void addCorner();
     void addWall();
     void addInterest();
     void removeChosen();
@@ -72,7 +76,8 @@ private:
     QTableWidget* table_;
     QLabel* caption_;
     QLabel* problem_;
-    QToolButton *remove_ = nullptr, *forward_ = nullptr, *backward_ = nullptr;
+    WallPicture* profile_;
+    QToolButton *corner_ = nullptr, *remove_ = nullptr, *forward_ = nullptr, *backward_ = nullptr;
 };
 
 } // namespace touchdown

@@ -20,7 +20,7 @@ namespace {
 
 constexpr int widestColumn = 420; // [px]: a sentence in a cell must not push the rest out of sight
 
-constexpr int digits = 5; // significant
+constexpr int cellDigits = 5; // significant
 
 /// "0.030000" as "0.03", "1.2e-07" as "1.2·10⁻⁷"; whole numbers as they are.
 QString numberText(double value)
@@ -33,9 +33,10 @@ QString numberText(double value)
     if (value == 0.0) return QStringLiteral("0");
     const double size = std::abs(value);
     if (size < 1e9 && value == std::round(value)) return plain(QString::number(static_cast<qlonglong>(value)));
-    if (size >= 1e-3 && size < 1e6) return plain(QString::number(value, 'g', size >= 1e5 ? 6 : digits));
+    if (size >= 1e-3 && size < 1e6) return plain(QString::number(value, 'g', size >= 1e5 ? 6 : cellDigits));
     const int exponent = static_cast<int>(std::floor(std::log10(size)));
-    return plain(QString::number(value / std::pow(10.0, exponent), 'g', digits)) + QChar(0x00B7) + powerOfTen(exponent);
+    return plain(QString::number(value / std::pow(10.0, exponent), 'g', cellDigits)) + QChar(0x00B7) +
+           powerOfTen(exponent);
 }
 
 } // namespace

@@ -58,11 +58,32 @@ void moveBy(Point& point, SurfaceShift by)
     if (by.y != 0.0) point.y = tidy(point.y + by.y);
 }
 
+/// The plane of a ramp at a place [m]; a step's recess.
+double topAt(const Rail& rail, double x, double y)
+{
+    if (rail.kind == RailKind::Step) return rail.recess[0];
+    const RailPoint &a = rail.points[0], &b = rail.points[1], &c = rail.points[2];
+    const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    if (area == 0.0) return rail.recess[0];
+    const double atB = ((x - a.x) * (c.y - a.y) - (y - a.y) * (c.x - a.x)) / area;
+    const double atC = ((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x)) / area;
+    return rail.recess[0] + atB * (rail.recess[1] - rail.recess[0]) + atC * (rail.recess[2] - rail.recess[0]);
+}
+
+/// The plane of a ramp goes through its first three corners, which may be others now.
+void keepPlane(const Rail& before, Rail& now)
+{
+    if (now.kind != RailKind::Ramp || now.points.size() < 3 || before.points.size() < 3) return;
+    for (std::size_t k = 0; k < now.recess.size(); ++k)
+        if (now.points[k].x != before.points[k].x || now.points[k].y != before.points[k].y)
+            now.recess[k] = topAt(before, now.points[k].x, now.points[k].y);
+}
+
 /// Where a line through `from` along (dx, dy) meets the line through `at` whose normal is (nx, ny); nothing where they
 /// are parallel.
 std::optional<SurfacePoint> meeting(const RailPoint& from, double dx, double dy, SurfacePoint at, double nx, double ny)
 {
-    constexpr double parallel = 1e-6; // sine of the angle
+    constexpr double parallel = 0.02; // sine of the angle, below which a corner would slide far
     const double slope = dx * nx + dy * ny;
     if (!(std::abs(slope) > parallel * std::hypot(dx, dy))) return {};
     const double along = ((at.x - from.x) * nx + (at.y - from.y) * ny) / slope;
@@ -114,9 +135,11 @@ AirBearingSurface moved(AirBearingSurface surface, const PartSelection& parts, S
 
 AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::size_t edge, SurfacePoint at)
 {
-    std::vector<RailPoint>& points = surface.rails.at(rail).points;
-    const RailPoint corner{at.x, at.y, points.at(edge).wall};
-    points.insert(points.begin() + static_cast<std::ptrdiff_t>(edge) + 1, corner);
+    Rail& changed = surface.rails.at(rail);
+    const Rail before = changed;
+    const RailPoint corner{at.x, at.y, before.points.at(edge).wall};
+    changed.points.insert(changed.points.begin() + static_cast<std::ptrdiff_t>(edge) + 1, corner);
+    keepPlane(before, changed);
     return surface;
 }
 
@@ -134,9 +157,11 @@ AirBearingSurface without(AirBearingSurface surface, const PartSelection& parts)
     }
     // From the last to the first, so that the numbers of the others hold.
     for (auto each = corners.rbegin(); each != corners.rend(); ++each) {
-        std::vector<RailPoint>& points = surface.rails[each->first].points;
-        points.erase(points.begin() + static_cast<std::ptrdiff_t>(each->second));
-        if (points.size() < 3) rails.insert(each->first);
+        Rail& rail = surface.rails[each->first];
+        const Rail before = rail;
+        rail.points.erase(rail.points.begin() + static_cast<std::ptrdiff_t>(each->second));
+        keepPlane(before, rail);
+        if (rail.points.size() < 3) rails.insert(each->first);
     }
     for (auto rail = rails.rbegin(); rail != rails.rend(); ++rail)
         surface.rails.erase(surface.rails.begin() + static_cast<std::ptrdiff_t>(*rail));
@@ -196,8 +221,7 @@ AirBearingSurface withoutWall(AirBearingSurface surface, std::size_t wall)
 std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& surface, double width, double reach)
 {
     const auto imageIn = [&](const Rail& rail, const Rail& other) -> std::optional<std::vector<std::size_t>> {
-        if (rail.kind != other.kind || rail.recess[0] != other.recess[0] || rail.points.size() != other.points.size())
-            return {};
+        if (rail.kind != other.kind || rail.points.size() != other.points.size()) return {};
         std::vector<std::size_t> corners;
         for (const RailPoint& point : rail.points) {
             const auto meets = [&](const RailPoint& p) {
@@ -205,6 +229,8 @@ std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& su
             };
             const auto found = std::ranges::find_if(other.points, meets);
             if (found == other.points.end()) return {};
+            constexpr double sameHeight = 1e-13; // [m]
+            if (std::abs(topAt(other, found->x, found->y) - topAt(rail, point.x, point.y)) > sameHeight) return {};
             corners.push_back(static_cast<std::size_t>(found - other.points.begin()));
         }
         // Each corner is the image of one, in the same or the opposite order around the rail.

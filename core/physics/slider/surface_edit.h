@@ -38,11 +38,12 @@ struct SurfaceShift {
 /// itself, by the part of the shift that is normal to it, and its corners slide along the neighbouring edges.
 AirBearingSurface moved(AirBearingSurface surface, const PartSelection& parts, SurfaceShift by);
 
-/// A corner at this place on an edge, which is parted there; both halves have its wall.
+/// A corner at this place on an edge, which is parted there; both halves have its wall. A ramp keeps its plane.
 AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::size_t edge, SurfacePoint at);
 
 /// Without these parts. The edges before and after a removed corner become one, with the wall of the edge before; of
-/// an edge its second corner is removed. A rail that would have fewer than three corners is removed.
+/// an edge its second corner is removed. A rail that would have fewer than three corners is removed. A ramp keeps its
+/// plane.
 AirBearingSurface without(AirBearingSurface surface, const PartSelection& parts);
 
 /// With copies of these rails on top, moved; they are the last ones in the list.

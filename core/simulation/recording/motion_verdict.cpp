@@ -16,7 +16,7 @@ namespace {
 using Rule = MotionRule;
 constexpr double smallestGrowth = 1.5;          // of a small swing, from part to part [-]
 constexpr double roundOff = 1e-13;              // of a swing at rest [m]
-constexpr double mostMissed = 0.1;              // of the changes of a signal, between its samples [-]
+constexpr double mostPerSample = 0.8;           // changes that samples can show: a period is 2.5 of them
 constexpr std::array shares{0.1, 0.2, 1.0 / 3}; // of the last part, of the time after the landing
 
 /// Changes of a signal from below `low` to above `high` and back.
@@ -39,15 +39,6 @@ Changes changesOf(std::span<const double> signal, double low, double high)
     return changes;
 }
 
-Changes periodChanges(std::span<const double> signal)
-{
-    if (signal.empty()) return {};
-    const auto [least, most] = std::ranges::minmax(signal);
-    if (!(most > least)) return {};
-    const double quarter = 0.25 * (most - least);
-    return changesOf(signal, least + quarter, most - quarter);
-}
-
 /// Extremes and contact over a range of samples.
 class Part {
 public:
@@ -60,17 +51,29 @@ public:
     double rms() const { return momentsOf(of(samples_.spacing)).deviation; }
     std::span<const double> spacing() const { return of(samples_.spacing); }
     std::size_t size() const { return end_ - begin_; }
-    /// Changes from the lowest quarter of the range to the highest one and back between two samples on the same side.
-    int missedChanges() const
+    /// Changes between the lowest and the highest quarter of the range, also between samples: at least as many as these
+    /// and the extremes show.
+    Changes changes() const
     {
+        Changes found;
         const double low = least() + 0.25 * swing(), high = most() - 0.25 * swing();
-        int missed = 0;
-        for (std::size_t i = begin_ + 1; i < end_; ++i) {
-            const double upper = std::max(samples_.spacing[i - 1], samples_.spacing[i]);
-            const double lower = std::min(samples_.spacing[i - 1], samples_.spacing[i]);
-            missed += (upper < low && samples_.most[i] > high) || (lower > high && samples_.least[i] < low) ? 2 : 0;
+        int side = 0;
+        const auto cross = [&](std::size_t i, int to) {
+            if (side != 0 && found.count++ == 0) found.first = i;
+            found.last = i;
+            side = to;
+        };
+        for (std::size_t i = begin_; i < end_ && high > low; ++i) {
+            const double now = samples_.spacing[i];
+            // The extremes reach back to the sample before, where the side was the present one.
+            if (side < 0 && samples_.most[i] > high)
+                cross(i, 1);
+            else if (side > 0 && samples_.least[i] < low)
+                cross(i, -1);
+            if (now > high && side <= 0) cross(i, 1);
+            if (now < low && side >= 0) cross(i, -1);
         }
-        return missed;
+        return found;
     }
     std::size_t switches() const
     {
@@ -119,10 +122,9 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
     const Part last(samples, count - length, count);
     evidence.rms = last.rms();
     evidence.rmsBefore = evidence.parts > 1 ? Part(samples, count - 2 * length, count - length).rms() : evidence.rms;
-    const Changes changes = periodChanges(last.spacing());
-    const int missed = last.missedChanges();
-    evidence.periods = 0.5 * (changes.count + missed);
-    evidence.undersampled = missed > mostMissed * changes.count;
+    const Changes changes = last.changes();
+    evidence.periods = 0.5 * changes.count;
+    evidence.undersampled = changes.count > mostPerSample * static_cast<double>(last.size());
     if (changes.count > 1 && !evidence.undersampled)
         evidence.frequency =
             0.5 * double(changes.count - 1) / (double(changes.last - changes.first) * samples.interval);
@@ -232,7 +234,7 @@ bool MotionEvidence::grows() const
 
 bool MotionEvidence::movesOn() const
 {
-    if (!movedOn || parts < 3) return movedOn;
+    if (!movedOn || parts < 3 || swings[0] <= roundOff) return movedOn && parts < 3;
     const double rate = std::max(swings[0] / swings[1], swings[1] / swings[2]);
     return !(rate < Rule::smallestDecay) || swings[0] * rate / (1.0 - rate) > Rule::smallestSwing;
 }
@@ -268,8 +270,6 @@ MotionVerdict judgeMotion(const MotionSamples& samples)
     }
     return verdictOf(evidence);
 }
-
-double periodsOf(std::span<const double> signal) { return 0.5 * periodChanges(signal).count; }
 
 bool movesOn(std::span<const double> lastHalf)
 {

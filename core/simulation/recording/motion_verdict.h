@@ -19,8 +19,8 @@
 // a part is random, the standard deviation decays if it is below 60 % of that in the part before. What lasts there is
 // forced: the disk drives it.
 //
-// A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. Where more than a
-// tenth of these changes happen between two samples, the frequency is not told. At rest it was not
+// A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. Where a
+// period is shorter than 2.5 samples, the frequency is not told. At rest it was not
 // about to move on if the last half of the run swings by less than three times as much, or if s crossed its mean value
 // of the last tenth there and back, or if the swings of the last three parts shrink so fast that, at the slower of
 // their two rates, all later ones together stay within 0.02 nm.
@@ -72,7 +72,7 @@ struct MotionEvidence {
     double rms = 0.0, rmsBefore = 0.0;               // standard deviation in the last part and in that before [m]
     double periods = 0.0;                            // in the last part
     double frequency = 0.0;                          // of these [Hz]
-    bool undersampled = false;                       // more than a tenth of the changes lie between samples
+    bool undersampled = false;                       // a period is shorter than 2.5 samples
     bool movedOn = false;                            // in the half before the end, though at rest in the last tenth
     Touch touch = Touch::Never;                      // in the last part
     bool switchedLately = false;                     // contact began or ended in the last third of the time
@@ -87,8 +87,6 @@ struct MotionEvidence {
 };
 MotionVerdict verdictOf(const MotionEvidence& evidence);
 
-/// Periods of a signal: half of its changes between the lowest and the highest quarter of its range.
-double periodsOf(std::span<const double> signal);
 /// Whether the last half of the samples, whose last tenth is at rest, was about to move on.
 bool movesOn(std::span<const double> lastHalf);
 

@@ -169,9 +169,9 @@ void RunStatistics::finish(Summary& summary) const
     summary.verdict = judgeMotion(samples);
     // The periods of a random motion are not counted.
     if (summary.verdict.undersampled)
-        summary.warnings.emplace_back(
-            "the slider moves up and down between two samples: plots and spectra do not show its frequency; a shorter "
-            "run.sample_interval does");
+        summary.warnings.emplace_back("a period of the motion is shorter than 2.5 samples: plots and spectra do not "
+                                      "show its frequency; a shorter "
+                                      "run.sample_interval does");
     else if (summary.verdict.forced && !summary.peaks.empty())
         summary.verdict.frequency = summary.peaks.front().frequency;
 }

@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include "core/case/parameters.h"
+#include "core/case/case_key.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
@@ -80,7 +80,8 @@ std::string apply(Case& c, const std::vector<CaseSetting>& settings)
         if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
     if (std::string problem = changeCase(c, settings); !problem.empty()) return problem;
     for (const CaseSetting& setting : settings)
-        if (const std::string message = unusedMessage(c, *findParameter(setting.key)); !message.empty())
+        if (const std::string message = unusedMessage(c, std::get<Parameter>(caseKey(c, setting.key)));
+            !message.empty())
             return setting.key + ": " + message;
     return {};
 }
@@ -145,14 +146,16 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
     Case base = start;
     if (std::string problem = apply(base, spec.set); !problem.empty()) return problem;
     const bool own = std::ranges::all_of(spec.set, [&](const CaseSetting& setting) {
-        const Parameter& parameter = *findParameter(setting.key);
-        return toText(base, parameter) == toText(start, parameter);
+        const auto parameter = caseKey(start, setting.key);
+        return std::holds_alternative<Parameter>(parameter) &&
+               toText(base, std::get<Parameter>(parameter)) == toText(start, std::get<Parameter>(parameter));
     });
     if (spec.key.empty()) {
         method.settings.push_back({.label = "", .c = base, .chosen = own, .inEnsemble = true});
         return {};
     }
-    const Parameter* parameter = findParameter(spec.key);
+    const auto swept = caseKey(base, spec.key);
+    const auto* parameter = std::get_if<Parameter>(&swept);
     if (parameter == nullptr) return apply(base, {{spec.key, ""}}); // which says what is wrong with the key
     bool found = false;
     for (const std::string& value : spec.values) {

@@ -111,9 +111,32 @@ private slots:
         surface.rails = {{RailKind::Step, {{0, 0, 0}, {100e-6, 0, 0}, {200e-6, 0, 0}, {200e-6, 90e-6, 0}}, {}}};
         const AirBearingSurface after = moved(surface, {{PartKind::Edge, 0, 0}}, {0.0, 10e-6});
         QVERIFY(near(corner(after, 0, 1).x, 100e-6) && near(corner(after, 0, 1).y, 10e-6));
+        // Nor one that is nearly in line.
+        surface.rails[0].points[2].y = 1e-9;
+        QVERIFY(near(corner(moved(surface, {{PartKind::Edge, 0, 0}}, {0.0, 10e-6}), 0, 1).x, 100e-6));
         // A corner on top of the next one is no edge to move.
         surface.rails[0].points[1] = surface.rails[0].points[0];
         QVERIFY(moved(surface, {{PartKind::Edge, 0, 0}}, {1e-6, 1e-6}) == surface);
+    }
+    /// A corner in the first edge of a ramp, and one removed: the top stays where it was. The plane through (0, 0, 1),
+    /// (1, 0, 2) and (1, 1, 3) um in units of 100 um is 1 + x + y.
+    void aRampKeepsItsPlane()
+    {
+        AirBearingSurface surface;
+        surface.rails = {
+            {RailKind::Ramp, {{0, 0, 0}, {1e-4, 0, 0}, {1e-4, 1e-4, 0}, {0, 1e-4, 0}}, {1e-6, 2e-6, 3e-6}}};
+        const AirBearingSurface more = withCorner(surface, 0, 0, {0.5e-4, 0.0});
+        QVERIFY(near(more.rails[0].recess[1], 1.5e-6) && near(more.rails[0].recess[2], 2e-6));
+        QCOMPARE(more.rails[0].recess[0], 1e-6);
+        const AirBearingSurface fewer = without(surface, {{PartKind::Corner, 0, 1}});
+        QVERIFY(near(fewer.rails[0].recess[1], 3e-6) && near(fewer.rails[0].recess[2], 2e-6));
+        // Mirror images have the same top, whatever corner comes first.
+        surface.rails.push_back({RailKind::Ramp,
+                                 {{1e-4, width, 0}, {1e-4, width - 1e-4, 0}, {0, width - 1e-4, 0}, {0, width, 0}},
+                                 {2e-6, 3e-6, 2e-6}});
+        QVERIFY(mirrorImages(surface, width, 1e-7)[0].has_value());
+        surface.rails[1].recess[2] = 2.1e-6;
+        QVERIFY(!mirrorImages(surface, width, 1e-7)[0].has_value());
     }
     void insertion()
     {

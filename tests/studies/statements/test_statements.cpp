@@ -82,6 +82,13 @@ private slots:
             QVERIFY2(cell(report, i, "holds") == "no", cell(report, i, "statement").c_str());
     }
 
+    /// Of the film, too, each statement has a case that contradicts it; it takes ten minutes to run them all.
+    void eachCheckHasACaseThatContradictsIt()
+    {
+        const StudyPlan plan = openStudy("statements", "paper", {}, {"contradict=true"});
+        QVERIFY2(plan.valid(), plan.problems.empty() ? "" : plan.problems.front().text().c_str());
+    }
+
     /// And no statement of the study is missing in the help or says something else there.
     void everyStatementIsInTheHelp()
     {

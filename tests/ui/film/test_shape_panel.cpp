@@ -9,6 +9,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/case/case_edits.h"
+#include "ui/film/wall_picture.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
@@ -146,6 +147,33 @@ private slots:
             for (RailPoint& point : moved.points) point.wall = 1;
             return moved;
         }());
+    }
+    /// Without a mouse: a rail, a corner in the middle of an edge.
+    void addsByButtons()
+    {
+        const auto press = [&](const QString& name) {
+            for (QToolButton* button : panel_->findChildren<QToolButton*>())
+                if (button->accessibleName() == name) return button->click();
+            QFAIL(qPrintable(name));
+        };
+        press(QStringLiteral("Add a rectangular rail in the middle"));
+        QCOMPARE(edits_->value().surface.rails.size(), std::size_t(5));
+        QCOMPARE(table_->rowCount(), 4);
+        table_->setCurrentCell(1, 0);
+        press(QStringLiteral("Insert a corner after the chosen one"));
+        const std::vector<RailPoint>& points = edits_->value().surface.rails[4].points;
+        QCOMPARE(points.size(), std::size_t(5));
+        QCOMPARE(points[2].y, 0.5 * (points[1].y + points[3].y));
+        QCOMPARE(table_->rowCount(), 5);
+        QVERIFY(table_->item(2, 0)->isSelected());
+    }
+    void drawsAWall()
+    {
+        list_->setCurrentItem(list_->topLevelItem(1)->child(0));
+        const auto* picture = panel_->findChild<WallPicture*>();
+        QVERIFY(picture && picture->isVisible());
+        panel_->setSelection({{PartKind::Rail, 1}});
+        QVERIFY(!picture->isVisible());
     }
     void everyControlHasAName()
     {
