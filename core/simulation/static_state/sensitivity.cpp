@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/sensitivity.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "core/case/case_key.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady_near.h"
 
 namespace touchdown {
 
@@ -52,45 +54,105 @@ std::vector<Varied> variedParameters(const Case& c)
 
 } // namespace
 
+AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
+    : case_(c),
+      level_(level),
+      spacing_(spacing),
+      attitude_(level.film.attitude()),
+      adjoint_(level.flying.adjoint(level.pressure)),
+      nearest_(spacing.at(attitude_).at)
+{}
+
+Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& change, double step, bool ofSurface) const
+{
+    const PaddedGrid& pad = level_.gaps.pad;
+    std::vector<double> residual(pad.size());
+    Vector3 attitudeChange = Vector3::Zero();
+    double direct = 0.0;
+    for (const double sign : {1.0, -1.0}) {
+        Case moved = case_;
+        change(moved, sign * step);
+        const double weight = sign / (2.0 * step);
+        const Recess recess(moved.surface, case_.slider.length, case_.slider.width);
+        // Lines of the grid move with the edges that lie on them: off its line an edge has another error.
+        const CellGrid& grid = level_.gaps.grid;
+        const FilmGaps gaps =
+            ofSurface ? FilmGaps(recess, movedGrid(grid, case_.surface, moved.surface).value_or(grid)) : level_.gaps;
+        GasFilm film(gaps, filmSetting(moved));
+        film.setAttitude(attitude_);
+        std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
+        pad.pad<double>(pad.unpad<double>(level_.pressure), pressure);
+        film.residual(pressure, residual);
+        FilmLoads loads(film);
+        FlyingAttitude flying(film, loads, sliderLoad(moved), spacing_);
+        const Vector3 balance = flying.imbalance(pressure);
+        for (std::size_t k = 0; k < 3; ++k) {
+            double sum = 0.0;
+            for (std::size_t at = 0; at < residual.size(); ++at) sum += adjoint_.film[k][at] * residual[at];
+            for (std::size_t m = 0; m < 3; ++m) sum += adjoint_.balance(k, m) * balance[m];
+            attitudeChange[k] -= weight * sum;
+        }
+        if (ofSurface) direct += weight * MinimumSpacing(moved.surface, recess).at(attitude_).spacing;
+    }
+    const double atNearest = attitudeChange[0] + attitudeChange[1] * (case_.slider.length - nearest_.x) -
+                             attitudeChange[2] * (nearest_.y - 0.5 * case_.slider.width);
+    return {"", "m", attitudeChange[0], attitudeChange[1], attitudeChange[2], atNearest + direct};
+}
+
 std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
 {
-    const Attitude attitude = level.film.attitude();
-    const FlyingAttitude::Adjoint adjoint = level.flying.adjoint(level.pressure);
-    const SurfacePoint nearest = spacing.at(attitude).at;
-    const PaddedGrid& pad = level.gaps.pad;
-    std::vector<double> residual(pad.size());
+    const AttitudeSensitivity attitude(c, level, spacing);
     std::vector<Sensitivity> result;
     for (const Varied& varied : variedParameters(c)) {
         const Parameter& parameter = varied.parameter;
-        Vector3 attitudeChange = Vector3::Zero();
-        double direct = 0.0;
-        for (const double sign : {1.0, -1.0}) {
-            Case moved = c;
-            // Not by setFromNumber: a value at the end of its range is moved, too.
-            parameter.set(moved, numberOf(parameter, c) + sign * varied.step);
-            const double weight = sign / (2.0 * varied.step);
-            const Recess recess(moved.surface, c.slider.length, c.slider.width);
-            const FilmGaps gaps = varied.ofSurface() ? FilmGaps(recess, level.gaps.grid) : level.gaps;
-            GasFilm film(gaps, filmSetting(moved));
-            film.setAttitude(attitude);
-            std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
-            pad.pad<double>(pad.unpad<double>(level.pressure), pressure);
-            film.residual(pressure, residual);
-            FilmLoads loads(film);
-            FlyingAttitude flying(film, loads, sliderLoad(moved), spacing);
-            const Vector3 balance = flying.imbalance(pressure);
-            for (std::size_t k = 0; k < 3; ++k) {
-                double sum = 0.0;
-                for (std::size_t at = 0; at < residual.size(); ++at) sum += adjoint.film[k][at] * residual[at];
-                for (std::size_t m = 0; m < 3; ++m) sum += adjoint.balance(k, m) * balance[m];
-                attitudeChange[k] -= weight * sum;
-            }
-            if (varied.ofSurface()) direct += weight * MinimumSpacing(moved.surface, recess).at(attitude).spacing;
-        }
-        const double atNearest = attitudeChange[0] + attitudeChange[1] * (c.slider.length - nearest.x) -
-                                 attitudeChange[2] * (nearest.y - 0.5 * c.slider.width);
-        result.push_back({parameter.key, parameter.unit, attitudeChange[0], attitudeChange[1], attitudeChange[2],
-                          atNearest + direct});
+        // Not by setFromNumber: a value at the end of its range is moved, too.
+        const auto change = [&](Case& moved, double by) { parameter.set(moved, numberOf(parameter, moved) + by); };
+        Sensitivity found = attitude.to(change, varied.step, varied.ofSurface());
+        found.parameter = parameter.key;
+        found.unit = parameter.unit;
+        result.push_back(std::move(found));
+    }
+    return result;
+}
+
+namespace {
+
+/// The shift of an edge by a metre away from its rail.
+SurfaceShift outwards(const Rail& rail, std::size_t edge)
+{
+    const RailPoint &a = rail.points[edge], &b = rail.points[(edge + 1) % rail.points.size()];
+    double area = 0.0;
+    for (std::size_t k = 0; k < rail.points.size(); ++k) {
+        const RailPoint &p = rail.points[k], &q = rail.points[(k + 1) % rail.points.size()];
+        area += p.x * q.y - q.x * p.y;
+    }
+    const double length = std::hypot(b.x - a.x, b.y - a.y), side = area > 0.0 ? 1.0 : -1.0;
+    if (!(length > 0.0)) return {};
+    return {side * (b.y - a.y) / length, side * (a.x - b.x) / length};
+}
+
+} // namespace
+
+std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& state, const PartSelection& parts,
+                                          const std::function<bool()>& goOn)
+{
+    constexpr double recessStep = 1e-12, edgeStep = 0.5e-6; // [m]
+    StaticFilm film(c, state);
+    const AttitudeSensitivity attitude(c, film.level, film.spacing);
+    std::vector<PartInfluence> result;
+    for (const SurfacePart& part : parts) {
+        if (!has(c.surface, part) || (part.kind != PartKind::Rail && part.kind != PartKind::Edge)) continue;
+        if (goOn && !goOn()) break;
+        const auto deeper = [&](Case& moved, double by) {
+            for (double& recess : moved.surface.rails[part.item].recess) recess += by;
+        };
+        const SurfaceShift out =
+            part.kind == PartKind::Edge ? outwards(c.surface.rails[part.item], part.index) : SurfaceShift{};
+        const auto outer = [&](Case& moved, double by) {
+            moved.surface = touchdown::moved(std::move(moved.surface), {part}, {by * out.x, by * out.y});
+        };
+        result.push_back({part, part.kind == PartKind::Rail ? attitude.to(deeper, recessStep, true)
+                                                            : attitude.to(outer, edgeStep, true)});
     }
     return result;
 }

@@ -4,8 +4,11 @@
 // parameters, each of which costs two evaluations of the film's residual on the same grid.
 #pragma once
 
+#include <functional>
 #include <vector>
 
+#include "core/physics/slider/surface_edit.h"
+#include "core/simulation/static_state/flying_attitude.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -13,7 +16,34 @@ namespace touchdown {
 class MinimumSpacing;
 struct FilmLevel;
 
-/// The level must be solved for its flying attitude.
+/// Of a level that is solved for its flying attitude; the case, the level and the spacing must last.
+class AttitudeSensitivity {
+public:
+    AttitudeSensitivity(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
+
+    /// To a change of the case by an amount, from central differences of plus and minus `step`; without a name, per
+    /// unit of the amount. `ofSurface`: it changes the recess.
+    Sensitivity to(const std::function<void(Case&, double)>& change, double step, bool ofSurface) const;
+
+private:
+    const Case& case_;
+    FilmLevel& level_;
+    const MinimumSpacing& spacing_;
+    Attitude attitude_;
+    FlyingAttitude::Adjoint adjoint_;
+    SurfacePoint nearest_;
+};
+
 std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
+
+/// What a part of the shape does to the state.
+struct PartInfluence {
+    SurfacePart part; // a rail: per metre of recess; an edge: per metre of its shift away from the rail
+    Sensitivity per;  // of height [m/m], pitch and roll [rad/m] and minimum spacing [m/m]
+};
+/// Of these rails and edges, on the grid of a converged state, whose lines move with the edges (steady_near.h); as far
+/// as it gets until `goOn` returns false.
+std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& state, const PartSelection& parts,
+                                          const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

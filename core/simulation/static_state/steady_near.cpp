@@ -16,24 +16,6 @@ constexpr int mostIterations = 20;   // where the change is small, five do
 constexpr double onLine = 1e-10;     // distance of an edge from its line [m]
 constexpr double leastStretch = 0.5; // of the cells between two lines [-]
 
-/// The grid with its lines on the edges as they are now. Nothing where rails came or went.
-std::optional<CellGrid> movedGrid(const CellGrid& grid, const AirBearingSurface& before, const AirBearingSurface& now)
-{
-    std::vector<double> fromX, toX, fromY, toY;
-    if (before.rails.size() != now.rails.size()) return {};
-    for (std::size_t i = 0; i < now.rails.size(); ++i) {
-        const std::vector<RailPoint>&a = before.rails[i].points, &b = now.rails[i].points;
-        if (a.size() != b.size()) return {};
-        for (std::size_t k = 0; k < a.size(); ++k) {
-            fromX.push_back(a[k].x), toX.push_back(b[k].x);
-            fromY.push_back(a[k].y), toY.push_back(b[k].y);
-        }
-    }
-    auto x = movedLines(grid.x, fromX, toX), y = movedLines(grid.y, fromY, toY);
-    if (!x || !y) return {};
-    return CellGrid{std::move(*x), std::move(*y)};
-}
-
 /// Nothing where no state is found nearby.
 std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, const SteadyCallback& callback)
 {
@@ -80,6 +62,23 @@ std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, co
 
 } // namespace
 
+std::optional<CellGrid> movedGrid(const CellGrid& grid, const AirBearingSurface& before, const AirBearingSurface& now)
+{
+    std::vector<double> fromX, toX, fromY, toY;
+    if (before.rails.size() != now.rails.size()) return {};
+    for (std::size_t i = 0; i < now.rails.size(); ++i) {
+        const std::vector<RailPoint>&a = before.rails[i].points, &b = now.rails[i].points;
+        if (a.size() != b.size()) return {};
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            fromX.push_back(a[k].x), toX.push_back(b[k].x);
+            fromY.push_back(a[k].y), toY.push_back(b[k].y);
+        }
+    }
+    auto x = movedLines(grid.x, fromX, toX), y = movedLines(grid.y, fromY, toY);
+    if (!x || !y) return {};
+    return CellGrid{std::move(*x), std::move(*y)};
+}
+
 std::optional<std::vector<double>> movedLines(const std::vector<double>& lines, const std::vector<double>& from,
                                               const std::vector<double>& to)
 {
@@ -89,7 +88,8 @@ std::optional<std::vector<double>> movedLines(const std::vector<double>& lines, 
     goal.back() = lines.back();
     for (std::size_t i = 1; i + 1 < lines.size(); ++i)
         for (std::size_t k = 0; k < from.size(); ++k)
-            if (std::abs(from[k] - lines[i]) < onLine && (!goal[i] || to[k] == from[k])) goal[i] = to[k];
+            if (std::abs(from[k] - lines[i]) < onLine && (!goal[i] || to[k] == from[k]))
+                goal[i] = lines[i] + (to[k] - from[k]);
     std::vector<double> moved = lines;
     for (std::size_t begin = 0; begin + 1 < lines.size();) {
         std::size_t end = begin + 1;

@@ -17,6 +17,10 @@ namespace touchdown {
 SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& from,
                         const SteadyCallback& callback = {});
 
+/// The grid with its lines on the edges as they are now. Nothing where corners came or went, or lines would pass each
+/// other.
+std::optional<CellGrid> movedGrid(const CellGrid& grid, const AirBearingSurface& before, const AirBearingSurface& now);
+
 /// The borders of cells along one axis, those at `from` moved to `to` (as many, in any order), those between evenly
 /// with them; nothing where two would pass each other or come closer than half of what they were apart.
 std::optional<std::vector<double>> movedLines(const std::vector<double>& lines, const std::vector<double>& from,
