@@ -46,6 +46,15 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
     connect(shape, &SurfacePage::previewed, this, &FilmWindow::onPreviewed);
     connect(shape, &SurfacePage::edited, this, &FilmWindow::onSurfaceEdited);
     connect(follower_, &ShapeFollower::followed, this, &FilmWindow::onFollowed);
+    connect(shape, &SurfacePage::influenceWanted, this, &FilmWindow::updateInfluence);
+    connect(&influence_, &InfluenceController::found, shape, &SurfacePage::showInfluence);
+    influenceTimer_.setSingleShot(true);
+    connect(&influenceTimer_, &QTimer::timeout, this, [this, shape] {
+        if (influence_.active()) // its stop takes a moment
+            influenceTimer_.start(restTime);
+        else if (checkCombinations(edited_).empty() && edited_.model == ModelKind::Film)
+            influence_.start(edited_, shape->influencingParts());
+    });
     restTimer_.setSingleShot(true);
     connect(&restTimer_, &QTimer::timeout, this, &FilmWindow::followEdit);
 }
@@ -63,6 +72,7 @@ void FilmWindow::open(const Case& c)
     edited_ = c;
     view_->setCase(c);
     view_->shape()->open(c);
+    emit view_->shape()->influenceWanted();
     view_->fit();
 }
 
@@ -81,6 +91,7 @@ void FilmWindow::edit(const Case& c)
     // Undo and redo are followed, too.
     if (shaped && result_ && view_->shape()->follows()) restTimer_.start(restTime);
     view_->setCase(c);
+    emit view_->shape()->influenceWanted();
     updateStale();
 }
 
@@ -134,6 +145,13 @@ void FilmWindow::onPreviewed(const AirBearingSurface& surface)
         follower_->follow(preview);
     else if (std::exchange(preview_, std::move(preview)); !follower_->busy())
         follower_->follow(edited_);
+}
+
+void FilmWindow::updateInfluence()
+{
+    influence_.stop();
+    influenceTimer_.stop();
+    if (view_->shape()->showsInfluence()) influenceTimer_.start(restTime);
 }
 
 void FilmWindow::onFollowed(const SteadyResult& result)

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "core/simulation/static_state/steady_near.h"
+#include "ui/film/influence_controller.h"
 #include "ui/film/shape_follower.h"
 #include "ui/film/steady_controller.h"
 
@@ -53,6 +54,7 @@ private:
     void onFinished(const SteadyResult& result);
     void onPreviewed(const AirBearingSurface& surface);
     void onFollowed(const SteadyResult& result);
+    void updateInfluence();
     void forgetPreviews();
     void onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge);
     /// Solves on the case's own grid once the hand rests.
@@ -64,7 +66,9 @@ private:
     AttitudeTable* attitude_;
     ProgressStrip* progress_;
     ShapeFollower* follower_;
-    QTimer restTimer_;                            // since the last edit of the shape
+    QTimer restTimer_; // since the last edit of the shape
+    InfluenceController influence_;
+    QTimer influenceTimer_;                       // since the last edit or selection
     std::optional<SteadyResult> reference_;       // the state before the last edit of the shape
     std::optional<SteadyResult> coarseReference_; // of the case itself on the grid of previews
     std::optional<Case> preview_;                 // waits for that one

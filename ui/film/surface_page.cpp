@@ -37,12 +37,29 @@ SurfacePage::SurfacePage(QWidget* parent)
       editor_(new SurfaceEditor(this)),
       panel_(new ShapePanel(this)),
       follow_(new QCheckBox(tr("Fol&low"), this)),
-      flight_(new QLabel(this))
+      influence_(new QCheckBox(tr("&Influence"), this)),
+      flight_(new QLabel(this)),
+      influenceWords_(new QLabel(this))
 {
     follow_->setObjectName(QStringLiteral("follow"));
     follow_->setChecked(true);
     follow_->setToolTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
                            "case's own grid afterwards"));
+    influence_->setObjectName(QStringLiteral("influence"));
+    influence_->setToolTip(tr("Show what a deeper recess of each rail and a shift of each edge of the selected rails "
+                              "would do to the minimum spacing"));
+    influenceWords_->setAccessibleName(tr("What the colours and arrows mean"));
+    influenceWords_->setContentsMargins(8, 0, 8, 2);
+    influenceWords_->setMinimumWidth(1);
+    influenceWords_->setWordWrap(true);
+    influenceWords_->hide();
+    connect(this, &SurfacePage::influenceWanted, this, [this] {
+        editor_->setInfluence({});
+        influenceWords_->setVisible(influence_->isChecked());
+        influenceWords_->setText(tr("Finding what each rail does to the flying height…"));
+    });
+    connect(influence_, &QCheckBox::toggled, this, &SurfacePage::influenceWanted);
+    connect(editor_, &SurfaceEditor::selectionChanged, this, &SurfacePage::influenceWanted);
     flight_->setAccessibleName(tr("How the slider flies"));
     flight_->setContentsMargins(8, 2, 8, 2);
     flight_->setTextFormat(Qt::RichText);
@@ -54,6 +71,7 @@ SurfacePage::SurfacePage(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(buildTools());
     layout->addWidget(flight_);
+    layout->addWidget(influenceWords_);
     layout->addWidget(editor_, 1);
     auto* split = new QSplitter(Qt::Vertical, this);
     split->addWidget(upper);
@@ -112,8 +130,30 @@ QWidget* SurfacePage::buildTools()
     toggle(tr("&Pairs"), tr("Rails that are mirror images move together"), false,
            [this](bool on) { editor_->setPairs(on); });
     layout->addWidget(follow_);
+    layout->addWidget(influence_);
     layout->addStretch(1);
     return row;
+}
+
+void SurfacePage::showInfluence(const std::vector<PartInfluence>& influence)
+{
+    if (!influence_->isChecked()) return;
+    std::vector<std::pair<SurfacePart, double>> shown;
+    for (const PartInfluence& each : influence) shown.emplace_back(each.part, each.per.minimumSpacing);
+    editor_->setInfluence(shown);
+    influenceWords_->setText(shown.empty() ? tr("There is no flying attitude to change.") : editor_->influenceWords());
+}
+
+PartSelection SurfacePage::influencingParts() const
+{
+    const std::vector<Rail>& rails = editor_->committed().rails;
+    PartSelection parts;
+    for (std::size_t i = 0; i < rails.size(); ++i) parts.insert({PartKind::Rail, i});
+    for (const SurfacePart& part : editor_->selection())
+        if (part.kind != PartKind::Interest && part.item < rails.size())
+            for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
+                parts.insert({PartKind::Edge, part.item, k});
+    return parts;
 }
 
 void SurfacePage::setCase(const Case& c)

@@ -12,7 +12,7 @@
 #include <QWidget>
 
 #include "core/case/case.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/sensitivity.h"
 #include "ui/film/shape_panel.h"
 #include "ui/slider/surface_editor.h"
 
@@ -32,6 +32,11 @@ public:
     SurfaceEditor* editor() const { return editor_; }
     ShapePanel* panel() const { return panel_; }
     bool follows() const { return follow_->isChecked(); }
+    bool showsInfluence() const { return influence_->isChecked(); }
+    /// What was found; empty: nothing, as the slider does not fly or its attitude is held.
+    void showInfluence(const std::vector<PartInfluence>& influence);
+    /// All rails, and the edges of the selected ones.
+    PartSelection influencingParts() const;
 
     /// The state of the shape as it is, and how it differs from `reference`. `preview`: on a coarse grid.
     void showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview);
@@ -44,6 +49,8 @@ public:
     QString flightText() const { return flight_->text(); }
 
 signals:
+    /// Shown or hidden, or of other parts.
+    void influenceWanted();
     void previewed(const touchdown::AirBearingSurface& surface);
     void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
 
@@ -52,8 +59,8 @@ private:
 
     SurfaceEditor* editor_;
     ShapePanel* panel_;
-    QCheckBox* follow_;
-    QLabel* flight_;
+    QCheckBox *follow_, *influence_;
+    QLabel *flight_, *influenceWords_;
     QString flightParts_;
 };
 

@@ -55,6 +55,12 @@ void SurfaceEditor::setGhost(const AirBearingSurface& surface)
     update();
 }
 
+void SurfaceEditor::setInfluence(const std::vector<std::pair<SurfacePart, double>>& influence)
+{
+    influence_ = influence;
+    update();
+}
+
 void SurfaceEditor::select(const PartSelection& parts)
 {
     if (parts == selection_) return;

@@ -10,6 +10,9 @@
 // overlap), F (fit); V, R, P choose the tool.
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "core/physics/slider/surface_check.h"
 #include "core/physics/slider/surface_edit.h"
 #include "ui/slider/surface_view.h"
@@ -46,6 +49,10 @@ public:
     /// In the order of overlap: 1 forward, -1 backward.
     void moveInOrder(int places);
     void insertCorner(std::size_t rail, std::size_t edge, SurfacePoint at);
+    /// What parts do to the minimum spacing, drawn on them [m/m]; empty: nothing is drawn.
+    void setInfluence(const std::vector<std::pair<SurfacePart, double>>& influence);
+    /// What its colours and arrows mean.
+    QString influenceWords() const;
     /// Of the surface that is shown, drawn at their places.
     const std::vector<SurfaceProblem>& problems() const { return problems_; }
     /// During a drag nothing else may change the case.
@@ -92,10 +99,12 @@ private:
     void paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const;
     void paintSelection(QPainter& painter, const PlotTheme& theme) const;
     void paintGesture(QPainter& painter, const PlotTheme& theme) const;
+    void paintInfluence(QPainter& painter, const PlotTheme& theme) const;
     void paintProblems(QPainter& painter, const PlotTheme& theme) const;
     void showSurface(const AirBearingSurface& surface, double length, double width);
 
     AirBearingSurface committed_, ghost_;
+    std::vector<std::pair<SurfacePart, double>> influence_;
     std::vector<SurfaceProblem> problems_, warnings_; // of the surface that is shown
     PartSelection selection_;
     std::optional<SurfacePart> hovered_;

@@ -224,6 +224,7 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
             if (i >= surface().rails.size() || !(ghost_.rails[i] == surface().rails[i]))
                 paintOutline(painter, ghost_.rails[i], pen);
     }
+    if (!dragging()) paintInfluence(painter, theme);
     paintSelection(painter, theme);
     paintProblems(painter, theme);
     paintGesture(painter, theme);

@@ -83,7 +83,7 @@ void keepPlane(const Rail& before, Rail& now)
 /// are parallel.
 std::optional<SurfacePoint> meeting(const RailPoint& from, double dx, double dy, SurfacePoint at, double nx, double ny)
 {
-    constexpr double parallel = 0.02; // sine of the angle, below which a corner would slide far
+    constexpr double parallel = 0.2; // sine of the angle, below which a corner would slide far
     const double slope = dx * nx + dy * ny;
     if (!(std::abs(slope) > parallel * std::hypot(dx, dy))) return {};
     const double along = ((at.x - from.x) * nx + (at.y - from.y) * ny) / slope;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/influence_controller.h"
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/support/small_slider.h"
+#include "tests/support/test_program.h"
+#include "ui/film/surface_page.h"
+#include "ui/style/theme.h"
+
+using namespace touchdown;
+
+namespace test_influence_controller {
+
+class TestInfluenceController : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QLocale::setDefault(QLocale::c());
+        applyTheme(Theme::Light);
+    }
+
+    /// As the core finds it, for the parts of the page: all rails, and the edges of the selected one.
+    void findsAndShows()
+    {
+        const Case c = test::smallSlider(33);
+        SurfacePage page;
+        page.resize(900, 700);
+        page.setCase(c);
+        page.editor()->select({{PartKind::Corner, 4, 1}});
+        PartSelection parts;
+        for (std::size_t i = 0; i < 5; ++i) parts.insert({PartKind::Rail, i});
+        for (std::size_t k = 0; k < 4; ++k) parts.insert({PartKind::Edge, 4, k});
+        QCOMPARE(page.influencingParts(), parts);
+
+        InfluenceController controller;
+        QSignalSpy found(&controller, &InfluenceController::found);
+        controller.start(c, parts);
+        QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, 60000);
+        const auto influence = found.front().front().value<std::vector<PartInfluence>>();
+        const auto expected = shapeInfluence(attitudeCase(c), steady(attitudeCase(c)), parts);
+        QCOMPARE(influence.size(), expected.size());
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            QVERIFY(influence[i].part == expected[i].part);
+            QCOMPARE(influence[i].per.minimumSpacing, expected[i].per.minimumSpacing);
+        }
+
+        auto* shown = page.findChild<QCheckBox*>(QStringLiteral("influence"));
+        const QImage before = page.editor()->grab().toImage();
+        page.showInfluence(influence); // not wanted
+        QCOMPARE(page.editor()->grab().toImage(), before);
+        QSignalSpy wanted(&page, &SurfacePage::influenceWanted);
+        shown->setChecked(true);
+        QCOMPARE(wanted.count(), 1);
+        page.showInfluence(influence);
+        QVERIFY(page.editor()->grab().toImage() != before);
+        QVERIFY(page.editor()->influenceWords().contains(QStringLiteral("per µm")));
+        shown->setChecked(false);
+        QCOMPARE(page.editor()->grab().toImage(), before);
+    }
+
+    /// Where the attitude is held there is none; what is stopped is not told.
+    void tellsNothing()
+    {
+        Case c = test::smallSlider(33);
+        InfluenceController controller;
+        QSignalSpy found(&controller, &InfluenceController::found);
+        controller.start(c, {{PartKind::Rail, 0}});
+        controller.stopAndWait();
+        QCOMPARE(found.count(), 0);
+        c.steady.fixedAttitude = true;
+        controller.start(c, {{PartKind::Rail, 0}});
+        QTRY_COMPARE_WITH_TIMEOUT(found.count(), 1, 60000);
+        QVERIFY(found.front().front().value<std::vector<PartInfluence>>().empty());
+    }
+};
+
+TOUCHDOWN_TEST(TestInfluenceController)
+
+} // namespace test_influence_controller
+
+#include "test_influence_controller.moc"
