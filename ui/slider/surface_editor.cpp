@@ -14,6 +14,7 @@ namespace touchdown {
 
 namespace {
 
+constexpr int previewInterval = 40;  // between two pictures of a drag [ms]
 constexpr double keyStep = 1e-6;     // [m]
 constexpr double copyOffset = 10e-6; // [m]
 constexpr double pairReach = 0.1e-6; // within which rails are mirror images [m]
@@ -30,6 +31,8 @@ PartSelection railsOf(const PartSelection& parts)
 
 SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent)
 {
+    previewTimer_.setSingleShot(true);
+    connect(&previewTimer_, &QTimer::timeout, this, &SurfaceEditor::previewWaiting);
     setAccessibleDescription(tr(
         "Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all rails, "
         "N and B the next and previous one, Del removes, Ctrl+D copies, M mirrors, Page Up and Page Down change the "
@@ -94,7 +97,7 @@ void SurfaceEditor::commit(const AirBearingSurface& surface, const QString& text
 
 void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length, double width)
 {
-    setSurface(surface, length, width);
+    setSurface(surface, length, width, gesture_ == Gesture::Move);
     problems_ = surfaceProblems(surface);
     warnings_ = problems_.empty() ? surfaceWarnings(surface, length, width) : std::vector<SurfaceProblem>{};
 }
@@ -103,6 +106,15 @@ void SurfaceEditor::preview(const AirBearingSurface& surface)
 {
     showSurface(surface, area().width(), area().height());
     emit previewed(surface);
+}
+
+void SurfaceEditor::previewWaiting()
+{
+    if (gesture_ != Gesture::Move || !waiting_) return;
+    preview(movedSelection(*std::exchange(waiting_, std::nullopt)));
+    const SurfacePoint point = toSlider(pointer_);
+    emit pointed(onSlider(point) ? std::optional(point) : std::nullopt);
+    previewTimer_.start(previewInterval);
 }
 
 void SurfaceEditor::giveUp()

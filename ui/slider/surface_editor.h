@@ -10,8 +10,11 @@
 // overlap), F (fit); V, R, P choose the tool.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
+
+#include <QTimer>
 
 #include "core/physics/slider/surface_check.h"
 #include "core/physics/slider/surface_edit.h"
@@ -87,6 +90,7 @@ private:
     void giveUp();
     void commit(const AirBearingSurface& surface, const QString& text, int merge = 0);
     void preview(const AirBearingSurface& surface);
+    void previewWaiting();
     AirBearingSurface movedSelection(SurfaceShift by) const;
     SurfaceShift wantedShift(const QMouseEvent& event) const;
     SurfacePoint snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
@@ -112,6 +116,8 @@ private:
     bool snapping_ = true, pairs_ = false, spaceHeld_ = false;
 
     Gesture gesture_ = Gesture::None;
+    std::optional<SurfaceShift> waiting_; // for the next preview
+    QTimer previewTimer_;                 // since the last one
     std::optional<SurfacePart> grabbed_;
     bool addedByPress_ = false;         // a click on what is selected already selects it alone
     QPointF pressedAt_, pointer_;       // [px]

@@ -98,9 +98,8 @@ void SurfaceEditor::mouseMoveEvent(QMouseEvent* event)
         updateCursor();
     }
     if (gesture_ == Gesture::Move) {
-        preview(movedSelection(wantedShift(*event)));
-        const SurfacePoint point = toSlider(event->position());
-        emit pointed(onSlider(point) ? std::optional(point) : std::nullopt);
+        waiting_ = wantedShift(*event);
+        if (!previewTimer_.isActive()) previewWaiting();
         return;
     }
     if (gesture_ == Gesture::None) {

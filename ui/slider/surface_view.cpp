@@ -88,13 +88,15 @@ SurfaceView::SurfaceView(QWidget* parent) : SliderPlan(parent)
     });
 }
 
-void SurfaceView::setSurface(const AirBearingSurface& surface, double length, double width)
+void SurfaceView::setSurface(const AirBearingSurface& surface, double length, double width, bool passing)
 {
-    if (recess_ && surface == surface_ && length == area().width() && width == area().height()) return;
+    const bool same = recess_ && surface == surface_ && length == area().width() && width == area().height();
+    if (same && !numbersPass_) return;
+    numbersPass_ = passing && surface.rails.size() == surface_.rails.size();
     surface_ = surface;
     recess_.reset();
     drawnRecess_.reset();
-    numberPoints_.clear();
+    if (!numbersPass_) numberPoints_.clear();
     pointedRail_.reset();
     scale_ = ColourScale::throughLevels(ColourMap::Mako, recessLevels(surface)).reversed();
     if (drawable(surface)) {
@@ -102,9 +104,10 @@ void SurfaceView::setSurface(const AirBearingSurface& surface, double length, do
         AirBearingSurface flat = surface;
         flat.crown = flat.camber = flat.twist = 0.0;
         drawnRecess_.emplace(flat, length, width);
-        numberPoints_ = railNumberPoints(surface);
+        if (!numbersPass_) numberPoints_ = railNumberPoints(surface);
     } else {
         picture_.clear();
+        numberPoints_.clear();
     }
     setSlider(length, width);
     if (isFitted()) fit();

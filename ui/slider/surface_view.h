@@ -62,7 +62,8 @@ public:
     explicit SurfaceView(QWidget* parent = nullptr);
 
     /// A surface that cannot be drawn (a rail with two corners, a wall that does not exist) leaves the slider empty.
-    void setSurface(const AirBearingSurface& surface, double length, double width);
+    /// `passing`: another one follows soon, as in a drag; the numbers of the rails stay where they are.
+    void setSurface(const AirBearingSurface& surface, double length, double width, bool passing = false);
     const AirBearingSurface& surface() const { return surface_; }
     /// The point of minimum spacing and the spacing there [m]; nothing when it is not known.
     void setMinimumSpacing(const std::optional<SurfacePoint>& at, double spacing = 0.0);
@@ -94,6 +95,7 @@ private:
     RecessPicture picture_;
     QTimer pictureTimer_;
     std::vector<SurfacePoint> numberPoints_;
+    bool numbersPass_ = false; // they are of a surface before
     std::optional<std::size_t> pointedRail_;
     std::optional<SurfacePoint> minimumAt_;
     double minimumSpacing_ = 0.0; // [m]

@@ -196,7 +196,8 @@ void TestSurfaceEditor::previewsWithoutEdits()
 {
     QSignalSpy edited(edits_.get(), &CaseEdits::edited), previewed(editor_.get(), &SurfaceEditor::previewed);
     drag(pixel(0.3e-3, 0.32e-3), pixel(0.35e-3, 0.35e-3), {}, false);
-    QVERIFY(previewed.count() >= 3);
+    QTRY_VERIFY(previewed.count() >= 2); // the first position at once, and the last
+    QCOMPARE(previewed.back().front().value<AirBearingSurface>(), editor_->surface());
     QCOMPARE(edited.count(), 0);
     QTest::mouseRelease(editor_.get(), Qt::LeftButton, {}, pixel(0.35e-3, 0.35e-3));
     QCOMPARE(edited.count(), 1);
@@ -207,7 +208,7 @@ void TestSurfaceEditor::whatIsWrongStandsAtItsPlace()
 {
     const RailPoint from = point(1, 2), to = point(1, 0);
     drag(pixel(from.x, from.y), pixel(to.x - 0.05e-3, to.y + 0.1e-3), Qt::ControlModifier, false);
-    QCOMPARE(editor_->problems().size(), std::size_t(1));
+    QTRY_COMPARE(editor_->problems().size(), std::size_t(1));
     QVERIFY(editor_->problems().front().sentence.find("crosses itself") != std::string::npos);
     QCOMPARE(editor_->problems().front().places.size(), std::size_t(1));
     const QPoint place = editor_->toPixel(editor_->problems().front().places.front()).toPoint();
