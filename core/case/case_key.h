@@ -37,9 +37,6 @@ std::variant<Parameter, std::string> numberKey(const Case& c, std::string_view k
 /// The same, but a key of the computation (run., spectrum.) is none of the scene.
 std::variant<Parameter, std::string> sceneKey(const Case& c, std::string_view key);
 
-/// All numbers of the rails, walls and points of interest of a case.
-std::vector<Parameter> surfaceNumbers(const Case& c);
-
 /// One kind of these keys, for the reference.
 struct SurfaceNumberForm {
     std::string key; // "abs.rail[N].point[K].x"

@@ -30,6 +30,36 @@ Key key(const Case& c, const char* name)
 
 bool near(double a, double b) { return std::abs(a - b) < 1e-15; } // [m]
 
+/// All numbers of the rails, walls and points of interest of a case.
+std::vector<Parameter> surfaceNumbers(const Case& c)
+{
+    std::vector<Parameter> all;
+    const auto add = [&](const std::string& key) {
+        auto found = caseKey(c, key);
+        if (auto* parameter = std::get_if<Parameter>(&found)) all.push_back(std::move(*parameter));
+    };
+    const auto at = [](const std::string& list, std::size_t i) { return list + '[' + std::to_string(i + 1) + ']'; };
+    const AirBearingSurface& surface = c.surface;
+    for (std::size_t i = 0; i < surface.rails.size(); ++i) {
+        const std::string rail = at("abs.rail", i);
+        for (const char* leaf : {".recess", ".x", ".y", ".length", ".width"}) add(rail + leaf);
+        for (std::size_t k = 0; k < surface.rails[i].recess.size(); ++k) add(at(rail + ".recess", k));
+        for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
+            for (const char* axis : {".x", ".y"}) add(at(rail + ".point", k) + axis);
+            add(at(rail + ".wall", k));
+        }
+    }
+    for (std::size_t i = 0; i < surface.walls.size(); ++i) {
+        const std::string wall = at("abs.wall", i);
+        add(wall + ".shift");
+        for (std::size_t k = 0; k < surface.walls[i].distance.size(); ++k) add(at(wall + ".distance", k));
+        for (std::size_t k = 0; k < surface.walls[i].recess.size(); ++k) add(at(wall + ".recess", k));
+    }
+    for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
+        for (const char* axis : {".x", ".y"}) add(at("abs.points_of_interest", i) + axis);
+    return all;
+}
+
 class TestCaseKey : public QObject {
     Q_OBJECT
 

@@ -134,6 +134,8 @@ void FilmWindow::onPreviewed(const AirBearingSurface& surface)
     if (!view_->shape()->follows()) return;
     if (view_->shape()->editor()->dragging()) controller_.stop();
     restTimer_.stop();
+    // A gesture that is given up has stopped what was being solved.
+    if (!view_->shape()->editor()->dragging() && stale_) restTimer_.start(restTime);
     Case preview = edited_;
     preview.surface = surface;
     if (const auto problems = surfaceProblems(surface); !problems.empty()) {
@@ -141,10 +143,12 @@ void FilmWindow::onPreviewed(const AirBearingSurface& surface)
         return;
     }
     // A change is told from the same grid: the case itself comes first.
-    if (coarseReference_)
+    if (coarseReference_) {
         follower_->follow(preview);
-    else if (std::exchange(preview_, std::move(preview)); !follower_->busy())
-        follower_->follow(edited_);
+        return;
+    }
+    preview_ = std::move(preview);
+    if (!follower_->busy()) follower_->follow(edited_);
 }
 
 void FilmWindow::updateInfluence()

@@ -176,22 +176,24 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         showObstacle(tr("does not fly so: %1").arg(QString::fromStdString(state.message)));
         return;
     }
+    const bool compared = reference && reference->status == SteadyStatus::Converged;
     const auto before = [&](double SteadyResult::*member) {
-        return reference ? std::optional((*reference).*member) : std::nullopt;
+        return compared ? std::optional((*reference).*member) : std::nullopt;
     };
     const auto angle = [&](double Attitude::*member) {
-        return reference ? std::optional(reference->attitude.*member) : std::nullopt;
+        return compared ? std::optional(reference->attitude.*member) : std::nullopt;
     };
     const DiscretisationError& error = state.discretisationError;
     constexpr double nm = 1e-9, urad = 1e-6;
+    const QString microradians = QStringLiteral("µrad");
     const double unknown = DiscretisationError::unknown;
     flightParts_ =
         part(tr("min"), state.minimumSpacing, before(&SteadyResult::minimumSpacing), error.minimumSpacing, nm,
              QStringLiteral("nm"), 2) +
         QStringLiteral(" &nbsp; ") +
-        part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, urad, QStringLiteral("µrad"), 1) +
+        part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, urad, microradians, 1) +
         QStringLiteral(" &nbsp; ") +
-        part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), unknown, urad, QStringLiteral("µrad"), 2) +
+        part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), unknown, urad, microradians, 2) +
         QStringLiteral(" &nbsp; ") + tr("%1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) +
         (preview ? tr(", preview") : QString());
     setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());

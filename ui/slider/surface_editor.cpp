@@ -34,9 +34,9 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent)
     previewTimer_.setSingleShot(true);
     connect(&previewTimer_, &QTimer::timeout, this, &SurfaceEditor::previewWaiting);
     setAccessibleDescription(tr(
-        "Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all rails, "
-        "N and B the next and previous one, Del removes, Ctrl+D copies, M mirrors, Page Up and Page Down change the "
-        "order of overlap, F shows everything."));
+        "Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
+        "rails, N and B the next and previous one, Del removes, Ctrl+D copies, M mirrors, Page Up and Page Down change "
+        "the order of overlap, F shows everything."));
 }
 
 void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, double width)

@@ -78,9 +78,8 @@ QString SurfaceEditor::influenceWords() const
     const double mostRail = largest(influence_, PartKind::Rail), mostEdge = largest(influence_, PartKind::Edge);
     QString words = tr("10 nm more recess raises (blue) or lowers (orange) the minimum spacing by up to %1.")
                         .arg(lengthText(mostRail * recessStep, 2));
-    if (mostEdge > 0.0)
-        words +=
-            tr(" An edge moved along its arrow raises it, by up to %1 per µm.").arg(lengthText(mostEdge * edgeStep, 2));
+    const QString perEdge = lengthText(mostEdge * edgeStep, 2);
+    if (mostEdge > 0.0) words += tr(" An edge moved along its arrow raises it, by up to %1 per µm.").arg(perEdge);
     return words;
 }
 
