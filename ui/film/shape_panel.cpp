@@ -125,6 +125,7 @@ void ShapePanel::buildList()
         *group = new QTreeWidgetItem(list_);
         (*group)->setFlags(Qt::ItemIsEnabled);
         (*group)->setExpanded(true);
+        (*group)->setFirstColumnSpanned(true);
     }
 }
 

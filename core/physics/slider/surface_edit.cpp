@@ -137,7 +137,7 @@ AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::s
 {
     Rail& changed = surface.rails.at(rail);
     const Rail before = changed;
-    const RailPoint corner{at.x, at.y, before.points.at(edge).wall};
+    const RailPoint corner{tidy(at.x), tidy(at.y), before.points.at(edge).wall};
     changed.points.insert(changed.points.begin() + static_cast<std::ptrdiff_t>(edge) + 1, corner);
     keepPlane(before, changed);
     return surface;
@@ -306,7 +306,7 @@ SnappedPlace snapped(const AirBearingSurface& surface, const PartSelection& movi
     takeY(0.5 * grid.width, SnapTarget::Centre);
     for (const double x : {0.0, grid.length}) takeX(x, SnapTarget::Border);
     for (const double y : {0.0, grid.width}) takeY(y, SnapTarget::Border);
-    const auto onRaster = [&](double value) { return std::round(value / grid.raster) * grid.raster; };
+    const auto onRaster = [&](double value) { return tidy(std::round(value / grid.raster) * grid.raster); };
     if (grid.raster > 0.0 && place.x == SnapTarget::None) place.at.x = onRaster(at.x), place.x = SnapTarget::Raster;
     if (grid.raster > 0.0 && place.y == SnapTarget::None) place.at.y = onRaster(at.y), place.y = SnapTarget::Raster;
     return place;

@@ -283,7 +283,11 @@ private slots:
         place = at(0.9963e-3, 0.02349e-3);
         QCOMPARE(place.at.x, 1e-3);
         QVERIFY(place.x == SnapTarget::Border && place.y == SnapTarget::Raster);
-        QVERIFY(near(place.at.y, 0.023e-3));
+        QCOMPARE(place.at.y, 0.023e-3);
+        // A place on the raster is the number that a file would have.
+        for (int i = 10; i < 990; ++i)
+            QCOMPARE(snapped({}, {}, {i * 1e-6 + 0.2e-6, 0.1e-3}, grid).at.x,
+                     (QByteArray::number(i) + "e-6").toDouble());
         // Not to itself, nor beyond the reach; without a raster the place remains.
         place = snapped(surface, moving, {0.2064e-3, 0.2064e-3}, {1e-3, width, 10e-6, 0.0});
         QCOMPARE(place.at.x, 0.2e-3); // its neighbour's
