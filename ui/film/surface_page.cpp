@@ -150,7 +150,7 @@ PartSelection SurfacePage::influencingParts() const
     PartSelection parts;
     for (std::size_t i = 0; i < rails.size(); ++i) parts.insert({PartKind::Rail, i});
     for (const SurfacePart& part : editor_->selection())
-        if (part.kind != PartKind::Interest && part.item < rails.size())
+        if (part.kind != PartKind::Interest)
             for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
                 parts.insert({PartKind::Edge, part.item, k});
     return parts;

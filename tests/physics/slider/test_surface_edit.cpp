@@ -153,6 +153,11 @@ private slots:
         expected.rails[0].points.erase(expected.rails[0].points.begin() + 2);
         QVERIFY(without(before, {{PartKind::Corner, 0, 2}}) == expected);
         QVERIFY(without(before, {{PartKind::Edge, 0, 1}}) == expected);
+        // A point of interest alone; what is not there is not removed.
+        expected = before;
+        expected.pointsOfInterest.erase(expected.pointsOfInterest.begin());
+        QVERIFY(without(before, {{PartKind::Interest, 0}}) == expected);
+        QVERIFY(without(before, {{PartKind::Corner, 9, 0}, {PartKind::Corner, 0, 9}, {PartKind::Rail, 9}}) == before);
         // Two of four corners leave no rail; rails and points of interest go by their numbers before.
         expected = before;
         expected.rails.erase(expected.rails.begin(), expected.rails.begin() + 2);

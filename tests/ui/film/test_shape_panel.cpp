@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/shape_panel.h"
 
+#include <cmath>
 #include <memory>
 
 #include <QSignalSpy>
@@ -158,6 +159,9 @@ private slots:
         };
         press(QStringLiteral("Add a rectangular rail in the middle"));
         QCOMPARE(edits_->value().surface.rails.size(), std::size_t(5));
+        const std::vector<RailPoint>& added = edits_->value().surface.rails[4].points;
+        QVERIFY(std::abs(added[0].x + added[2].x - case_.slider.length) < 1e-15);
+        QVERIFY(std::abs(added[0].y + added[2].y - case_.slider.width) < 1e-15);
         QCOMPARE(table_->rowCount(), 4);
         table_->setCurrentCell(1, 0);
         press(QStringLiteral("Insert a corner after the chosen one"));
