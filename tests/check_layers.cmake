@@ -44,6 +44,7 @@ set(rooms
     ui/slider
     ui/maps
     ui/case
+    ui/lists
     ui/film
     ui/disk
     ui/studies

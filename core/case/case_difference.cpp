@@ -5,6 +5,7 @@
 #include "core/formats/units.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace touchdown {
 
@@ -154,6 +155,32 @@ std::vector<CaseChange> caseChanges(const Case& before, const Case& after)
     if (usesSliderSurface(before) || usesSliderSurface(after))
         SurfaceDifference(changes).compare(before.surface, after.surface);
     return changes;
+}
+
+std::vector<MovedPoints> movedPoints(const AirBearingSurface& before, const AirBearingSurface& after)
+{
+    std::vector<MovedPoints> all;
+    if (before.rails.size() != after.rails.size()) return all;
+    constexpr double same = 1e-12; // [m]
+    for (std::size_t i = 0; i < after.rails.size(); ++i) {
+        const std::vector<RailPoint>&then = before.rails[i].points, &now = after.rails[i].points;
+        if (then.size() != now.size()) continue;
+        std::vector<MovedPoints> ofRail;
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            const double x = now[k].x - then[k].x, y = now[k].y - then[k].y;
+            if (std::abs(x) < same && std::abs(y) < same) continue;
+            const auto together = std::ranges::find_if(ofRail, [x, y](const MovedPoints& each) {
+                return std::abs(each.x - x) < same && std::abs(each.y - y) < same;
+            });
+            if (together == ofRail.end())
+                ofRail.push_back({i, {k}, false, x, y});
+            else
+                together->points.push_back(k);
+        }
+        for (MovedPoints& each : ofRail) each.whole = each.points.size() == now.size();
+        all.insert(all.end(), ofRail.begin(), ofRail.end());
+    }
+    return all;
 }
 
 } // namespace touchdown

@@ -25,4 +25,16 @@ struct CaseChange {
 /// Values that neither case uses, the title and the texts about a case are left out.
 std::vector<CaseChange> caseChanges(const Case& before, const Case& after);
 
+/// Points of a rail that were moved together. All count from 0.
+struct MovedPoints {
+    std::size_t rail = 0;
+    std::vector<std::size_t> points;
+    bool whole = false; // all points of the rail
+    double x = 0.0;     // [m]
+    double y = 0.0;     // [m]
+};
+/// Of rails that have as many points before as after, in surfaces with as many rails; shifts that differ by less than
+/// 1 pm are the same.
+std::vector<MovedPoints> movedPoints(const AirBearingSurface& before, const AirBearingSurface& after);
+
 } // namespace touchdown

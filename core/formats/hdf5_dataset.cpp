@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 #include <hdf5_hl.h>
@@ -102,6 +103,18 @@ std::string Hdf5Object::attribute(const std::string& name) const
     const Hdf5Handle attribute(H5Aopen(*this, name.c_str(), H5P_DEFAULT), H5Aclose);
     const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
     return readText(type, space, [&](hid_t memory, void* buffer) { return H5Aread(attribute, memory, buffer); });
+}
+
+double Hdf5Object::numberAttribute(const std::string& name) const
+{
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (H5Aexists(*this, name.c_str()) <= 0) return value;
+    const Hdf5Handle attribute(H5Aopen(*this, name.c_str(), H5P_DEFAULT), H5Aclose);
+    const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
+    const H5T_class_t kind = H5Tget_class(type);
+    if ((kind == H5T_FLOAT || kind == H5T_INTEGER) && H5Sget_simple_extent_npoints(space) == 1)
+        checkHdf5(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value));
+    return value;
 }
 
 void Hdf5Dataset::describe(const std::string& unit, const std::string& longName) const

@@ -28,6 +28,8 @@ public:
     void set(const std::string& name, std::int64_t value) const;
     /// "" if there is no such text.
     std::string attribute(const std::string& name) const;
+    /// NaN if there is no such number.
+    double numberAttribute(const std::string& name) const;
 };
 
 class Hdf5Dataset : public Hdf5Object {

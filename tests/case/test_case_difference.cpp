@@ -4,6 +4,7 @@
 #include "core/case/parameters.h"
 #include "tests/support/test_program.h"
 
+#include <cmath>
 #include <functional>
 
 #include <QTest>
@@ -116,6 +117,28 @@ private slots:
     }
 
     /// The springs have no surface.
+    void pointsThatMoveTogether()
+    {
+        const Case before = filmCase();
+        AirBearingSurface after = before.surface;
+        for (RailPoint& point : after.rails[1].points) point.x += 2e-6;
+        after.rails[3].points[0].y -= 1e-6;
+        after.rails[3].points[1].y -= 1e-6 + 2e-13; // the same to 1 pm
+        after.rails[3].points[2].x += 3e-6;
+        after.rails[2].points.pop_back(); // another number of points
+        const std::vector<MovedPoints> moved = movedPoints(before.surface, after);
+        QCOMPARE(moved.size(), std::size_t{3});
+        QCOMPARE(moved[0].rail, std::size_t{1});
+        QVERIFY(moved[0].whole);
+        QVERIFY(std::abs(moved[0].x - 2e-6) < 1e-15 && moved[0].y == 0.0);
+        QCOMPARE(moved[1].points, (std::vector<std::size_t>{0, 1}));
+        QVERIFY(!moved[1].whole);
+        QVERIFY(std::abs(moved[1].y + 1e-6) < 1e-15);
+        QCOMPARE(moved[2].points, std::vector<std::size_t>{2});
+        after.rails.pop_back(); // rails cannot be told apart by their number
+        QVERIFY(movedPoints(before.surface, after).empty());
+    }
+
     void leavesOutASurfaceThatIsNotUsed()
     {
         Case before = filmCase();

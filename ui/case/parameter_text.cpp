@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/case/parameter_text.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -43,6 +44,29 @@ QString quantityText(const std::string& text, const QLocale& locale = QLocale())
     QString number = QString::fromStdString(text.substr(0, space));
     if (space == std::string::npos) return number;
     return number.replace(QLatin1Char('.'), locale.decimalPoint()) + QChar(0x00A0) + unitText(text.substr(space + 1));
+}
+
+/// A coordinate of a point in `moved`.
+bool isMove(const CaseChange& change, const std::vector<MovedPoints>& moved)
+{
+    if (change.kind != CaseChangeKind::Value || !(change.key.ends_with(".x") || change.key.ends_with(".y")))
+        return false;
+    return std::ranges::any_of(moved, [&change](const MovedPoints& each) {
+        return change.key.starts_with("abs.rail[" + std::to_string(each.rail + 1) + "].points[");
+    });
+}
+
+/// "rail 3 moved by 2, −0.5 µm", "rail 3, points 1, 2 moved by 2, 0 µm".
+QString moveText(const MovedPoints& moved)
+{
+    QString what = tr("rail %1").arg(moved.rail + 1);
+    QStringList points;
+    for (const std::size_t point : moved.points) points << QString::number(point + 1);
+    if (!moved.whole)
+        what += (points.size() == 1 ? tr(", point %1") : tr(", points %1")).arg(points.join(QStringLiteral(", ")));
+    const auto number = [](double length) { return trueMinus(QLocale().toString(length / 1e-6, 'g', 5)); };
+    const QString separator = separatesByComma(QLocale()) ? QStringLiteral(", ") : QStringLiteral("; ");
+    return tr("%1 moved by %2\u00A0µm").arg(what, number(moved.x) + separator + number(moved.y));
 }
 
 } // namespace
@@ -89,7 +113,14 @@ QString valueText(const Case& c, const Parameter& parameter, const QLocale& loca
 QStringList caseDifference(const Case& before, const Case& after)
 {
     QStringList texts;
+    const std::vector<MovedPoints> moved = movedPoints(before.surface, after.surface);
+    bool movesTold = false;
     for (const CaseChange& change : caseChanges(before, after)) {
+        if (isMove(change, moved)) {
+            if (!std::exchange(movesTold, true))
+                for (const MovedPoints& each : moved) texts << moveText(each);
+            continue;
+        }
         const QString label = QString::fromStdString(change.label);
         const Parameter* parameter = findParameter(change.key);
         switch (change.kind) {

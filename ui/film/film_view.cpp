@@ -8,8 +8,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/field_difference.h"
 #include "core/simulation/static_state/film_setup.h"
-#include "core/simulation/static_state/steady.h"
+#include "ui/film/compare_page.h"
+#include "ui/film/solutions_model.h"
 #include "ui/film/surface_page.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/fields_view.h"
@@ -28,24 +30,45 @@ std::optional<SurfacePoint> nearestTheDisk(const SteadyResult& result)
     return SurfacePoint{result.grid.centreX(cell % result.grid.nx()), result.grid.centreY(cell / result.grid.nx())};
 }
 
+constexpr int fieldCount = 3;       // pressure, gap, recess
+constexpr double smallGap = 0.1e-9; // a logarithm about zero shows a smaller difference as zero [m]
+
+std::vector<std::vector<double>> shownFields(const Case& c, const SteadyResult& result)
+{
+    std::vector<double> pressure = result.pressure;
+    for (double& value : pressure) value -= airOf(c.air).pressure;
+    return {std::move(pressure), result.gap, result.recess};
+}
+
+bool sameSize(const Case& a, const Case& b)
+{
+    return a.slider.length == b.slider.length && a.slider.width == b.slider.width;
+}
+
 } // namespace
 
 FilmView::FilmView(QAction* solve, QWidget* parent)
     : QWidget(parent),
       tabs_(new QTabBar(this)),
       gridShown_(new QCheckBox(tr("&Grid"), this)),
+      difference_(new QCheckBox(this)),
       note_(new QLabel(tr("The parameters have changed since this was solved."), this)),
       pages_(new QStackedWidget(this)),
       shape_(new SurfacePage(this)),
-      maps_(new FieldsView(this))
+      maps_(new FieldsView(this)),
+      compare_(new ComparePage(this))
 {
-    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess")}) tabs_->addTab(name);
+    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare")})
+        tabs_->addTab(name);
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
     maps_->setKinds(
         {{tr("Pressure above ambient"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
          {tr("Gap"), {"nm", "um"}, Colours::BrightLow, Logarithm::AtFirst},
-         {tr("Recess"), {"nm", "um"}, Colours::Recess}}); // on the pads it is zero: no logarithm
+         {tr("Recess"), {"nm", "um"}, Colours::Recess}, // on the pads it is zero: no logarithm
+         {tr("Difference of pressures"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
+         {tr("Difference of gaps"), {"nm", "um"}, Colours::Signed, Logarithm::Offered, smallGap, true},
+         {tr("Difference of recesses"), {"nm", "um"}, Colours::Signed, Logarithm::None, 0.0, true}});
     tabs_->setAccessibleName(tr("Views of the film"));
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
@@ -55,6 +78,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     pages_->addWidget(shape_);
     pages_->addWidget(maps_);
     pages_->addWidget(buildEmptyPage(solve));
+    pages_->addWidget(compare_);
+    difference_->setToolTip(tr("Subtract the fields of the baseline from those of this solution"));
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 4, 8, 4);
@@ -63,6 +88,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     row->addWidget(note_);
     row->addStretch(1);
     row->addWidget(maps_->controls());
+    row->addWidget(difference_);
     row->addWidget(gridShown_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -71,6 +97,10 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     layout->addWidget(pages_, 1);
 
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
+    connect(difference_, &QCheckBox::toggled, this, [this] {
+        showFields();
+        showPage();
+    });
     connect(gridShown_, &QCheckBox::toggled, surface(), &SurfaceView::setGridShown);
     connect(gridShown_, &QCheckBox::toggled, maps_->map(), &FieldMap::setGridShown);
     setSolving(false);
@@ -101,29 +131,64 @@ void FilmView::setCase(const Case& c) { shape_->setCase(c); }
 
 void FilmView::setResult(const Case& solved, const SteadyResult& result)
 {
-    solved_ = !result.pressure.empty();
+    if (result.pressure.empty()) {
+        clearResult();
+        return;
+    }
+    state_ = {solved, result};
     stale_ = false;
-    minimumAt_ = solved_ ? std::optional(result.minimumAt) : std::nullopt;
-    minimumSpacing_ = result.minimumSpacing;
     maps_->map()->setSlider(solved.slider.length, solved.slider.width);
     maps_->map()->setSkew(solved.disk.skew);
     maps_->proposeSectionPoint(nearestTheDisk(result));
-    std::vector<double> pressure = result.pressure;
-    for (double& value : pressure) value -= airOf(solved.air).pressure;
-    maps_->setFields(result.grid, {std::move(pressure), result.gap, result.recess});
     surface()->setGrid(result.grid);
+    showFields();
     showPage();
 }
 
 void FilmView::clearResult()
 {
-    solved_ = false;
+    state_.reset();
     stale_ = false;
-    minimumAt_.reset();
     maps_->proposeSectionPoint(std::nullopt);
-    maps_->setFields({}, {});
     surface()->setGrid({});
+    showFields();
     showPage();
+}
+
+void FilmView::compare(const SolutionRecord* shown, const std::vector<const SolutionRecord*>& compared, int baseline)
+{
+    compare_->show(compared, baseline);
+    base_.reset();
+    const auto title = [](const SolutionRecord& each) { return QString::number(each.number); };
+    std::vector<FieldsView::OtherFields> others;
+    for (const SolutionRecord* each : compared)
+        if (each != shown && !each->result.pressure.empty())
+            others.push_back(
+                {title(*each), RecordList::style(*each), each->result.grid, shownFields(each->value, each->result)});
+    maps_->setOthers(shown ? title(*shown) : QString(), shown ? RecordList::style(*shown) : CurveStyle{0, 0},
+                     std::move(others));
+    if (shown && shown->number != baseline)
+        for (const SolutionRecord* each : compared)
+            if (each->number == baseline && !each->result.pressure.empty() && sameSize(each->value, shown->value))
+                base_ = {each->value, each->result};
+    difference_->setText(base_ ? tr("&Minus %1").arg(baseline) : tr("&Minus baseline"));
+    showFields();
+    showPage();
+}
+
+void FilmView::showFields()
+{
+    if (!state_) {
+        maps_->setFields({}, {});
+        return;
+    }
+    std::vector<std::vector<double>> fields = shownFields(state_->value, state_->result);
+    if (base_ && difference_->isChecked()) {
+        FieldDifference difference = fieldDifference(state_->value, state_->result, base_->value, base_->result);
+        for (std::vector<double>* field : {&difference.pressure, &difference.gap, &difference.recess})
+            fields.push_back(std::move(*field));
+    }
+    maps_->setFields(state_->result.grid, std::move(fields));
 }
 
 void FilmView::setStale(bool stale)
@@ -148,15 +213,21 @@ void FilmView::fit()
 
 void FilmView::showPage()
 {
-    const bool shaping = page() == Page::Surface;
-    if (!shaping) maps_->setField(tabs_->currentIndex() - 1); // the maps have the same order as their tabs
-    pages_->setCurrentIndex(shaping ? 0 : solved_ ? 1 : 2);
-    maps_->controls()->setVisible(!shaping && solved_);
-    gridShown_->setEnabled(solved_);
+    const bool mapped = page() != Page::Surface && page() != Page::Compare;
+    const bool subtracted = base_ && difference_->isChecked();
+    // The maps have the same order as their tabs; differences follow.
+    if (mapped) maps_->setField(tabs_->currentIndex() - 1 + (subtracted ? fieldCount : 0));
+    pages_->setCurrentIndex(page() == Page::Surface ? 0 : page() == Page::Compare ? 3 : state_ ? 1 : 2);
+    maps_->controls()->setVisible(mapped && state_);
+    difference_->setVisible(mapped && base_);
+    gridShown_->setVisible(page() != Page::Compare);
+    gridShown_->setEnabled(state_.has_value());
     setTextColour(note_, meaningColours(palette()).warning);
-    note_->setVisible(solved_ && stale_ && !shaping);
+    note_->setVisible(state_ && stale_ && mapped);
     // The minimum spacing is that of the solved surface.
-    surface()->setMinimumSpacing(stale_ ? std::nullopt : minimumAt_, minimumSpacing_);
+    const bool known = state_ && !stale_;
+    surface()->setMinimumSpacing(known ? std::optional(state_->result.minimumAt) : std::nullopt,
+                                 known ? state_->result.minimumSpacing : 0.0);
 }
 
 } // namespace touchdown

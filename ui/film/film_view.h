@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page of a film case: the air bearing surface as it is designed, and the fields of its static state.
+// The page of a film case: the air bearing surface as it is designed, the fields of a static solution, and solutions
+// side by side.
 #pragma once
 
 #include <optional>
@@ -12,21 +13,22 @@
 #include <QTabBar>
 #include <QWidget>
 
-#include "core/physics/slider/air_bearing_surface.h"
+#include "core/case/case.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
+class ComparePage;
 class FieldsView;
 class SurfacePage;
 class SurfaceView;
-struct Case;
-struct SteadyResult;
+struct SolutionRecord;
 
 class FilmView : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Page { Surface, Pressure, Gap, Recess };
+    enum class Page { Surface, Pressure, Gap, Recess, Compare };
     Q_ENUM(Page)
 
     /// `solve` is offered where there is no result to show.
@@ -37,6 +39,9 @@ public:
     /// The solved case and its result.
     void setResult(const Case& solved, const SteadyResult& result);
     void clearResult();
+    /// Beside the result, which is `shown`: solutions in the sections and in the table, and the one whose fields may be
+    /// subtracted. nullptr: nothing is shown; -1: there is no baseline.
+    void compare(const SolutionRecord* shown, const std::vector<const SolutionRecord*>& compared, int baseline);
     /// The case is no longer the one that was solved.
     void setStale(bool stale);
 
@@ -50,22 +55,29 @@ public:
     SurfaceView* surface() const;
     SurfacePage* shape() const { return shape_; }
     FieldsView* maps() const { return maps_; }
+    ComparePage* comparison() const { return compare_; }
+    QCheckBox* difference() const { return difference_; }
 
 private:
     QWidget* buildEmptyPage(QAction* solve);
+    void showFields();
     void showPage();
 
     QTabBar* tabs_;
-    QCheckBox* gridShown_;
+    QCheckBox *gridShown_, *difference_;
     QLabel* note_;
     QStackedWidget* pages_;
     SurfacePage* shape_;
     FieldsView* maps_;
+    ComparePage* compare_;
     QLabel* emptyText_ = nullptr;
-    bool solved_ = false;
+    struct State {
+        Case value;
+        SteadyResult result;
+    };
+    std::optional<State> state_; // that is shown, with its fields
+    std::optional<State> base_;  // that may be subtracted
     bool stale_ = false;
-    std::optional<SurfacePoint> minimumAt_;
-    double minimumSpacing_ = 0.0; // [m]
 };
 
 } // namespace touchdown

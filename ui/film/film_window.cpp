@@ -9,6 +9,7 @@
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
 #include "ui/film/surface_page.h"
+#include "ui/lists/record_panel.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/slider/attitude_table.h"
 #include "ui/style/quantity_format.h"
@@ -16,15 +17,6 @@
 namespace touchdown {
 
 namespace {
-
-/// Nothing that a static solution depends on differs.
-bool sameFilm(const Case& a, Case b)
-{
-    b.title = a.title;
-    b.about = a.about;
-    b.folder = a.folder;
-    return a == b;
-}
 
 constexpr int restTime = 250; // after the last edit of the shape [ms]
 
@@ -34,6 +26,7 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
     : QObject(parent),
       controller_(std::move(solver)),
       view_(new FilmView(solve, parent)),
+      panel_(new RecordPanel(solutions_, RecordPanel::wordsOfSolutions(), parent)),
       attitude_(new AttitudeTable(parent)),
       progress_(new ProgressStrip(controller_, tr("static solution"), tr("Solving"), parent)),
       follower_(new ShapeFollower(std::move(near), this))
@@ -42,6 +35,10 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
             [this](SteadyController::State state) { view_->setSolving(state != SteadyController::State::Idle); });
     connect(&controller_, &SteadyController::finished, this,
             [this](int, const SteadyResult& result) { onFinished(result); });
+    connect(panel_, &RecordPanel::recordChosen, this, &FilmWindow::show);
+    connect(&solutions_, &RecordList::shownChanged, this, &FilmWindow::showComparison);
+    connect(&solutions_, &RecordList::baselineChanged, this, &FilmWindow::showComparison);
+    connect(&solutions_, &RecordList::rowsRemoved, this, &FilmWindow::showComparison);
     SurfacePage* shape = view_->shape();
     connect(shape, &SurfacePage::previewed, this, &FilmWindow::onPreviewed);
     connect(shape, &SurfacePage::edited, this, &FilmWindow::onSurfaceEdited);
@@ -59,21 +56,58 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
     connect(&restTimer_, &QTimer::timeout, this, &FilmWindow::followEdit);
 }
 
+FilmWindow::~FilmWindow()
+{
+    solutions_.disconnect();
+    controller_.disconnect();
+}
+
+const SteadyResult* FilmWindow::result() const
+{
+    const SolutionRecord* record = shown();
+    return record ? &record->result : nullptr;
+}
+
 void FilmWindow::open(const Case& c)
 {
     controller_.stopAndWait();
-    result_.reset();
-    stale_ = false;
     forgetPreviews();
     restTimer_.stop();
-    reference_.reset();
-    view_->clearResult();
-    attitude_->clear();
+    before_ = -1;
     edited_ = c;
     view_->setCase(c);
     view_->shape()->open(c);
     emit view_->shape()->influenceWanted();
+    const SolutionRecord* known = solutions_.of(c);
+    show(known ? known->number : -1);
+    panel_->choose(shown_);
     view_->fit();
+}
+
+void FilmWindow::show(int number)
+{
+    shown_ = number;
+    const SolutionRecord* record = shown();
+    if (record) {
+        view_->setResult(record->value, record->result);
+        attitude_->setResult(record->value, record->result);
+        view_->shape()->showFlight(record->result, reference(), false);
+    } else {
+        view_->clearResult();
+        attitude_->clear();
+        view_->shape()->clearFlight();
+    }
+    showComparison();
+    updateStale();
+}
+
+void FilmWindow::showComparison() { view_->compare(shown(), solutions_.compared(), solutions_.baseline()); }
+
+std::optional<SteadyResult> FilmWindow::reference() const
+{
+    for (const int number : {solutions_.baseline(), before_})
+        if (const SolutionRecord* record = solutions_.find(number); record && number != shown_) return record->result;
+    return std::nullopt;
 }
 
 void FilmWindow::forgetPreviews()
@@ -88,10 +122,16 @@ void FilmWindow::edit(const Case& c)
     const bool shaped = c.surface != edited_.surface;
     if (edited_ != c) forgetPreviews();
     edited_ = c;
-    // Undo and redo are followed, too.
-    if (shaped && result_ && view_->shape()->follows()) restTimer_.start(restTime);
     view_->setCase(c);
     emit view_->shape()->influenceWanted();
+    // Undo and redo are followed, too.
+    const SolutionRecord* known = stale_ || shaped ? solutions_.of(c) : nullptr;
+    if (known && known->number != shown_) {
+        restTimer_.stop();
+        panel_->choose(known->number);
+    } else if (shaped && shown_ >= 0 && view_->shape()->follows()) {
+        restTimer_.start(restTime);
+    }
     updateStale();
 }
 
@@ -100,9 +140,8 @@ void FilmWindow::solve(const Case& c, bool given)
     restTimer_.stop();
     controller_.stopAndWait();
     asked_ = c;
-    Case wanted = c;
-    wanted.steady.fixedAttitude = wanted.steady.fixedAttitude || given;
-    controller_.start(std::move(wanted));
+    asked_.steady.fixedAttitude = asked_.steady.fixedAttitude || given;
+    controller_.start(asked_);
 }
 
 void FilmWindow::onFinished(const SteadyResult& result)
@@ -117,15 +156,11 @@ void FilmWindow::onFinished(const SteadyResult& result)
     else if (result.status == SteadyStatus::Failed)
         text = steadyText(result); // why there can be no static state
     progress_->conclude(name(result.status), text);
-    // A solution that ended without a field does not replace the last result.
-    if (!result.pressure.empty() || !result_) {
-        result_ = result;
-        solved_ = asked_;
-        view_->setResult(solved_, result);
-        attitude_->setResult(solved_, result);
-        view_->shape()->showFlight(result, reference_, false);
-        updateStale();
-    }
+    // A solution that ended without a field does not replace the last one.
+    if (!result.pressure.empty() && result.status != SteadyStatus::Cancelled)
+        solutions_.add(asked_, result); // which chooses it
+    else if (!shown())
+        attitude_->setResult(asked_, result);
     emit solved(result);
 }
 
@@ -172,14 +207,14 @@ void FilmWindow::onFollowed(const SteadyResult& result)
 
 void FilmWindow::onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge)
 {
-    if (result_ && !stale_) reference_ = result_;
+    if (shown() && !stale_) before_ = shown_;
     emit surfaceEdited(surface, text, merge);
     if (view_->shape()->follows()) restTimer_.start(restTime);
 }
 
 void FilmWindow::followEdit()
 {
-    if (result_ && !stale_) return; // undone meanwhile
+    if (shown() && !stale_) return; // undone meanwhile
     if (controller_.active() || follower_->busy()) {
         restTimer_.start(restTime);
         return;
@@ -192,8 +227,8 @@ void FilmWindow::followEdit()
 
 void FilmWindow::updateStale()
 {
-    if (!result_) return;
-    stale_ = !sameFilm(edited_, solved_);
+    const SolutionRecord* record = shown();
+    stale_ = record && !sameFilm(edited_, record->value);
     view_->setStale(stale_);
     view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);

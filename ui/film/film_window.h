@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The film's part of the window: its page, the pane with the static attitude, the progress, and the solver between
-// them.
+// The film's part of the window: its page, the panes with the solutions and the static attitude, the progress, and the
+// solver between them. Every solution is kept; the one that is chosen in the list is shown.
 #pragma once
 
 #include <optional>
@@ -12,6 +12,7 @@
 #include "core/simulation/static_state/steady_near.h"
 #include "ui/film/influence_controller.h"
 #include "ui/film/shape_follower.h"
+#include "ui/film/solutions_model.h"
 #include "ui/film/steady_controller.h"
 
 namespace touchdown {
@@ -19,6 +20,7 @@ namespace touchdown {
 class AttitudeTable;
 class FilmView;
 class ProgressStrip;
+class RecordPanel;
 
 class FilmWindow : public QObject {
     Q_OBJECT
@@ -27,21 +29,24 @@ public:
     /// `solve` is the action that starts the solution.
     FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent,
                ShapeFollower::Solver near = steadyNear);
+    ~FilmWindow() override;
 
     FilmView* view() const { return view_; }
     AttitudeTable* attitude() const { return attitude_; }
     ProgressStrip* progress() const { return progress_; }
+    SolutionsModel& solutions() { return solutions_; }
+    RecordPanel* panel() const { return panel_; }
     SteadyController& controller() { return controller_; }
 
-    /// Another case was opened: its result is not known.
+    /// Another case was opened: it is not solved, unless a solution in the list is of the same film.
     void open(const Case& c);
     /// The case as it is edited.
     void edit(const Case& c);
     /// Solves for the static state, or, when `given`, for the pressure at the attitude of the start.
     void solve(const Case& c, bool given);
 
-    /// The latest solution; nothing before the first.
-    const std::optional<SteadyResult>& result() const { return result_; }
+    /// The solution that is shown; nullptr: none.
+    const SteadyResult* result() const;
     bool stale() const { return stale_; }
 
 signals:
@@ -51,6 +56,10 @@ signals:
     void solved(const touchdown::SteadyResult& result);
 
 private:
+    const SolutionRecord* shown() const { return solutions_.find(shown_); }
+    void show(int number);
+    void showComparison();
+    std::optional<SteadyResult> reference() const;
     void onFinished(const SteadyResult& result);
     void onPreviewed(const AirBearingSurface& surface);
     void onFollowed(const SteadyResult& result);
@@ -62,20 +71,21 @@ private:
     void updateStale();
 
     SteadyController controller_;
+    SolutionsModel solutions_;
     FilmView* view_;
+    RecordPanel* panel_;
     AttitudeTable* attitude_;
     ProgressStrip* progress_;
     ShapeFollower* follower_;
     QTimer restTimer_; // since the last edit of the shape
     InfluenceController influence_;
     QTimer influenceTimer_;                       // since the last edit or selection
-    std::optional<SteadyResult> reference_;       // the state before the last edit of the shape
+    int before_ = -1;                             // the solution before the last edit of the shape
     std::optional<SteadyResult> coarseReference_; // of the case itself on the grid of previews
     std::optional<Case> preview_;                 // waits for that one
     Case edited_;                                 // as it is now
-    Case asked_;                                  // of the solution under way, as it was edited
-    Case solved_;                                 // of the result
-    std::optional<SteadyResult> result_;
+    Case asked_;                                  // of the solution under way
+    int shown_ = -1;                              // number of the solution that is shown
     bool stale_ = false;
 };
 

@@ -17,15 +17,14 @@ namespace {
 
 constexpr double finest = 3.0; // pixels of a picture for a pixel of the screen
 
-/// The column or row of a grid that holds `at`; -1 outside. `lines` are the borders, ascending.
+} // namespace
+
 int cellIndex(const std::vector<double>& lines, double at)
 {
     if (lines.size() < 2 || !(at >= lines.front()) || at > lines.back()) return -1;
     const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
     return static_cast<int>(above - lines.begin()) - 1;
 }
-
-} // namespace
 
 QString fieldText(double value, const FieldLook& look)
 {

@@ -56,6 +56,9 @@ private:
     std::optional<SurfacePoint> sectionPoint_;
 };
 
+/// The cell between ascending lines that holds a place; -1: none.
+int cellIndex(const std::vector<double>& lines, double at);
+
 /// A number of a field as the maps print it: "12.34 kPa".
 QString fieldText(double value, const FieldLook& look);
 

@@ -2,10 +2,22 @@
 #include "ui/maps/field_sections.h"
 
 #include <cmath>
+#include <utility>
 
 #include <QHBoxLayout>
 
 namespace touchdown {
+
+namespace {
+
+/// A curve of steps.
+struct SectionCurve {
+    QString name;
+    CurveStyle style;
+    std::vector<double> x, y;
+};
+
+} // namespace
 
 FieldSections::FieldSections(QWidget* parent) : QWidget(parent)
 {
@@ -36,15 +48,8 @@ void FieldSections::show(const FieldMap& map, const std::optional<SurfacePoint>&
         for (const Section& section : sections_) section.plot->clearCurves();
         return;
     }
-    const auto nx = static_cast<std::size_t>(map.grid().nx());
-    const std::size_t row = *cell / nx;
-    const std::size_t column = *cell % nx;
-    std::vector<double> values;
-    for (std::size_t i = 0; i < nx; ++i) values.push_back(map.value(row * nx + i));
-    fill(sections_[0], map.grid().x, values, map.look());
-    values.clear();
-    for (std::size_t j = 0; j + 1 < map.grid().y.size(); ++j) values.push_back(map.value(j * nx + column));
-    fill(sections_[1], map.grid().y, values, map.look());
+    fill(0, map, *point);
+    fill(1, map, *point);
     alongX()->setTitle(tr("Along x at y = %1").arg(map.placeText(point->y)));
     alongY()->setTitle(tr("Along y at x = %1").arg(map.placeText(point->x)));
     alongX()->setXLabel(map.axisLabel(QStringLiteral("x")));
@@ -53,22 +58,47 @@ void FieldSections::show(const FieldMap& map, const std::optional<SurfacePoint>&
     alongY()->setPlotCursor(0, point->y);
 }
 
-void FieldSections::fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values,
-                         const FieldLook& look)
+void FieldSections::setOthers(const QString& name, const CurveStyle& style, std::vector<OtherField> others)
 {
-    std::vector<double> borders, steps;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        // The step to the next cell takes the smallest part of x: at one x there is one value.
-        const double begin = i == 0 ? lines[0] : std::nextafter(lines[i], lines[i + 1]);
-        borders.insert(borders.end(), {begin, lines[i + 1]});
-        steps.insert(steps.end(), {values[i], values[i]});
-    }
-    auto made = std::make_unique<MinMaxPyramid>();
-    made->append(borders, steps);
+    name_ = name;
+    style_ = style;
+    others_ = std::move(others);
+}
+
+void FieldSections::fill(int axis, const FieldMap& map, const SurfacePoint& point)
+{
+    Section& section = sections_[static_cast<std::size_t>(axis)];
+    const FieldLook& look = map.look();
+    std::vector<SectionCurve> curves;
+    const auto add = [&](const QString& name, const CurveStyle& style, const CellGrid& grid, const auto& value) {
+        const int i = cellIndex(grid.x, point.x), j = cellIndex(grid.y, point.y);
+        if (i < 0 || j < 0) return;
+        SectionCurve curve{name, style, {}, {}};
+        const std::vector<double>& lines = axis == 0 ? grid.x : grid.y;
+        for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+            const auto other = static_cast<int>(k);
+            const int cell = axis == 0 ? j * grid.nx() + other : other * grid.nx() + i;
+            // The step to the next cell takes the smallest part of x: at one x there is one value.
+            const double begin = k == 0 ? lines[0] : std::nextafter(lines[k], lines[k + 1]);
+            curve.x.insert(curve.x.end(), {begin, lines[k + 1]});
+            curve.y.insert(curve.y.end(), 2, value(static_cast<std::size_t>(cell)));
+        }
+        curves.push_back(std::move(curve));
+    };
+    for (const OtherField& other : others_)
+        add(other.name, other.style, other.grid, [&other](std::size_t cell) { return other.values[cell]; });
+    add(name_, style_, map.grid(), [&map](std::size_t cell) { return map.value(cell); });
+
     const AxisScale scale = look.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear;
     section.plot->setYLabel({{}, look.unit, look.factor, scale});
-    section.plot->addCurve({QStringLiteral("section"), {}, {0, 0}, made.get(), nullptr, true});
-    section.steps = std::move(made); // the curve points to the new data by now
+    section.plot->clearCurves();
+    section.steps.clear();
+    for (const SectionCurve& curve : curves) {
+        auto& made = section.steps.emplace_back(std::make_unique<MinMaxPyramid>());
+        made->append(curve.x, curve.y);
+        section.plot->addCurve({QStringLiteral("section %1").arg(section.steps.size()),
+                                curves.size() > 1 ? curve.name : QString(), curve.style, made.get(), nullptr, true});
+    }
     section.group->dataChanged();
 }
 

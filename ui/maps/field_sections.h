@@ -11,6 +11,14 @@
 
 namespace touchdown {
 
+/// The same field of another state, on its own grid.
+struct OtherField {
+    QString name;
+    CurveStyle style;
+    CellGrid grid;
+    std::vector<double> values;
+};
+
 class FieldSections : public QWidget {
     Q_OBJECT
 
@@ -19,6 +27,8 @@ public:
 
     /// The sections of `map` through a point; nothing empties the plots.
     void show(const FieldMap& map, const std::optional<SurfacePoint>& point);
+    /// Drawn with the field of the map at the next `show`, which is then called `name` and looks so.
+    void setOthers(const QString& name, const CurveStyle& style, std::vector<OtherField> others);
     /// Both axes follow the data again.
     void fit();
     /// A fixed range of values; nothing: the range follows the data.
@@ -36,13 +46,15 @@ private:
     struct Section {
         PlotWidget* plot = nullptr;
         PlotGroup* group = nullptr;
-        std::unique_ptr<MinMaxPyramid> steps;
+        std::vector<std::unique_ptr<MinMaxPyramid>> steps; // of the field of the map, then of others
     };
-    static void fill(Section& section, const std::vector<double>& lines, const std::vector<double>& values,
-                     const FieldLook& look);
+    void fill(int axis, const FieldMap& map, const SurfacePoint& point);
 
     std::array<Section, 2> sections_; // along x, along y
     std::optional<PlotRange> range_;
+    QString name_;
+    CurveStyle style_{0, 0};
+    std::vector<OtherField> others_;
 };
 
 } // namespace touchdown

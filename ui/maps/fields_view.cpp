@@ -87,6 +87,13 @@ void FieldsView::setFields(const CellGrid& grid, std::vector<std::vector<double>
     showField();
 }
 
+void FieldsView::setOthers(const QString& name, const CurveStyle& style, std::vector<OtherFields> others)
+{
+    name_ = name;
+    style_ = style;
+    others_ = std::move(others);
+}
+
 void FieldsView::setField(int kind)
 {
     field_ = kind;
@@ -130,6 +137,11 @@ void FieldsView::showField()
     map_->setLook(shown);
     map_->setField(grid_, std::move(values));
     map_->setSectionPoint(sectionPoint_);
+    std::vector<OtherField> others;
+    for (const OtherFields& other : others_)
+        if (chosen < other.fields.size() && !other.fields[chosen].empty())
+            others.push_back({other.name, other.style, other.grid, other.fields[chosen]});
+    sections_->setOthers(name_, style_, std::move(others));
     sections_->setRange(
         fixed ? std::optional(autoscaled(range, {0.0, 0.0},
                                          shown.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear,

@@ -17,6 +17,7 @@
 #include "core/numerics/cell_grid.h"
 #include "core/physics/slider/air_bearing_surface.h"
 #include "ui/plot/min_max_pyramid.h"
+#include "ui/plot/plot_theme.h"
 
 namespace touchdown {
 
@@ -53,6 +54,16 @@ public:
     /// `ranges`, one for each kind, colours and sections span these instead of the shown values.
     void setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges = {});
 
+    /// Fields of the same kinds of another state, drawn in the sections beside those of `setFields`.
+    struct OtherFields {
+        QString name;
+        CurveStyle style;
+        CellGrid grid;
+        std::vector<std::vector<double>> fields;
+    };
+    /// At the next `setFields`; its own sections are then called `name` and look so.
+    void setOthers(const QString& name, const CurveStyle& style, std::vector<OtherFields> others);
+
     void setField(int kind);
     int field() const { return field_; }
     void setSectionPoint(const SurfacePoint& point, bool pinned);
@@ -84,6 +95,9 @@ private:
     CellGrid grid_;
     std::vector<std::vector<double>> fields_;
     std::vector<PlotRange> ranges_;
+    QString name_;
+    CurveStyle style_{0, 0};
+    std::vector<OtherFields> others_;
     int field_ = 0;
     std::optional<SurfacePoint> sectionPoint_;
     bool pinned_ = false;

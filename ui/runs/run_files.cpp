@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
+#include "core/results/file_header.h"
+#include "core/results/steady_writer.h"
 #include "ui/plot/plot_export.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
@@ -37,13 +39,21 @@ void RunFiles::chooseSave(int number, bool csv)
 
 void RunFiles::chooseOpen()
 {
-    auto* dialog = new QFileDialog(&window_, tr("Open a saved run"), {}, tr("Saved runs (*.h5 *.hdf5);;All files (*)"));
+    auto* dialog = new QFileDialog(&window_, tr("Open saved results"), {}, tr("Results (*.h5 *.hdf5);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, [this](const QStringList& files) {
-        for (const QString& file : files) openRun(file);
+        for (const QString& file : files) openResults(file);
     });
     dialog->open();
+}
+
+void RunFiles::openResults(const QString& file)
+{
+    if (formatOf(file.toStdString()) == steadyFormat)
+        emit solutionsChosen(file);
+    else
+        openRun(file);
 }
 
 void RunFiles::openRun(const QString& file)

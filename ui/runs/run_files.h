@@ -23,13 +23,17 @@ public:
     void chooseSave(int number, bool csv);
     void chooseOpen();
     void choosePicture();
-    void openRun(const QString& file);
+    /// A saved run, or static solutions.
+    void openResults(const QString& file);
 
 signals:
     void succeeded(const QString& sentence);
     void failed(const QString& sentence);
+    /// The file that was to be opened holds static solutions, no run.
+    void solutionsChosen(const QString& file);
 
 private:
+    void openRun(const QString& file);
     /// Emits `succeeded` or `failed`. Returns no problem: the dialog has nothing to show.
     QString reported(const QString& problem, const QString& file);
     QString baseName(const RunRecord& run) const;

@@ -40,12 +40,11 @@ RunStatus statusFromName(const std::string& text)
 
 RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector<Quantity> recorded,
                      const std::vector<RecordedFields>& sets)
-    : number(runNumber),
-      name(QString::fromStdString(c.title)),
-      value(c),
-      caseText(std::move(text)),
-      quantities(std::move(recorded))
+    : caseText(std::move(text)), quantities(std::move(recorded))
 {
+    number = runNumber;
+    name = QString::fromStdString(c.title);
+    value = c;
     for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
     const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
     // A full pyramid needs some milliseconds to make room. With different capacities they are full at different times.

@@ -19,6 +19,7 @@
 
 #include "core/case/case.h"
 #include "core/simulation/recording/run_summary.h"
+#include "ui/lists/record_list.h"
 #include "ui/maps/field_history.h"
 #include "ui/plot/min_max_pyramid.h"
 
@@ -27,7 +28,7 @@ namespace touchdown {
 struct Spectrum;
 struct WelchOptions;
 
-struct RunRecord {
+struct RunRecord : ListedRecord {
     /// Samples held of each quantity, at least.
     static constexpr std::size_t capacity = std::size_t(1) << 20;
     static constexpr std::size_t capacityStep = std::size_t(1) << 14; // between one quantity and the next
@@ -60,9 +61,6 @@ struct RunRecord {
     SampleBatch samples() const;
     double lastTime() const; // [s]
 
-    int number;   // in the list of runs, from 1
-    QString name; // of the case
-    Case value;
     std::string caseText;
     std::vector<Quantity> quantities;
     std::deque<MinMaxPyramid> columns; // in the order of `quantities`
@@ -70,9 +68,6 @@ struct RunRecord {
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
-    QString note;
-    QString file;      // it was read from, or written to
-    bool shown = true; // in the plots
 };
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.

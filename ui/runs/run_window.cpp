@@ -5,6 +5,7 @@
 
 #include "core/simulation/run.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/lists/record_panel.h"
 #include "ui/plot/cursor_table.h"
 #include "ui/plot/plot_group.h"
 #include "ui/runs/live_plots.h"
@@ -12,7 +13,6 @@
 #include "ui/runs/run_maps.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/runs_panel.h"
 #include "ui/runs/side_view.h"
 #include "ui/style/quantity_format.h"
 
@@ -21,15 +21,15 @@ namespace touchdown {
 RunWindow::RunWindow(QWidget* parent)
     : QObject(parent),
       view_(new RunView(runs_, parent)),
-      panel_(new RunsPanel(runs_, parent)),
+      panel_(new RecordPanel(runs_, RecordPanel::wordsOfRuns(), parent)),
       values_(new CursorTable(view_->plots()->group(), parent)),
       progress_(new ProgressStrip(controller_, tr("run"), tr("Running"), parent))
 {
     connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
-    connect(panel_, &RunsPanel::runChosen, view_->maps(), &RunMaps::showRun);
-    connect(panel_, &RunsPanel::runChosen, view_->side(), &SideView::showRun);
+    connect(panel_, &RecordPanel::recordChosen, view_->maps(), &RunMaps::showRun);
+    connect(panel_, &RecordPanel::recordChosen, view_->side(), &SideView::showRun);
 }
 
 RunWindow::~RunWindow()
@@ -55,7 +55,7 @@ void RunWindow::add(const RunRequest& request)
                                               recordedQuantities(request.value), recordedFields(request.value));
     record->file = QString::fromStdString(request.recordTo.string());
     number_ = runs_.add(std::move(record)).number;
-    panel_->setRunningRun(number_);
+    panel_->setActive(number_);
     view_->spectrum()->setOptionsOf(request.value);
     emit started(number_);
     if (view_->plots()->group()->follow() != PlotGroup::Follow::Frozen) view_->plots()->group()->fit();
@@ -74,7 +74,7 @@ void RunWindow::onFinished(const Summary& summary)
 {
     const int number = std::exchange(number_, -1);
     runs_.finish(number, summary);
-    panel_->setRunningRun(-1);
+    panel_->setActive(-1);
     view_->plots()->runFinished(number);
     view_->spectrum()->runFinished(number);
     view_->maps()->dataArrived(number);

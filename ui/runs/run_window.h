@@ -14,7 +14,7 @@ namespace touchdown {
 class CursorTable;
 class ProgressStrip;
 class RunView;
-class RunsPanel;
+class RecordPanel;
 
 class RunWindow : public QObject {
     Q_OBJECT
@@ -26,7 +26,7 @@ public:
     RunsModel& runs() { return runs_; }
     RunController& controller() { return controller_; }
     RunView* view() const { return view_; }
-    RunsPanel* panel() const { return panel_; }
+    RecordPanel* panel() const { return panel_; }
     CursorTable* values() const { return values_; }
     ProgressStrip* progress() const { return progress_; }
 
@@ -46,7 +46,7 @@ private:
     RunsModel runs_;
     RunController controller_;
     RunView* view_;
-    RunsPanel* panel_;
+    RecordPanel* panel_;
     CursorTable* values_;
     ProgressStrip* progress_;
     int number_ = -1; // in the list, of the active run

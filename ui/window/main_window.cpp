@@ -19,14 +19,15 @@
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_window.h"
+#include "ui/film/solution_files.h"
 #include "ui/lesson/lesson_pane.h"
+#include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
-#include "ui/runs/runs_panel.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
@@ -61,6 +62,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
     pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
+    solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
     connectFiles();
     connectRuns();
     connectFilm();
@@ -91,7 +93,7 @@ void MainWindow::openCase(const CaseDocument& document, const QString& file) { f
 
 bool MainWindow::isResultsFile(const QString& file) { return CaseFiles::isResultsFile(file); }
 
-void MainWindow::openResults(const QString& file) { runFiles_->openRun(file); }
+void MainWindow::openResults(const QString& file) { runFiles_->openResults(file); }
 
 RunsModel& MainWindow::runs() { return runs_->runs(); }
 
@@ -233,6 +235,22 @@ void MainWindow::useParametersOf(int number)
     if (run) edits_->setAll(run->value, tr("use the parameters of run %1").arg(number));
 }
 
+void MainWindow::runFromSolution(int number)
+{
+    const SolutionRecord* solution = film_->solutions().find(number);
+    if (!solution) return;
+    Case c = solution->value;
+    const Attitude& attitude = solution->result.attitude;
+    // At a balance the run finds it again on its own grid; elsewhere it starts where the slider was held.
+    const bool atBalance = solution->result.status == SteadyStatus::Converged && !c.steady.fixedAttitude;
+    c.initial.state = atBalance ? InitialState::Static : InitialState::Given;
+    c.initial.nominalTrailingEdgeHeight = attitude.height;
+    c.initial.pitch = attitude.pitch;
+    c.initial.roll = attitude.roll;
+    if (c != edits_->value()) edits_->setAll(c, tr("run from solution %1").arg(number));
+    startRun();
+}
+
 void MainWindow::showHelp(HelpWindow::Page page)
 {
     if (!help_) {
@@ -282,7 +300,7 @@ void MainWindow::dropEvent(QDropEvent* event)
     for (const QUrl& url : event->mimeData()->urls()) {
         const QString file = url.toLocalFile();
         if (CaseFiles::isResultsFile(file))
-            runFiles_->openRun(file);
+            runFiles_->openResults(file);
         else if (CaseFiles::isCaseFile(file))
             files_->open(file);
     }

@@ -24,6 +24,7 @@ class RunFiles;
 class RunView;
 class RunWindow;
 class RunsModel;
+class SolutionFiles;
 class StudyWindow;
 class WindowActions;
 struct CaseDocument;
@@ -107,6 +108,7 @@ private:
     void updateRecentMenu();
     void chooseRecording(bool on);
     void useParametersOf(int number);
+    void runFromSolution(int number);
     void showHelp(HelpWindow::Page page);
     void showLesson();
     void look();
@@ -116,6 +118,7 @@ private:
     WindowActions* actions_;
     CaseFiles* files_;
     RunFiles* runFiles_ = nullptr;
+    SolutionFiles* solutionFiles_ = nullptr;
     CasePanel* casePanel_;
     AboutCasePane* aboutCase_;
     RunWindow* runs_;

@@ -16,6 +16,8 @@
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/solution_files.h"
+#include "ui/lists/record_panel.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_group.h"
 #include "ui/runs/about_case_pane.h"
@@ -24,7 +26,6 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
-#include "ui/runs/runs_panel.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
@@ -80,7 +81,7 @@ void MainWindow::connectFiles()
     connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
     connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
     connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
-    connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openRun);
+    connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openResults);
     connect(runFiles_, &RunFiles::succeeded, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
     connect(runFiles_, &RunFiles::failed, this,
@@ -112,10 +113,10 @@ void MainWindow::connectRuns()
     });
     connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
     connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
-    connect(runs_->panel(), &RunsPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
-    connect(runs_->panel(), &RunsPanel::saveRequested, this,
+    connect(runs_->panel(), &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
+    connect(runs_->panel(), &RecordPanel::saveRequested, this,
             [this](int number) { runFiles_->chooseSave(number, false); });
-    connect(runs_->panel(), &RunsPanel::parametersRequested, this, &MainWindow::useParametersOf);
+    connect(runs_->panel(), &RecordPanel::parametersRequested, this, &MainWindow::useParametersOf);
     connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
     connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);
 }
@@ -130,6 +131,20 @@ void MainWindow::connectFilm()
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
+    RecordPanel* panel = film_->panel();
+    panel->offer(tr("Run"), tr("Run this solution's case in time, from its static state"),
+                 [this](int number) { runFromSolution(number); });
+    connect(panel, &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
+    connect(panel, &RecordPanel::saveRequested, solutionFiles_, &SolutionFiles::chooseSave);
+    connect(panel, &RecordPanel::parametersRequested, this, [this](int number) {
+        if (const SolutionRecord* record = film_->solutions().find(number))
+            edits_->setAll(record->value, tr("use the parameters of solution %1").arg(number));
+    });
+    connect(runFiles_, &RunFiles::solutionsChosen, solutionFiles_, &SolutionFiles::open);
+    connect(solutionFiles_, &SolutionFiles::succeeded, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
+    connect(solutionFiles_, &SolutionFiles::failed, this,
+            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
 }
 
 void MainWindow::connectStudies()

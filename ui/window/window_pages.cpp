@@ -11,11 +11,11 @@
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/lists/record_panel.h"
 #include "ui/plot/cursor_table.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
-#include "ui/runs/runs_panel.h"
 #include "ui/slider/attitude_table.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
@@ -78,6 +78,7 @@ void WindowPages::buildPanes()
     runs_ = addPane(QStringLiteral("runs"), tr("Runs"), parts_.runs.panel(), Qt::RightDockWidgetArea);
     values_ =
         addPane(QStringLiteral("values"), tr("Values at the cursors"), parts_.runs.values(), Qt::RightDockWidgetArea);
+    solutions_ = addPane(QStringLiteral("solutions"), tr("Solutions"), parts_.film.panel(), Qt::RightDockWidgetArea);
     attitude_ =
         addPane(QStringLiteral("attitude"), tr("Static attitude"), parts_.film.attitude(), Qt::RightDockWidgetArea);
     study_ = addPane(QStringLiteral("study"), tr("Study"), parts_.studies.editor(), Qt::RightDockWidgetArea);
@@ -86,6 +87,7 @@ void WindowPages::buildPanes()
     panes_ = {{about_, {Page::StaticState, Page::Run}},
               {runs_, {Page::Run}},
               {values_, {Page::Run}},
+              {solutions_, {Page::StaticState}},
               {attitude_, {Page::StaticState}},
               {study_, {Page::Studies}}};
     showPanesOfPage();
@@ -129,7 +131,8 @@ void WindowPages::showPage()
     parts_.actions.setPage(model_, shown_ == Page::Run);
     showPanesOfPage();
     // The table of the attitude is long, the description of a film case is short.
-    if (shown_ == Page::StaticState) parts_.window.resizeDocks({about_, attitude_}, {180, 560}, Qt::Vertical);
+    if (shown_ == Page::StaticState)
+        parts_.window.resizeDocks({about_, solutions_, attitude_}, {130, 220, 400}, Qt::Vertical);
     emit shown();
 }
 

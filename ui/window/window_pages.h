@@ -77,7 +77,7 @@ private:
         bool wanted = true;      // the user did not close it
     };
     std::vector<Pane> panes_; // those that belong to some pages
-    QDockWidget* attitude_ = nullptr;
+    QDockWidget *solutions_ = nullptr, *attitude_ = nullptr;
     QDockWidget* study_ = nullptr;
     QDockWidget* lesson_ = nullptr; // none until it is asked for
     ModelKind model_ = ModelKind::Springs;

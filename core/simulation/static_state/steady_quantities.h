@@ -3,6 +3,7 @@
 // The numbers of a static state by name, with units: as in JSON, the results file and tables of a series.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "core/simulation/recording/progress.h"
@@ -19,6 +20,9 @@ struct SteadyQuantity {
 
 /// All numbers that are one value each, in the order of the report.
 std::vector<SteadyQuantity> steadyQuantities(const SteadyResult& result);
+
+/// Sets the number with this name, as read from a file; other names do nothing.
+void setSteadyQuantity(SteadyResult& result, const std::string& name, double value);
 
 /// What sets the states of a series apart: radius, skew, speed and, if any, altitude.
 std::vector<SteadyQuantity> seriesQuantities(const SteadySeriesPoint& point);

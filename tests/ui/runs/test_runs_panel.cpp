@@ -13,10 +13,10 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/case/parameter_text.h"
-#include "ui/runs/run_delegate.h"
+#include "ui/lists/record_delegate.h"
+#include "ui/lists/record_panel.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
-#include "ui/runs/runs_panel.h"
 
 using namespace touchdown;
 
@@ -98,6 +98,14 @@ void TestRunsPanel::saysWhatChanged()
     const QStringList expected{QStringLiteral("rail 1: recess 0\u00a0µm → 0.2\u00a0µm"),
                                QStringLiteral("rail 2 added")};
     QCOMPARE(caseDifference(before, after), expected);
+    // Points that were moved together are one change.
+    after = before;
+    for (RailPoint& point : after.surface.rails[0].points) point.x += 2e-6;
+    QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 moved by 2, 0\u00a0µm")});
+    after.surface.rails[0].points[0].y -= 0.5e-6;
+    QCOMPARE(caseDifference(before, after),
+             (QStringList{QStringLiteral("rail 1, point 1 moved by 2, \u22120.5\u00a0µm"),
+                          QStringLiteral("rail 1, points 2, 3 moved by 2, 0\u00a0µm")}));
 }
 
 void TestRunsPanel::showsResults_data()
@@ -132,7 +140,7 @@ void TestRunsPanel::showsResults()
 void TestRunsPanel::togglesOverlayByMouseAndKey()
 {
     RunsModel model;
-    RunsPanel panel(model);
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
     const QSignalSpy shown(&model, &RunsModel::shownChanged);
     model.add(ranRecord(1));
     panel.resize(320, 300);
@@ -141,7 +149,7 @@ void TestRunsPanel::togglesOverlayByMouseAndKey()
     option.widget = panel.list();
     option.fontMetrics = panel.list()->fontMetrics();
     option.rect = panel.list()->visualRect(model.index(0));
-    const QPoint box = RunDelegate::checkRect(option).center();
+    const QPoint box = RecordDelegate::checkRect(option).center();
     QTest::mouseClick(panel.list()->viewport(), Qt::LeftButton, {}, box);
     QCOMPARE(shown.count(), 1);
     QVERIFY(!model.record(0).shown);
@@ -155,7 +163,7 @@ void TestRunsPanel::togglesOverlayByMouseAndKey()
 void TestRunsPanel::editsNotes()
 {
     RunsModel model;
-    RunsPanel panel(model);
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
     model.add(ranRecord(1));
     panel.resize(320, 300);
     panel.show();
@@ -173,7 +181,7 @@ void TestRunsPanel::editsNotes()
 void TestRunsPanel::removesRuns()
 {
     RunsModel model;
-    RunsPanel panel(model);
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
     const QSignalSpy removed(&model, &RunsModel::aboutToRemove);
     model.add(ranRecord(1));
     model.add(ranRecord(2));
@@ -189,12 +197,12 @@ void TestRunsPanel::removesRuns()
 void TestRunsPanel::keepsTheRunUnderWay()
 {
     RunsModel model;
-    RunsPanel panel(model);
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
     model.add(ranRecord(1));
-    panel.setRunningRun(1);
+    panel.setActive(1);
     for (QToolButton* button : panel.findChildren<QToolButton*>())
         if (button->text() == QStringLiteral("Delete")) QVERIFY(!button->isEnabled());
-    panel.setRunningRun(-1);
+    panel.setActive(-1);
     for (QToolButton* button : panel.findChildren<QToolButton*>())
         if (button->text() == QStringLiteral("Delete")) QVERIFY(button->isEnabled());
 }
@@ -202,7 +210,7 @@ void TestRunsPanel::keepsTheRunUnderWay()
 void TestRunsPanel::takesABaseline()
 {
     RunsModel model;
-    RunsPanel panel(model);
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
     model.add(ranRecord(1));
     model.add(ranRecord(2));
     for (QToolButton* button : panel.findChildren<QToolButton*>())

@@ -7,7 +7,7 @@
 
 namespace touchdown {
 
-class RunDelegate : public QStyledItemDelegate {
+class RecordDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:

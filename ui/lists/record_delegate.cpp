@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/runs/run_delegate.h"
+#include "ui/lists/record_delegate.h"
 
 #include <QApplication>
 #include <QKeyEvent>
@@ -7,8 +7,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include "ui/lists/record_list.h"
 #include "ui/plot/plot_theme.h"
-#include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -25,11 +25,11 @@ QFont smaller(const QFont& font)
     return small;
 }
 
-int lineCount(const QModelIndex& index) { return index.data(RunsModel::NoteRole).toString().isEmpty() ? 2 : 3; }
+int lineCount(const QModelIndex& index) { return index.data(RecordList::NoteRole).toString().isEmpty() ? 2 : 3; }
 
 } // namespace
 
-QRect RunDelegate::checkRect(const QStyleOptionViewItem& option)
+QRect RecordDelegate::checkRect(const QStyleOptionViewItem& option)
 {
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     const int size = style->pixelMetric(QStyle::PM_IndicatorWidth, &option, option.widget);
@@ -37,7 +37,7 @@ QRect RunDelegate::checkRect(const QStyleOptionViewItem& option)
     return {option.rect.left() + margin, top, size, size};
 }
 
-void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
+void RecordDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
     QStyleOptionViewItem item = option;
     initStyleOption(&item, index);
@@ -64,8 +64,8 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     const int height = item.fontMetrics.height();
     const QRect inner = item.rect.adjusted(margin, margin, -margin, -margin);
     int left = check.rect.right() + 1 + margin;
-    const CurveStyle curve{index.data(RunsModel::StyleColourRole).toInt(),
-                           index.data(RunsModel::StyleDashRole).toInt()};
+    const CurveStyle curve{index.data(RecordList::StyleColourRole).toInt(),
+                           index.data(RecordList::StyleDashRole).toInt()};
     QPen pen = curvePen(curve, plotTheme(item.palette));
     pen.setWidthF(2.5);
     painter->setRenderHint(QPainter::Antialiasing);
@@ -75,13 +75,13 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
                           QPointF(left + swatchWidth, inner.top() + height / 2.0));
     left += swatchWidth + margin;
 
-    const QString result = index.data(RunsModel::ResultRole).toString();
+    const QString result = index.data(RecordList::ResultRole).toString();
     QFont bold = item.font;
     bold.setBold(true);
     const int resultWidth = QFontMetrics(bold).horizontalAdvance(result);
     const QRect top(left, inner.top(), inner.right() - left + 1, height);
     painter->setFont(bold);
-    painter->setPen(index.data(RunsModel::FailedRole).toBool() ? meaning.failure : ink);
+    painter->setPen(index.data(RecordList::FailedRole).toBool() ? meaning.failure : ink);
     painter->drawText(top, Qt::AlignRight | Qt::AlignVCenter, result);
     painter->setFont(item.font);
     painter->setPen(ink);
@@ -94,11 +94,11 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->setFont(small);
     painter->setPen(meaning.muted);
     QRect line(left, inner.top() + height + 1, top.width(), metrics.height());
-    QString changes = index.data(RunsModel::ChangesRole).toString();
-    if (index.data(RunsModel::BaselineRole).toBool()) changes = tr("baseline \u00b7 %1").arg(changes);
+    QString changes = index.data(RecordList::ChangesRole).toString();
+    if (index.data(RecordList::BaselineRole).toBool()) changes = tr("baseline \u00b7 %1").arg(changes);
     painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
                       metrics.elidedText(changes, Qt::ElideRight, line.width()));
-    const QString note = index.data(RunsModel::NoteRole).toString();
+    const QString note = index.data(RecordList::NoteRole).toString();
     if (!note.isEmpty()) {
         line.translate(0, metrics.height());
         QFont italic = small;
@@ -119,28 +119,28 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, c
     painter->restore();
 }
 
-QSize RunDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const
+QSize RecordDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
     const int small = QFontMetrics(smaller(option.font)).height();
     return {200, 2 * margin + option.fontMetrics.height() + 1 + (lineCount(index) - 1) * small};
 }
 
-QWidget* RunDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const
+QWidget* RecordDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const
 {
     auto* editor = new QLineEdit(parent);
     editor->setPlaceholderText(tr("Note"));
-    editor->setAccessibleName(tr("Note on this run"));
+    editor->setAccessibleName(tr("Note"));
     return editor;
 }
 
-void RunDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
+void RecordDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option, const QModelIndex&) const
 {
     const int height = std::min(editor->sizeHint().height(), option.rect.height());
     editor->setGeometry(option.rect.left(), option.rect.bottom() - height + 1, option.rect.width(), height);
 }
 
-bool RunDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
-                              const QModelIndex& index)
+bool RecordDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,
+                                 const QModelIndex& index)
 {
     bool toggle = false;
     if (event->type() == QEvent::MouseButtonRelease) {

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/results/steady_reader.h"
+
+#include <algorithm>
+#include <functional>
+#include <new>
+#include <utility>
+
+#include "core/case/parameters.h"
+#include "core/formats/hdf5_file.h"
+#include "core/results/file_header.h"
+#include "core/results/steady_writer.h"
+#include "core/simulation/static_state/steady_quantities.h"
+
+namespace touchdown {
+namespace {
+
+SteadyStatus statusOf(const std::string& text)
+{
+    for (const SteadyStatus status : {SteadyStatus::Converged, SteadyStatus::NotConverged, SteadyStatus::Cancelled})
+        if (text == name(status)) return status;
+    return SteadyStatus::Failed;
+}
+
+std::vector<double> numbers(const Hdf5Group& state, const std::string& name, std::size_t count)
+{
+    const Hdf5Dataset dataset = state.get(name);
+    dataset.checkStored();
+    std::vector<double> values = dataset.numbers();
+    if (values.size() != count)
+        throw Hdf5Error(name + " has " + std::to_string(values.size()) + " numbers instead of " +
+                        std::to_string(count));
+    return values;
+}
+
+SurfacePoint place(const Hdf5Group& state, const std::string& name)
+{
+    const std::vector<double> values = numbers(state, name, 2);
+    return {values[0], values[1]};
+}
+
+std::vector<double> lines(const Hdf5Group& state, const std::string& name)
+{
+    std::vector<double> values = state.get(name).column();
+    if (values.size() < 2 || std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end())
+        throw Hdf5Error(name + " does not hold at least two increasing numbers");
+    return values;
+}
+
+void readFields(const Hdf5Group& state, SteadyResult& result)
+{
+    if (!state.has("fields")) return;
+    result.grid.x = lines(state, "fields/x_lines");
+    result.grid.y = lines(state, "fields/y_lines");
+    const std::size_t cells = result.grid.cells();
+    const auto field = [&](const char* name, std::vector<double>& values) {
+        const std::string path = std::string("fields/") + name;
+        if (state.has(path)) values = numbers(state, path, cells);
+    };
+    field("pressure", result.pressure);
+    field("gap", result.gap);
+    field("recess", result.recess);
+}
+
+void readSensitivities(const Hdf5Group& state, SteadyResult& result)
+{
+    if (!state.has("sensitivities")) return;
+    const Hdf5Group group = state.group("sensitivities");
+    for (const std::string& key : group.names()) {
+        const std::vector<double> values = numbers(group, key, 4);
+        const Parameter* parameter = findParameter(key);
+        result.sensitivities.push_back(
+            {key, parameter ? parameter->unit : std::string(), values[0], values[1], values[2], values[3]});
+    }
+}
+
+SteadyResult readState(const Hdf5Group& state)
+{
+    SteadyResult result;
+    result.status = statusOf(state.attribute("status"));
+    result.message = state.attribute("message");
+    const double iterations = state.numberAttribute("iterations");
+    result.iterations = iterations >= 0.0 && iterations < 1e9 ? static_cast<int>(iterations) : 0;
+    result.wallSeconds = state.numberAttribute("wall_seconds");
+    result.residual = state.numberAttribute("residual");
+    result.loadError = state.numberAttribute("load_error");
+    for (const SteadyQuantity& each : steadyQuantities(result))
+        if (state.has(each.quantity.name))
+            setSteadyQuantity(result, each.quantity.name, numbers(state, each.quantity.name, 1).front());
+    result.minimumAt = place(state, "minimum_spacing_at");
+    result.forces.maximumAt = place(state, "maximum_pressure_at");
+    result.forces.minimumAt = place(state, "minimum_pressure_at");
+    result.forces.centreOfPositive = place(state, "centre_of_positive_pressure");
+    result.forces.centreOfNegative = place(state, "centre_of_negative_pressure");
+    if (state.has("stiffness")) {
+        const std::vector<double> values = numbers(state, "stiffness", 9);
+        result.stiffness.emplace();
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) (*result.stiffness)(i, j) = values[static_cast<std::size_t>(3 * i + j)];
+    }
+    if (state.has("points_of_interest")) {
+        const std::vector<double> values = state.get("points_of_interest").numbers();
+        for (std::size_t k = 2; k < values.size(); k += 3) result.interestSpacing.push_back(values[k]);
+    }
+    readSensitivities(state, result);
+    readFields(state, result);
+    return result;
+}
+
+} // namespace
+
+StoredSteady readSteady(const std::filesystem::path& path)
+{
+    const Hdf5Access access;
+    StoredSteady stored;
+    const auto refused = [](std::string problem) {
+        StoredSteady nothing;
+        nothing.problem = std::move(problem);
+        return nothing;
+    };
+    if (std::string problem = notHdf5(path); !problem.empty()) return refused(std::move(problem));
+    try {
+        const Hdf5Group file = openHdf5File(path);
+        if (std::string problem = foreignFile(path, file, steadyFormat, steadyFormatMajor, "static states");
+            !problem.empty())
+            return refused(std::move(problem));
+        stored.title = file.attribute("title");
+        stored.caseText = file.get("case/text").text();
+        const Hdf5Group states = file.group("states");
+        for (const std::string& number : states.names()) stored.states.push_back(readState(states.group(number)));
+    } catch (const Hdf5Error& error) {
+        return refused(path.string() + " is damaged or cut short: " + error.what());
+    } catch (const std::bad_alloc&) {
+        return refused(path.string() + " does not fit into memory");
+    }
+    return stored;
+}
+
+} // namespace touchdown

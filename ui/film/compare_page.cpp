@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/compare_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <optional>
+
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "core/formats/units.h"
+#include "ui/case/parameter_text.h"
+#include "ui/slider/attitude_sections.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
+#include "ui/style/translate.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+
+struct ComparedNumber {
+    QString name;
+    std::string unit; // shown
+    std::function<double(const SteadyResult&)> value;
+    std::function<double(const SteadyResult&)> error = [](const SteadyResult&) { return noNumber; };
+};
+
+std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionRecord*>& solutions)
+{
+    using Result = const SteadyResult&;
+    std::vector<ComparedNumber> numbers{
+        {tr("Minimum spacing"), "nm", [](Result r) { return r.minimumSpacing; },
+         [](Result r) { return r.discretisationError.minimumSpacing; }},
+        {tr("Trailing edge height"), "nm", [](Result r) { return r.attitude.height; }},
+        {tr("Pitch"), "urad", [](Result r) { return r.attitude.pitch; },
+         [](Result r) { return r.discretisationError.pitch; }},
+        {tr("Roll"), "urad", [](Result r) { return r.attitude.roll; },
+         [](Result r) { return r.discretisationError.roll; }},
+        {tr("Net force"), "mN", [](Result r) { return r.forces.net; },
+         [](Result r) { return r.discretisationError.load; }},
+        {tr("Force above ambient"), "mN", [](Result r) { return r.forces.positive; }},
+        {tr("Force below ambient"), "mN", [](Result r) { return r.forces.negative; }},
+        {tr("Peak pressure"), "kPa", [](Result r) { return r.forces.maximumPressure; }},
+        {tr("Smallest pressure"), "kPa", [](Result r) { return r.forces.minimumPressure; }},
+    };
+    std::size_t points = 0;
+    bool stiffness = false;
+    for (const SolutionRecord* each : solutions) {
+        points = std::max(points, each->result.interestSpacing.size());
+        stiffness = stiffness || each->result.stiffness;
+    }
+    for (std::size_t i = 0; i < points; ++i)
+        numbers.push_back({tr("Spacing at P%1").arg(i + 1), "nm",
+                           [i](Result r) { return i < r.interestSpacing.size() ? r.interestSpacing[i] : noNumber; }});
+    const auto diagonal = [&numbers](const QString& name, const char* unit, int i) {
+        numbers.push_back({name, unit, [i](Result r) { return r.stiffness ? (*r.stiffness)(i, i) : noNumber; }});
+    };
+    if (stiffness) {
+        diagonal(tr("Vertical stiffness"), "N/m", 0);
+        diagonal(tr("Pitch stiffness"), "N m/rad", 1);
+        diagonal(tr("Roll stiffness"), "N m/rad", 2);
+    }
+    return numbers;
+}
+
+/// "+0.31", with as many decimals as the values have.
+QString differenceText(double difference, double value, const std::string& unit, const QLocale& locale)
+{
+    const double shown = difference / unitFactor(unit);
+    const QString text = withError(value, 0.0, unit, locale);
+    const QString number = text.left(text.indexOf(QChar(0x00A0)));
+    const qsizetype point = number.indexOf(locale.decimalPoint());
+    const int decimals = point < 0 ? 0 : static_cast<int>(number.size() - point - 1);
+    const QString plain = typeset(shown, decimals, locale);
+    return shown > 0.0 ? QLatin1Char('+') + plain : plain;
+}
+
+QString cell(const QString& text, const QString& style)
+{
+    return QStringLiteral("<td align='right' style='padding:2px 0 2px 18px; %1'>%2</td>").arg(style, text);
+}
+
+} // namespace
+
+SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& solutions, int baseline,
+                                const QLocale& locale)
+{
+    SolutionComparison all;
+    if (solutions.empty()) return all;
+    const auto chosen =
+        std::ranges::find_if(solutions, [baseline](const SolutionRecord* each) { return each->number == baseline; });
+    all.base = chosen == solutions.end() ? 0 : chosen - solutions.begin();
+    const SolutionRecord& base = *solutions[static_cast<std::size_t>(all.base)];
+    for (const SolutionRecord* each : solutions) {
+        all.columns << QStringLiteral("%1  %2").arg(each->number).arg(each->name);
+        all.changes.push_back(caseDifference(base.value, each->value));
+    }
+    for (const ComparedNumber& number : comparedNumbers(solutions)) {
+        ComparedRow row{number.name, {}, {}};
+        const double reference = number.value(base.result);
+        for (const SolutionRecord* each : solutions) {
+            const double value = number.value(each->result);
+            const bool known = std::isfinite(value);
+            row.values << (known ? withError(value, number.error(each->result), number.unit, locale) : QString());
+            row.differences << (each == &base || !known || !std::isfinite(reference)
+                                    ? QString()
+                                    : differenceText(value - reference, value, number.unit, locale));
+        }
+        all.rows.push_back(std::move(row));
+    }
+    ComparedRow cells{tr("Cells"), {}, {}};
+    for (const SolutionRecord* each : solutions) {
+        cells.values << tr("%1 × %2").arg(each->result.grid.nx()).arg(each->result.grid.ny());
+        cells.differences << QString();
+    }
+    all.rows.push_back(std::move(cells));
+    return all;
+}
+
+ComparePage::ComparePage(QWidget* parent) : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
+{
+    setAutoFillBackground(true);
+    setBackgroundRole(QPalette::Base);
+    text_->setAccessibleName(tr("Solutions side by side"));
+    text_->setFrameShape(QFrame::NoFrame);
+    text_->setOpenLinks(false);
+    text_->document()->setDocumentMargin(12);
+    copy_->setText(tr("Copy"));
+    copy_->setToolTip(tr("Copy all numbers for a spreadsheet"));
+    copy_->setAccessibleName(tr("Copy the comparison"));
+    copy_->setAutoRaise(true);
+    copy_->setFocusPolicy(Qt::TabFocus);
+    connect(copy_, &QToolButton::clicked, this, &ComparePage::copy);
+    auto* tools = new QHBoxLayout;
+    tools->setContentsMargins(6, 0, 6, 0);
+    tools->addStretch(1);
+    tools->addWidget(copy_);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->addWidget(text_, 1);
+    layout->addLayout(tools);
+    write();
+}
+
+void ComparePage::show(const std::vector<const SolutionRecord*>& solutions, int baseline)
+{
+    comparison_ = comparisonOf(solutions, baseline);
+    write();
+}
+
+void ComparePage::copy() const
+{
+    const SolutionComparison& all = comparison_;
+    QStringList lines{QStringList(QStringList{QString()} + all.columns).join(QLatin1Char('\t'))};
+    for (const ComparedRow& row : all.rows) {
+        lines << QStringList(QStringList{row.name} + row.values).join(QLatin1Char('\t'));
+        if (!row.differences.join(QString()).isEmpty())
+            lines << QStringList(QStringList{tr("difference")} + row.differences).join(QLatin1Char('\t'));
+    }
+    QStringList changes{tr("Changed")};
+    for (const QStringList& each : all.changes) changes << each.join(QStringLiteral(", "));
+    lines << changes.join(QLatin1Char('\t'));
+    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+}
+
+void ComparePage::write()
+{
+    const SolutionComparison& all = comparison_;
+    const MeaningColours colours = meaningColours(palette());
+    const QString muted = QStringLiteral("color:%1").arg(colours.muted.name());
+    copy_->setEnabled(!all.columns.isEmpty());
+    if (all.columns.isEmpty()) {
+        text_->setHtml(QStringLiteral("<p style='%1'>%2</p>")
+                           .arg(muted, tr("Check the boxes of solutions in the list to see them side by side.")));
+        return;
+    }
+    QString html = QStringLiteral("<table cellspacing='0'><tr><td></td>");
+    for (qsizetype i = 0; i < all.columns.size(); ++i)
+        html += cell(QStringLiteral("<b>%1</b>").arg(all.columns[i].toHtmlEscaped()) +
+                         (i == all.base && all.columns.size() > 1
+                              ? QStringLiteral("<br><span style='%1'>%2</span>").arg(muted, tr("compared with"))
+                              : QString()),
+                     QStringLiteral("vertical-align:top"));
+    html += QStringLiteral("</tr>");
+    for (const ComparedRow& row : all.rows) {
+        html +=
+            QStringLiteral("<tr><td style='padding:2px 0; white-space:nowrap'>%1</td>").arg(row.name.toHtmlEscaped());
+        for (qsizetype i = 0; i < row.values.size(); ++i) {
+            QString text = row.values[i].toHtmlEscaped();
+            if (!row.differences[i].isEmpty())
+                text += QStringLiteral("<br><span style='color:%1'>%2</span>")
+                            .arg(colours.change.name(), row.differences[i].toHtmlEscaped());
+            html += cell(text, QStringLiteral("white-space:nowrap; vertical-align:top"));
+        }
+        html += QStringLiteral("</tr>");
+    }
+    html += QStringLiteral("<tr><td style='padding:8px 0 2px 0'>%1</td>").arg(tr("Changed"));
+    for (const QStringList& each : all.changes)
+        html += cell(each.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")),
+                     QStringLiteral("vertical-align:top; ") + muted);
+    text_->setHtml(html + QStringLiteral("</tr></table>"));
+}
+
+void ComparePage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
+}
+
+} // namespace touchdown

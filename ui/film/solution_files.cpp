@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/solution_files.h"
+
+#include <filesystem>
+
+#include <QDir>
+
+#include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_text.h"
+#include "core/results/steady_reader.h"
+#include "core/results/steady_writer.h"
+#include "ui/film/solutions_model.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/save_dialog.h"
+
+namespace touchdown {
+
+QString saveSolution(const SolutionRecord& solution, const QString& file)
+{
+    if (solution.fieldsDropped)
+        return QObject::tr("The fields of solution %1 were given up to save memory; solve it again before saving it.")
+            .arg(solution.number);
+    const SteadyResult& state = solution.result;
+    SteadyWriter writer;
+    Case c = solution.value;
+    c.steady.radii = c.steady.skews = c.steady.speeds = c.steady.altitudes = {}; // it is one state
+    std::string problem = writer.open(std::filesystem::path(file.toStdString()), c, formatCase(c));
+    if (problem.empty()) problem = writer.add(seriesOf(c).front(), state);
+    if (problem.empty()) problem = writer.finish(state.status, state.message);
+    return QString::fromStdString(problem);
+}
+
+SolutionFiles::SolutionFiles(SolutionsModel& solutions, QWidget& window)
+    : QObject(&window), solutions_(solutions), window_(window)
+{}
+
+void SolutionFiles::chooseSave(int number)
+{
+    if (!solutions_.find(number)) return;
+    askAndSave(&window_, tr("Save solution %1").arg(number), {tr("HDF5, the static solution (*.h5)")},
+               tr("solution%1.h5").arg(number), [this, number](const QString& file) {
+                   const SolutionRecord* solution = solutions_.find(number);
+                   if (!solution) return QString();
+                   const QString problem = saveSolution(*solution, file);
+                   if (problem.isEmpty()) {
+                       solutions_.setFile(number, file);
+                       emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+                   } else {
+                       emit failed(problem);
+                   }
+                   return QString();
+               });
+}
+
+void SolutionFiles::open(const QString& file)
+{
+    const StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
+    if (!stored.problem.empty()) {
+        emit failed(sentence(stored.problem));
+        return;
+    }
+    const CaseDocument document = parseCase(stored.caseText, file.toStdString());
+    if (!document.valid()) {
+        emit failed(tr("The case in %1 cannot be read: %2")
+                        .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text())));
+        return;
+    }
+    const std::vector<SteadySeriesPoint> points = seriesOf(document.value);
+    QStringList numbers;
+    for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
+        if (const SteadyResult& state = stored.states[i]; !state.pressure.empty())
+            numbers << QString::number(solutions_.add(caseAt(document.value, points[i]), state, file));
+    if (numbers.isEmpty())
+        emit failed(tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file)));
+    else
+        emit succeeded(tr("Read from %1: solutions %2.")
+                           .arg(QDir::toNativeSeparators(file))
+                           .arg(numbers.join(QStringLiteral(", "))));
+}
+
+} // namespace touchdown

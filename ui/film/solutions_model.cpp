@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/solutions_model.h"
+
+#include <cmath>
+
+#include "ui/case/parameter_text.h"
+#include "ui/slider/attitude_sections.h"
+#include "ui/style/quantity_format.h"
+
+namespace touchdown {
+
+bool sameFilm(const Case& a, Case b)
+{
+    b.title = a.title;
+    b.about = a.about;
+    b.folder = a.folder;
+    b.steady.fixedAttitude = a.steady.fixedAttitude;
+    return a == b;
+}
+
+int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file)
+{
+    auto record = std::make_unique<SolutionRecord>();
+    record->number = nextNumber();
+    record->name = nameOf(solved);
+    record->value = solved;
+    record->file = file;
+    record->result = result;
+    // A comparison of more than three is asked for, not made by a row of edits.
+    int shown = 0;
+    for (int row = count() - 1; row >= 0; --row)
+        if (listed(row).shown && listed(row).number != baseline() && ++shown > 2)
+            setData(index(row), Qt::Unchecked, Qt::CheckStateRole);
+    const int number = addRecord(std::move(record)).number;
+    dropFields();
+    return number;
+}
+
+QString SolutionsModel::nameOf(const Case& solved) const
+{
+    const QString title = QString::fromStdString(solved.title);
+    if (count() == 0) return title;
+    const ListedRecord& last = listed(count() - 1);
+    if (last.value.title != solved.title) return title;
+    const QStringList changes = caseDifference(last.value, solved);
+    return changes.isEmpty() ? tr("as solution %1").arg(last.number) : changes.join(QStringLiteral(", "));
+}
+
+void SolutionsModel::dropFields()
+{
+    std::size_t held = 0;
+    for (int row = count() - 1; row >= 0; --row) {
+        auto& each = static_cast<SolutionRecord&>(changeable(row));
+        SteadyResult& state = each.result;
+        held += state.pressure.size() + state.gap.size() + state.recess.size();
+        if (held <= fieldCapacity || row == count() - 1 || each.number == baseline() || state.pressure.empty())
+            continue;
+        for (std::vector<double>* field : {&state.pressure, &state.gap, &state.recess}) *field = {};
+        each.fieldsDropped = true;
+    }
+}
+
+void SolutionsModel::setFile(int number, const QString& file)
+{
+    if (const int row = rowOf(number); row >= 0) changeable(row).file = file;
+}
+
+const SolutionRecord* SolutionsModel::find(int number) const
+{
+    const int row = rowOf(number);
+    return row < 0 ? nullptr : &record(row);
+}
+
+const SolutionRecord* SolutionsModel::of(const Case& c) const
+{
+    for (int row = count() - 1; row >= 0; --row) {
+        const SolutionRecord& each = record(row);
+        if (each.result.status == SteadyStatus::Converged && !each.fieldsDropped &&
+            each.value.steady.fixedAttitude == c.steady.fixedAttitude && sameFilm(each.value, c))
+            return &each;
+    }
+    return nullptr;
+}
+
+std::vector<const SolutionRecord*> SolutionsModel::compared() const
+{
+    std::vector<const SolutionRecord*> list;
+    for (int row = 0; row < count(); ++row)
+        if (listed(row).shown || listed(row).number == baseline()) list.push_back(&record(row));
+    return list;
+}
+
+QString SolutionsModel::changes(int row) const
+{
+    const SolutionRecord& each = record(row);
+    const SteadyResult& state = each.result;
+    const QString pitch = withError(state.attitude.pitch, state.discretisationError.pitch, "urad");
+    const QString roll = withError(state.attitude.roll, state.discretisationError.roll, "urad");
+    return each.value.steady.fixedAttitude ? tr("at a given attitude, pitch %1, roll %2").arg(pitch, roll)
+                                           : tr("pitch %1, roll %2").arg(pitch, roll);
+}
+
+QString SolutionsModel::result(int row) const
+{
+    const SteadyResult& state = record(row).result;
+    if (state.status != SteadyStatus::Converged) return statusText(touchdown::name(state.status));
+    return withError(state.minimumSpacing, 0.0, "nm");
+}
+
+bool SolutionsModel::failed(int row) const
+{
+    const SteadyStatus status = record(row).result.status;
+    return status == SteadyStatus::Failed || status == SteadyStatus::NotConverged;
+}
+
+QStringList SolutionsModel::details(int row) const
+{
+    const SolutionRecord& each = record(row);
+    QStringList lines{steadyText(each.result),
+                      tr("%1 × %2 cells").arg(each.result.grid.nx()).arg(each.result.grid.ny())};
+    if (each.fieldsDropped) lines << tr("Its fields were given up to save memory; its numbers are here.");
+    return lines;
+}
+
+} // namespace touchdown

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The static solutions of this session, newest last, each named by what changed since the one before it.
+#pragma once
+
+#include "core/simulation/static_state/steady.h"
+#include "ui/lists/record_list.h"
+
+namespace touchdown {
+
+struct SolutionRecord : ListedRecord {
+    SteadyResult result;
+    bool fieldsDropped = false; // see SolutionsModel::fieldCapacity
+};
+
+/// Nothing that a static solution depends on differs, but for whether the attitude is held.
+bool sameFilm(const Case& a, Case b);
+
+class SolutionsModel : public RecordList {
+    Q_OBJECT
+
+public:
+    using RecordList::RecordList;
+
+    /// Values of all fields of all solutions: 256 MB. Beyond it the oldest ones lose their fields, not their numbers.
+    static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
+
+    /// A solution with a field. Returns its number.
+    int add(const Case& solved, const SteadyResult& result, const QString& file = {});
+    /// It was written to a file.
+    void setFile(int number, const QString& file);
+
+    const SolutionRecord& record(int row) const { return static_cast<const SolutionRecord&>(listed(row)); }
+    const SolutionRecord* find(int number) const; // nullptr: it is gone
+    /// The newest that converged, with its fields, of the same film with the attitude held or not as `c` has it;
+    /// nullptr: none.
+    const SolutionRecord* of(const Case& c) const;
+    /// Those whose box is checked, and the baseline, in their order.
+    std::vector<const SolutionRecord*> compared() const;
+
+protected:
+    QString changes(int row) const override;
+    QString result(int row) const override;
+    bool failed(int row) const override;
+    QStringList details(int row) const override;
+    QString kind() const override { return tr("Solution"); }
+
+private:
+    QString nameOf(const Case& solved) const;
+    void dropFields();
+};
+
+} // namespace touchdown

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lists/record_panel.h"
+
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include "ui/lists/record_delegate.h"
+#include "ui/lists/record_list.h"
+
+namespace touchdown {
+
+RecordPanel::Words RecordPanel::wordsOfRuns()
+{
+    return {tr("Runs"),
+            tr("Overlay runs"),
+            tr("Keep earlier runs in the plots when a new one starts"),
+            tr("Subtract this run from the others"),
+            tr("Write a note on this run (F2)"),
+            tr("Save this run as HDF5, or its time series as CSV"),
+            tr("Remove this run from the list and the plots"),
+            tr("Open a run that was saved"),
+            tr("Use the parameters of this run")};
+}
+
+RecordPanel::Words RecordPanel::wordsOfSolutions()
+{
+    return {tr("Solutions"),
+            {},
+            {},
+            tr("Tell the others, and their maps, by their difference to this solution"),
+            tr("Write a note on this solution (F2)"),
+            tr("Save this solution as HDF5"),
+            tr("Remove this solution from the list"),
+            tr("Open solutions that were saved"),
+            tr("Use the parameters of this solution")};
+}
+
+RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      words_(words),
+      list_(new QListView(this)),
+      overlay_(new QCheckBox(words.overlay, this)),
+      tools_(new QHBoxLayout)
+{
+    list_->setModel(&model_);
+    list_->setItemDelegate(new RecordDelegate(list_));
+    list_->setAccessibleName(words.title);
+    list_->setAlternatingRowColors(true);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setResizeMode(QListView::Adjust);
+    list_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(list_, &QWidget::customContextMenuRequested, this, &RecordPanel::showMenu);
+
+    overlay_->setChecked(true);
+    overlay_->setVisible(!words.overlay.isEmpty());
+    overlay_->setToolTip(words.overlayTip);
+
+    const auto button = [this](const QString& text, const QString& tip, auto action) {
+        auto* made = new QToolButton(this);
+        made->setText(text);
+        made->setToolTip(tip);
+        made->setAccessibleName(text);
+        made->setAutoRaise(true);
+        made->setFocusPolicy(Qt::TabFocus);
+        connect(made, &QToolButton::clicked, this, action);
+        return made;
+    };
+    baseline_ = button(tr("Baseline"), words.baselineTip, &RecordPanel::toggleBaseline);
+    baseline_->setCheckable(true);
+    note_ = button(tr("Note"), words.noteTip, &RecordPanel::editNote);
+    save_ = button(tr("Save…"), words.saveTip, [this] { emit saveRequested(chosen()); });
+    remove_ = button(tr("Delete"), words.removeTip, &RecordPanel::removeChosen);
+    auto* open = button(tr("Open…"), words.openTip, &RecordPanel::openRequested);
+
+    tools_->setSpacing(2);
+    for (QToolButton* made : {baseline_, note_, save_, remove_}) tools_->addWidget(made);
+    tools_->addStretch(1);
+    auto* top = new QHBoxLayout;
+    top->addWidget(overlay_);
+    top->addStretch(1);
+    top->addWidget(open);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 4);
+    layout->setSpacing(4);
+    layout->addLayout(top);
+    layout->addWidget(list_, 1);
+    layout->addLayout(tools_);
+
+    connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& now) {
+        updateButtons();
+        emit recordChosen(now.isValid() ? model_.listed(now.row()).number : -1);
+    });
+    connect(&model_, &RecordList::dataChanged, this, &RecordPanel::updateButtons);
+    connect(&model_, &RecordList::rowsRemoved, this, &RecordPanel::updateButtons);
+    connect(&model_, &RecordList::rowsInserted, this, [this](const QModelIndex&, int, int last) {
+        list_->setCurrentIndex(model_.index(last));
+        list_->scrollToBottom();
+        updateButtons();
+    });
+    updateButtons();
+}
+
+int RecordPanel::chosen() const
+{
+    const QModelIndex current = list_->currentIndex();
+    if (current.isValid()) return model_.listed(current.row()).number;
+    return model_.count() > 0 ? model_.listed(model_.count() - 1).number : -1;
+}
+
+void RecordPanel::choose(int number)
+{
+    const int row = model_.rowOf(number);
+    list_->setCurrentIndex(row < 0 ? QModelIndex() : model_.index(row));
+}
+
+void RecordPanel::setActive(int number)
+{
+    active_ = number;
+    updateButtons();
+}
+
+void RecordPanel::offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform)
+{
+    auto* action = new QAction(text, this);
+    action->setToolTip(tip);
+    connect(action, &QAction::triggered, this, [this, perform] { perform(chosen()); });
+    auto* made = new QToolButton(this);
+    made->setDefaultAction(action);
+    made->setAccessibleName(text);
+    made->setAutoRaise(true);
+    made->setFocusPolicy(Qt::TabFocus);
+    tools_->insertWidget(tools_->count() - 1, made); // before the stretch
+    actions_.push_back(action);
+    updateButtons();
+}
+
+void RecordPanel::editNote()
+{
+    const int row = model_.rowOf(chosen());
+    if (row >= 0) list_->edit(model_.index(row));
+}
+
+void RecordPanel::removeChosen()
+{
+    const int row = model_.rowOf(chosen());
+    if (row >= 0 && chosen() != active_) model_.remove(row);
+}
+
+void RecordPanel::toggleBaseline() { model_.setBaseline(model_.baseline() == chosen() ? -1 : chosen()); }
+
+void RecordPanel::showMenu(const QPoint& at)
+{
+    if (!list_->indexAt(at).isValid()) return;
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const int number = chosen();
+    menu->addAction(words_.useParameters, this, [this, number] { emit parametersRequested(number); });
+    for (QAction* action : actions_) menu->addAction(action);
+    menu->addAction(baseline_->isChecked() ? tr("No baseline") : tr("Use as baseline"), this,
+                    &RecordPanel::toggleBaseline);
+    menu->addAction(tr("Write a note"), this, &RecordPanel::editNote);
+    menu->addAction(tr("Save…"), this, [this, number] { emit saveRequested(number); });
+    menu->addAction(tr("Delete"), this, &RecordPanel::removeChosen)->setEnabled(remove_->isEnabled());
+    menu->popup(list_->viewport()->mapToGlobal(at));
+}
+
+void RecordPanel::updateButtons()
+{
+    const int number = chosen();
+    const bool any = number >= 0;
+    for (QToolButton* button : {baseline_, note_, save_}) button->setEnabled(any);
+    for (QAction* action : actions_) action->setEnabled(any);
+    save_->setEnabled(any && number != active_);
+    remove_->setEnabled(any && number != active_);
+    baseline_->setChecked(any && number == model_.baseline());
+}
+
+} // namespace touchdown

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A list of records: what is shown beside the newest, what changed, note, baseline, save, delete, reopen.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QListView>
+#include <QToolButton>
+#include <QWidget>
+
+namespace touchdown {
+
+class RecordList;
+
+class RecordPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Words {
+        QString title;               // "Runs"
+        QString overlay, overlayTip; // of the box that says whether earlier records stay shown; empty: no box
+        QString baselineTip, noteTip, saveTip, removeTip, openTip;
+        QString useParameters; // "Use the parameters of this run"
+    };
+    static Words wordsOfRuns();
+    static Words wordsOfSolutions();
+
+    /// `model` must outlive the panel.
+    explicit RecordPanel(RecordList& model, const Words& words, QWidget* parent = nullptr);
+
+    /// One more button for the chosen record, also in its menu.
+    void offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform);
+
+    QListView* list() const { return list_; }
+    /// Whether earlier records stay shown when a new one comes.
+    bool overlay() const { return overlay_->isChecked(); }
+    void setOverlay(bool on) { overlay_->setChecked(on); }
+    /// Number of the chosen record, or of the newest; -1 when there is none.
+    int chosen() const;
+    void choose(int number);
+    /// One that is still calculated cannot be deleted or saved; -1: none is.
+    void setActive(int number);
+
+signals:
+    /// The chosen record is another one, or there is none (-1).
+    void recordChosen(int number);
+    void openRequested();
+    void saveRequested(int number);
+    /// The parameters of a record are wanted in the panel again.
+    void parametersRequested(int number);
+
+private:
+    void editNote();
+    void removeChosen();
+    void toggleBaseline();
+    void showMenu(const QPoint& at);
+    void updateButtons();
+
+    RecordList& model_;
+    Words words_;
+    QListView* list_;
+    QCheckBox* overlay_;
+    QToolButton* baseline_;
+    QToolButton* note_;
+    QToolButton* save_;
+    QToolButton* remove_;
+    QHBoxLayout* tools_;
+    std::vector<QAction*> actions_;
+    int active_ = -1;
+};
+
+} // namespace touchdown
