@@ -52,7 +52,9 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       tabs_(new QTabBar(this)),
       gridShown_(new QCheckBox(tr("&Grid"), this)),
       difference_(new QCheckBox(this)),
-      note_(new QLabel(tr("The parameters have changed since this was solved."), this)),
+      note_(new QLabel(tr("The parameters have changed since this was solved: Use, in the list of solutions, brings "
+                          "back those of this solution."),
+                       this)),
       pages_(new QStackedWidget(this)),
       shape_(new SurfacePage(this)),
       maps_(new FieldsView(this)),
@@ -74,7 +76,9 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     gridShown_->setToolTip(tr("Show the cells of the solver"));
-    note_->setContentsMargins(10, 0, 0, 0);
+    note_->setContentsMargins(8, 0, 8, 4);
+    note_->setMinimumWidth(1);
+    note_->setWordWrap(true);
     pages_->addWidget(shape_);
     pages_->addWidget(maps_);
     pages_->addWidget(buildEmptyPage(solve));
@@ -85,7 +89,6 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     row->setContentsMargins(6, 4, 8, 4);
     row->setSpacing(8);
     row->addWidget(tabs_);
-    row->addWidget(note_);
     row->addStretch(1);
     row->addWidget(maps_->controls());
     row->addWidget(difference_);
@@ -94,6 +97,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(row);
+    layout->addWidget(note_);
     layout->addWidget(pages_, 1);
 
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);

@@ -71,6 +71,7 @@ void SolutionFiles::open(const QString& file)
     for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
         if (const SteadyResult& state = stored.states[i]; !state.pressure.empty())
             numbers << QString::number(solutions_.add(caseAt(document.value, points[i]), state, file));
+    if (!numbers.isEmpty()) emit opened(numbers.back().toInt());
     if (numbers.isEmpty())
         emit failed(tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file)));
     else

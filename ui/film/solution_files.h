@@ -27,6 +27,8 @@ public:
     void open(const QString& file);
 
 signals:
+    /// The last of them is `number`.
+    void opened(int number);
     void succeeded(const QString& sentence);
     void failed(const QString& sentence);
 

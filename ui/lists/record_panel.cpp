@@ -32,7 +32,7 @@ RecordPanel::Words RecordPanel::wordsOfSolutions()
             tr("Save this solution as HDF5"),
             tr("Remove this solution from the list"),
             tr("Open solutions that were saved"),
-            tr("Use the parameters of this solution")};
+            {}};
 }
 
 RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
@@ -41,7 +41,7 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
       words_(words),
       list_(new QListView(this)),
       overlay_(new QCheckBox(words.overlay, this)),
-      tools_(new QHBoxLayout)
+      top_(new QHBoxLayout)
 {
     list_->setModel(&model_);
     list_->setItemDelegate(new RecordDelegate(list_));
@@ -74,19 +74,20 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
     remove_ = button(tr("Delete"), words.removeTip, &RecordPanel::removeChosen);
     auto* open = button(tr("Open…"), words.openTip, &RecordPanel::openRequested);
 
-    tools_->setSpacing(2);
-    for (QToolButton* made : {baseline_, note_, save_, remove_}) tools_->addWidget(made);
-    tools_->addStretch(1);
-    auto* top = new QHBoxLayout;
-    top->addWidget(overlay_);
-    top->addStretch(1);
-    top->addWidget(open);
+    auto* tools = new QHBoxLayout;
+    tools->setSpacing(2);
+    for (QToolButton* made : {baseline_, note_, save_, remove_}) tools->addWidget(made);
+    tools->addStretch(1);
+    top_->setSpacing(2);
+    top_->addWidget(overlay_);
+    top_->addStretch(1);
+    top_->addWidget(open);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 4);
     layout->setSpacing(4);
-    layout->addLayout(top);
+    layout->addLayout(top_);
     layout->addWidget(list_, 1);
-    layout->addLayout(tools_);
+    layout->addLayout(tools);
 
     connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& now) {
         updateButtons();
@@ -131,7 +132,7 @@ void RecordPanel::offer(const QString& text, const QString& tip, const std::func
     made->setAccessibleName(text);
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
-    tools_->insertWidget(tools_->count() - 1, made); // before the stretch
+    top_->insertWidget(top_->count() - 2, made); // before the stretch
     actions_.push_back(action);
     updateButtons();
 }
@@ -156,7 +157,8 @@ void RecordPanel::showMenu(const QPoint& at)
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     const int number = chosen();
-    menu->addAction(words_.useParameters, this, [this, number] { emit parametersRequested(number); });
+    if (!words_.useParameters.isEmpty())
+        menu->addAction(words_.useParameters, this, [this, number] { emit parametersRequested(number); });
     for (QAction* action : actions_) menu->addAction(action);
     menu->addAction(baseline_->isChecked() ? tr("No baseline") : tr("Use as baseline"), this,
                     &RecordPanel::toggleBaseline);

@@ -25,7 +25,7 @@ public:
         QString title;               // "Runs"
         QString overlay, overlayTip; // of the box that says whether earlier records stay shown; empty: no box
         QString baselineTip, noteTip, saveTip, removeTip, openTip;
-        QString useParameters; // "Use the parameters of this run"
+        QString useParameters; // "Use the parameters of this run", in the menu; empty: not there
     };
     static Words wordsOfRuns();
     static Words wordsOfSolutions();
@@ -33,7 +33,7 @@ public:
     /// `model` must outlive the panel.
     explicit RecordPanel(RecordList& model, const Words& words, QWidget* parent = nullptr);
 
-    /// One more button for the chosen record, also in its menu.
+    /// One more button above the list, for the chosen record, and an entry of its menu.
     void offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform);
 
     QListView* list() const { return list_; }
@@ -69,7 +69,7 @@ private:
     QToolButton* note_;
     QToolButton* save_;
     QToolButton* remove_;
-    QHBoxLayout* tools_;
+    QHBoxLayout* top_;
     std::vector<QAction*> actions_;
     int active_ = -1;
 };

@@ -235,6 +235,12 @@ void MainWindow::useParametersOf(int number)
     if (run) edits_->setAll(run->value, tr("use the parameters of run %1").arg(number));
 }
 
+void MainWindow::useSolution(int number)
+{
+    const SolutionRecord* solution = film_->solutions().find(number);
+    if (solution) edits_->setAll(solution->value, tr("use the parameters of solution %1").arg(number));
+}
+
 void MainWindow::runFromSolution(int number)
 {
     const SolutionRecord* solution = film_->solutions().find(number);

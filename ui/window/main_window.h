@@ -108,6 +108,7 @@ private:
     void updateRecentMenu();
     void chooseRecording(bool on);
     void useParametersOf(int number);
+    void useSolution(int number);
     void runFromSolution(int number);
     void showHelp(HelpWindow::Page page);
     void showLesson();

@@ -132,15 +132,17 @@ void MainWindow::connectFilm()
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
     RecordPanel* panel = film_->panel();
-    panel->offer(tr("Run"), tr("Run this solution's case in time, from its static state"),
+    panel->offer(tr("Use"), tr("Take the parameters of this solution, also its shape, into the case that is edited"),
+                 [this](int number) { useSolution(number); });
+    panel->offer(tr("Run from here"), tr("Run this solution's case in time, from its static state"),
                  [this](int number) { runFromSolution(number); });
     connect(panel, &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(panel, &RecordPanel::saveRequested, solutionFiles_, &SolutionFiles::chooseSave);
-    connect(panel, &RecordPanel::parametersRequested, this, [this](int number) {
-        if (const SolutionRecord* record = film_->solutions().find(number))
-            edits_->setAll(record->value, tr("use the parameters of solution %1").arg(number));
-    });
     connect(runFiles_, &RunFiles::solutionsChosen, solutionFiles_, &SolutionFiles::open);
+    connect(solutionFiles_, &SolutionFiles::opened, this, [this](int number) {
+        if (pages_->model() != ModelKind::Film) useSolution(number); // another model has no page for it
+        setPage(Page::StaticState);
+    });
     connect(solutionFiles_, &SolutionFiles::succeeded, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
     connect(solutionFiles_, &SolutionFiles::failed, this,

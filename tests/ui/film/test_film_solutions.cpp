@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The solutions of the film's part of the window: kept, chosen, compared, found again by undo.
+#include <algorithm>
+#include <memory>
+
+#include <QAction>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/simulation/static_state/field_difference.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/sample_slider.h"
+#include "ui/film/compare_page.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/film/surface_page.h"
+#include "ui/lists/record_panel.h"
+#include "ui/maps/field_map.h"
+#include "ui/maps/field_sections.h"
+#include "ui/maps/fields_view.h"
+#include "ui/slider/attitude_table.h"
+
+using namespace touchdown;
+
+namespace test_film_solutions {
+
+using Page = FilmView::Page;
+
+class TestFilmSolutions : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void init()
+    {
+        solves_ = 0;
+        window_ = std::make_unique<QWidget>();
+        film_ = new FilmWindow(
+            [this](const Case& c, const SteadyCallback&) {
+                SteadyResult result = sampleResult(c);
+                result.minimumSpacing = (10.0 + ++solves_) * 1e-9;
+                return result;
+            },
+            new QAction(window_.get()), window_.get());
+        case_ = sampleFilmCase();
+        film_->open(case_);
+    }
+
+    void cleanup() { window_.reset(); }
+
+    void theChosenOneIsShown()
+    {
+        solve();
+        const Case first = case_;
+        case_.surface.rails[1].recess[0] = 5e-9;
+        film_->edit(case_);
+        solve();
+        QCOMPARE(film_->solutions().count(), 2);
+        QCOMPARE(film_->result()->minimumSpacing, 12e-9);
+        QVERIFY(!film_->stale());
+        film_->panel()->choose(1);
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+        QVERIFY(film_->stale()); // of another shape than the one that is edited
+        film_->edit(first);
+        QVERIFY(!film_->stale());
+    }
+
+    /// No solver is needed where the list has the answer.
+    void undoFindsItsSolution()
+    {
+        solve();
+        const Case first = case_;
+        case_.surface.rails[1].recess[0] = 5e-9;
+        film_->edit(case_);
+        solve();
+        film_->edit(first);
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+        film_->edit(case_);
+        QCOMPARE(film_->result()->minimumSpacing, 12e-9);
+        QCOMPARE(solves_, 2);
+        QVERIFY(!film_->controller().active());
+        film_->open(first); // also where the case is opened again
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+    }
+
+    void deletingTheShownOneShowsAnother()
+    {
+        solve();
+        solve();
+        film_->solutions().remove(1);
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+        film_->solutions().remove(0);
+        QVERIFY(!film_->result());
+        QVERIFY(film_->attitude()->sections().empty());
+        QVERIFY(film_->view()->maps()->map()->empty());
+        QVERIFY(film_->view()->comparison()->comparison().columns.isEmpty());
+    }
+
+    void theLineTellsTheDifferenceToTheBaseline()
+    {
+        solve();
+        film_->solutions().setBaseline(1);
+        solve();
+        QVERIFY2(film_->view()->shape()->flightText().contains(QStringLiteral("<b>12.00</b> nm  +1.00")),
+                 qPrintable(film_->view()->shape()->flightText()));
+    }
+
+    void theMapsSubtractTheBaseline()
+    {
+        film_->view()->resize(900, 700);
+        window_->show();
+        solve();
+        const Case first = case_;
+        const SteadyResult base = *film_->result();
+        case_.surface.rails[1].recess[0] = 5e-9;
+        film_->edit(case_);
+        solve();
+        film_->view()->setPage(Page::Gap);
+        QVERIFY(!film_->view()->difference()->isVisible());
+        film_->solutions().setBaseline(1);
+        QVERIFY(film_->view()->difference()->isVisible());
+        QCOMPARE(film_->view()->difference()->text().remove(QLatin1Char('&')), QStringLiteral("Minus 1"));
+        film_->view()->difference()->click();
+        const FieldDifference expected = fieldDifference(case_, *film_->result(), first, base);
+        const FieldMap& map = *film_->view()->maps()->map();
+        QCOMPARE(map.title(), QStringLiteral("Difference of gaps"));
+        for (const std::size_t cell : {std::size_t(0), std::size_t(999)}) QCOMPARE(map.value(cell), expected.gap[cell]);
+        film_->view()->setPage(Page::Pressure);
+        QCOMPARE(map.value(99), expected.pressure[99]);
+        film_->panel()->choose(1); // the baseline minus itself is not offered
+        QVERIFY(!film_->view()->difference()->isVisible());
+        QCOMPARE(map.title(), QStringLiteral("Pressure above ambient"));
+    }
+
+    void sectionsOfComparedSolutionsLieOverEachOther()
+    {
+        solve();
+        solve();
+        film_->view()->setPage(Page::Gap);
+        const auto& curves = film_->view()->maps()->sections()->alongX()->curves();
+        QCOMPARE(curves.size(), std::size_t{2});
+        QCOMPARE(curves[0].name, QStringLiteral("1"));
+        QCOMPARE(curves[1].name, QStringLiteral("2")); // the shown one is drawn last
+        film_->solutions().setData(film_->solutions().index(0), Qt::Unchecked, Qt::CheckStateRole);
+        QCOMPARE(film_->view()->maps()->sections()->alongX()->curves().size(), std::size_t{1});
+        QCOMPARE(film_->view()->comparison()->comparison().columns.size(), 1);
+    }
+
+private:
+    void solve()
+    {
+        const QSignalSpy solved(film_, &FilmWindow::solved);
+        film_->solve(case_, false);
+        QTRY_COMPARE(solved.count(), 1);
+    }
+
+    std::unique_ptr<QWidget> window_;
+    FilmWindow* film_ = nullptr;
+    Case case_;
+    int solves_ = 0;
+};
+
+TOUCHDOWN_TEST(TestFilmSolutions)
+
+} // namespace test_film_solutions
+
+#include "test_film_solutions.moc"

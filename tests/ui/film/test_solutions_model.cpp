@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/film/solutions_model.h"
+
+#include <QAbstractItemModelTester>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWidget>
+
+#include "tests/support/test_program.h"
+#include "tests/ui/sample_slider.h"
+#include "ui/film/compare_page.h"
+#include "ui/film/solution_files.h"
+
+using namespace touchdown;
+
+namespace test_solutions_model {
+
+class TestSolutionsModel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void namesWhatChanged()
+    {
+        SolutionsModel model;
+        const QAbstractItemModelTester tester(&model);
+        Case c = sampleFilmCase();
+        const auto name = [&] {
+            SteadyResult result = sampleResult(c);
+            result.minimumSpacing = 12e-9;
+            return model.record(model.rowOf(model.add(c, result))).name;
+        };
+        QCOMPARE(name(), QStringLiteral("A slider of our own"));
+        for (RailPoint& point : c.surface.rails[1].points) point.x += 2e-6;
+        QCOMPARE(name(), QStringLiteral("rail 2 moved by 2, 0\u00a0µm"));
+        QCOMPARE(name(), QStringLiteral("as solution 2"));
+        c.disk.speed *= 2.0;
+        QVERIFY(name().startsWith(QStringLiteral("disk speed")));
+        c.title = "Another one";
+        QCOMPARE(name(), QStringLiteral("Another one"));
+        model.remove(0);
+        QCOMPARE(model.record(0).name, QStringLiteral("rail 2 moved by 2, 0\u00a0µm")); // it keeps its name
+        QCOMPARE(model.index(0).data(RecordList::ResultRole).toString(), QStringLiteral("12.00\u00a0nm"));
+    }
+
+    void findsTheSolutionOfACase()
+    {
+        SolutionsModel model;
+        Case c = sampleFilmCase();
+        QVERIFY(!model.of(c));
+        SteadyResult failed = sampleResult(c);
+        failed.status = SteadyStatus::NotConverged;
+        model.add(c, failed);
+        QVERIFY(!model.of(c));
+        const int number = model.add(c, sampleResult(c));
+        Case held = c;
+        held.steady.fixedAttitude = true;
+        model.add(held, sampleResult(held));
+        c.title = "a name is no difference";
+        QCOMPARE(model.of(c)->number, number);
+        QCOMPARE(model.of(held)->number, number + 1);
+        c.surface.rails[0].recess[0] += 1e-12;
+        QVERIFY(!model.of(c));
+    }
+
+    /// The newest is compared with at most two others that nobody chose.
+    void comparesAFew()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        for (int i = 0; i < 5; ++i) model.add(c, sampleResult(c));
+        const auto numbers = [&model] {
+            std::vector<int> list;
+            for (const SolutionRecord* each : model.compared()) list.push_back(each->number);
+            return list;
+        };
+        QCOMPARE(numbers(), (std::vector<int>{3, 4, 5}));
+        model.setBaseline(1); // is compared without its box
+        QCOMPARE(numbers(), (std::vector<int>{1, 3, 4, 5}));
+        model.setData(model.index(0), Qt::Checked, Qt::CheckStateRole);
+        model.setData(model.index(3), Qt::Unchecked, Qt::CheckStateRole);
+        QCOMPARE(numbers(), (std::vector<int>{1, 3, 5}));
+        model.remove(0);
+        QCOMPARE(numbers(), (std::vector<int>{3, 5}));
+        QCOMPARE(model.baseline(), -1);
+    }
+
+    /// Three fields of 5 million cells are 15 million values: three solutions are more than 33.5 million.
+    void theOldestLosesItsFields()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        SteadyResult large = sampleResult(c);
+        for (std::vector<double>* field : {&large.pressure, &large.gap, &large.recess}) field->assign(5'000'000, 1.0);
+        for (int i = 0; i < 3; ++i) model.add(c, large);
+        QVERIFY(model.record(0).fieldsDropped);
+        QVERIFY(model.record(0).result.gap.empty());
+        QCOMPARE(model.record(0).result.minimumSpacing, large.minimumSpacing);
+        QVERIFY(!model.record(1).fieldsDropped && !model.record(2).fieldsDropped);
+        const QTemporaryDir folder;
+        QVERIFY(saveSolution(model.record(0), folder.filePath(QStringLiteral("a.h5")))
+                    .contains(QStringLiteral("given up to save memory")));
+    }
+
+    void tellsDifferences()
+    {
+        SolutionsModel model;
+        Case c = sampleFilmCase();
+        SteadyResult first = sampleResult(c), second = first;
+        first.minimumSpacing = 10.21e-9;
+        first.discretisationError.minimumSpacing = 0.1e-9;
+        second.minimumSpacing = 9.9e-9;
+        second.attitude.pitch = first.attitude.pitch + 1.5e-6;
+        second.interestSpacing = {};
+        model.add(c, first);
+        c.surface.rails[0].recess[0] += 10e-9;
+        model.add(c, second);
+        const SolutionComparison all = comparisonOf(model.compared(), -1);
+        QCOMPARE(all.columns.size(), 2);
+        QCOMPARE(all.base, 0);
+        const auto row = [&all](const QString& name) {
+            for (const ComparedRow& each : all.rows)
+                if (each.name == name) return each;
+            return ComparedRow();
+        };
+        const ComparedRow spacing = row(QStringLiteral("Minimum spacing"));
+        QCOMPARE(spacing.values.front(), QStringLiteral("10.21\u00a0±\u00a00.10\u00a0nm"));
+        QCOMPARE(spacing.differences, (QStringList{QString(), QStringLiteral("\u22120.310")}));
+        QCOMPARE(row(QStringLiteral("Pitch")).differences.back(), QStringLiteral("+1.5"));
+        QCOMPARE(row(QStringLiteral("Spacing at P1")).values.back(), QString());
+        QCOMPARE(row(QStringLiteral("Spacing at P1")).differences.back(), QString());
+        QVERIFY(all.changes.front().isEmpty());
+        QCOMPARE(all.changes.back(), QStringList{QStringLiteral("rail 1: recess 0.15\u00a0µm → 0.16\u00a0µm")});
+
+        const SolutionComparison other = comparisonOf(model.compared(), 2);
+        QCOMPARE(other.base, 1);
+        QCOMPARE(other.rows.front().differences, (QStringList{QStringLiteral("+0.31"), QString()}));
+        QVERIFY(comparisonOf({}, -1).columns.isEmpty());
+    }
+
+    void savedSolutionsComeBack()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("a.h5"));
+        SolutionsModel model;
+        Case c = sampleFilmCase();
+        c.steady.radii = {20e-3, 25e-3}; // of a series of which this is one state
+        QCOMPARE(saveSolution(model.record(model.rowOf(model.add(c, sampleResult(c)))), file), QString());
+
+        QWidget window;
+        SolutionFiles files(model, window);
+        const QSignalSpy succeeded(&files, &SolutionFiles::succeeded), failed(&files, &SolutionFiles::failed);
+        files.open(file);
+        QCOMPARE(failed.count(), 0);
+        QCOMPARE(succeeded.count(), 1);
+        QCOMPARE(model.count(), 2);
+        const SolutionRecord& again = model.record(1);
+        QCOMPARE(again.file, file);
+        QCOMPARE(again.result.pressure, model.record(0).result.pressure);
+        QCOMPARE(again.value.surface, c.surface);
+        QVERIFY(again.value.steady.radii.empty());
+
+        QVERIFY(QFile::resize(file, 3000));
+        files.open(file);
+        QCOMPARE(failed.count(), 1);
+        QVERIFY(failed.front().front().toString().contains(QStringLiteral("damaged or cut short")));
+        QCOMPARE(model.count(), 2);
+    }
+};
+
+TOUCHDOWN_TEST(TestSolutionsModel)
+
+} // namespace test_solutions_model
+
+#include "test_solutions_model.moc"
