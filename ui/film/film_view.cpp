@@ -69,7 +69,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
          {tr("Gap"), {"nm", "um"}, Colours::BrightLow, Logarithm::AtFirst},
          {tr("Recess"), {"nm", "um"}, Colours::Recess}, // on the pads it is zero: no logarithm
          {tr("Difference of pressures"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
-         {tr("Difference of gaps"), {"nm", "um"}, Colours::Signed, Logarithm::Offered, smallGap, true},
+         {tr("Difference of gaps"), {"nm", "um"}, Colours::Signed, Logarithm::AtFirst, smallGap, true},
          {tr("Difference of recesses"), {"nm", "um"}, Colours::Signed, Logarithm::None, 0.0, true}});
     tabs_->setAccessibleName(tr("Views of the film"));
     tabs_->setDrawBase(false);

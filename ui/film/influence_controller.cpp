@@ -18,6 +18,18 @@ Case ofInfluence(const Case& c)
     return solved;
 }
 
+/// Rails are quick and come first, then edge by edge.
+std::vector<PartSelection> portions(const PartSelection& parts)
+{
+    std::vector<PartSelection> list(1);
+    for (const SurfacePart& part : parts)
+        if (part.kind == PartKind::Edge)
+            list.push_back({part});
+        else
+            list.front().insert(part);
+    return list;
+}
+
 } // namespace
 
 void InfluenceController::start(const Case& c, const PartSelection& parts)
@@ -26,10 +38,17 @@ void InfluenceController::start(const Case& c, const PartSelection& parts)
     begin([this, solved = ofInfluence(c), parts, held = c.steady.fixedAttitude](const std::stop_token& stop) {
         const auto goOn = [&] { return !stop.stop_requested(); };
         const SteadyResult state = steady(solved, [&](const SteadyProgress&) { return goOn(); });
+        const bool flies = state.status == SteadyStatus::Converged && !held;
         std::vector<PartInfluence> influence;
-        if (state.status == SteadyStatus::Converged && !held) influence = shapeInfluence(solved, state, parts, goOn);
+        if (flies)
+            for (const PartSelection& some : portions(parts)) {
+                const std::vector<PartInfluence> more = shapeInfluence(solved, state, some, goOn);
+                influence.insert(influence.end(), more.begin(), more.end());
+                if (!goOn()) break;
+                mailbox_.post([&](Mail& mail) { mail.influence = influence; });
+            }
         mailbox_.post([&](Mail& mail) {
-            mail.influence = std::move(influence);
+            if (!flies) mail.influence.emplace();
             mail.finished = true;
             mail.stopped = !goOn();
         });
@@ -39,9 +58,8 @@ void InfluenceController::start(const Case& c, const PartSelection& parts)
 void InfluenceController::deliver()
 {
     const Mail mail = mailbox_.take();
-    if (!mail.finished) return;
-    end();
-    if (!mail.stopped) emit found(mail.influence);
+    if (mail.finished) end();
+    if (mail.influence && !mail.stopped && state() != State::Stopping) emit found(*mail.influence);
 }
 
 } // namespace touchdown

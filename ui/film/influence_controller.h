@@ -4,6 +4,7 @@
 // where that is finer.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/simulation/static_state/sensitivity.h"
@@ -22,7 +23,7 @@ public:
     void start(const Case& c, const PartSelection& parts);
 
 signals:
-    /// Empty where the slider does not fly.
+    /// As far as it is found: rails first, then edge by edge. Empty where the slider does not fly.
     void found(const std::vector<touchdown::PartInfluence>& influence);
 
 protected:
@@ -30,7 +31,7 @@ protected:
 
 private:
     struct Mail {
-        std::vector<PartInfluence> influence;
+        std::optional<std::vector<PartInfluence>> influence;
         bool finished = false, stopped = false;
     };
     Mailbox<Mail> mailbox_{*this};

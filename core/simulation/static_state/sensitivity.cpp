@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/sensitivity.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "core/case/case_key.h"
+#include "core/physics/slider/surface_check.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_near.h"
 
@@ -131,28 +136,86 @@ SurfaceShift outwards(const Rail& rail, std::size_t edge)
     return {side * (b.y - a.y) / length, side * (a.x - b.x) / length};
 }
 
+/// The edge and its neighbours are parallel to x or y: lines of a grid can go with them.
+bool squareAt(const Rail& rail, std::size_t edge)
+{
+    const std::size_t count = rail.points.size();
+    for (const std::size_t k : {edge + count - 1, edge, edge + 1}) {
+        const RailPoint &a = rail.points[k % count], &b = rail.points[(k + 1) % count];
+        if (std::min(std::abs(a.x - b.x), std::abs(a.y - b.y)) > 1e-12) return false;
+    }
+    return true;
+}
+
+/// How far a slanted edge is moved to see what that does: far beside the steps in which cells on slanted edges change
+/// sides, little beside the rail [m].
+double edgeStep(const Rail& rail)
+{
+    double left = rail.points[0].x, right = left, low = rail.points[0].y, high = low;
+    for (const RailPoint& point : rail.points) {
+        left = std::min(left, point.x);
+        right = std::max(right, point.x);
+        low = std::min(low, point.y);
+        high = std::max(high, point.y);
+    }
+    return std::min(4e-6, 0.1 * std::min(right - left, high - low));
+}
+
+/// From two states with the edge moved outwards and inwards; nothing where one of them is not found.
+std::optional<Sensitivity> edgeInfluence(const Case& c, const SteadyResult& state, const SurfacePart& edge,
+                                         const std::function<bool()>& goOn)
+{
+    const SurfaceShift out = outwards(c.surface.rails[edge.item], edge.index);
+    const double step = edgeStep(c.surface.rails[edge.item]);
+    std::array<SteadyResult, 2> states;
+    for (const int side : {0, 1}) {
+        const double by = side == 0 ? -step : step;
+        Case with = c;
+        with.surface = moved(c.surface, {edge}, {by * out.x, by * out.y});
+        if (!surfaceProblems(with.surface).empty()) return std::nullopt;
+        SteadyResult& found = states[static_cast<std::size_t>(side)];
+        found = steadyNear(with, c, state, [&goOn](const SteadyProgress&) { return !goOn || goOn(); });
+        if (found.status != SteadyStatus::Converged) return std::nullopt;
+    }
+    const auto slope = [&](auto value) { return (value(states[1]) - value(states[0])) / (2.0 * step); };
+    Sensitivity per;
+    per.height = slope([](const SteadyResult& each) { return each.attitude.height; });
+    per.pitch = slope([](const SteadyResult& each) { return each.attitude.pitch; });
+    per.roll = slope([](const SteadyResult& each) { return each.attitude.roll; });
+    per.minimumSpacing = slope([](const SteadyResult& each) { return each.minimumSpacing; });
+    return per;
+}
+
 } // namespace
 
 std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& state, const PartSelection& parts,
                                           const std::function<bool()>& goOn)
 {
-    constexpr double recessStep = 1e-12, edgeStep = 0.5e-6; // [m]
-    StaticFilm film(c, state);
-    const AttitudeSensitivity attitude(c, film.level, film.spacing);
+    constexpr double recessStep = 1e-12, smallShift = 0.5e-6; // [m]
+    std::unique_ptr<StaticFilm> film;
+    std::unique_ptr<AttitudeSensitivity> attitude;
     std::vector<PartInfluence> result;
     for (const SurfacePart& part : parts) {
-        if (!has(c.surface, part) || (part.kind != PartKind::Rail && part.kind != PartKind::Edge)) continue;
+        if (!has(c.surface, part)) continue;
         if (goOn && !goOn()) break;
+        const bool edge = part.kind == PartKind::Edge;
+        if (edge && !squareAt(c.surface.rails[part.item], part.index)) {
+            if (const auto per = edgeInfluence(c, state, part, goOn)) result.push_back({part, *per});
+            continue;
+        }
+        if (!edge && part.kind != PartKind::Rail) continue;
+        if (!film) {
+            film = std::make_unique<StaticFilm>(c, state);
+            attitude = std::make_unique<AttitudeSensitivity>(c, film->level, film->spacing);
+        }
         const auto deeper = [&](Case& moved, double by) {
             for (double& recess : moved.surface.rails[part.item].recess) recess += by;
         };
-        const SurfaceShift out =
-            part.kind == PartKind::Edge ? outwards(c.surface.rails[part.item], part.index) : SurfaceShift{};
+        const SurfaceShift out = edge ? outwards(c.surface.rails[part.item], part.index) : SurfaceShift{};
         const auto outer = [&](Case& moved, double by) {
             moved.surface = touchdown::moved(std::move(moved.surface), {part}, {by * out.x, by * out.y});
         };
-        result.push_back({part, part.kind == PartKind::Rail ? attitude.to(deeper, recessStep, true)
-                                                            : attitude.to(outer, edgeStep, true)});
+        result.push_back({part, edge ? attitude->to(outer, smallShift, true) : attitude->to(deeper, recessStep, true)});
     }
     return result;
 }
