@@ -8,6 +8,7 @@
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
+#include "ui/film/same_film.h"
 #include "ui/film/surface_page.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/slider/attitude_table.h"
@@ -16,15 +17,6 @@
 namespace touchdown {
 
 namespace {
-
-/// Nothing that a static solution depends on differs.
-bool sameFilm(const Case& a, Case b)
-{
-    b.title = a.title;
-    b.about = a.about;
-    b.folder = a.folder;
-    return a == b;
-}
 
 constexpr int restTime = 250; // after the last edit of the shape [ms]
 
