@@ -10,6 +10,8 @@
 
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/film/surface_page.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/fields_view.h"
@@ -37,9 +39,12 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       note_(new QLabel(tr("The parameters have changed since this was solved."), this)),
       pages_(new QStackedWidget(this)),
       shape_(new SurfacePage(this)),
-      maps_(new FieldsView(this))
+      maps_(new FieldsView(this)),
+      modes_(new ModesPage(touchdown::modes, this)),
+      series_(new SeriesPage(steady, this))
 {
-    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess")}) tabs_->addTab(name);
+    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Modes"), tr("Series")})
+        tabs_->addTab(name);
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
     maps_->setKinds(
@@ -55,6 +60,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     pages_->addWidget(shape_);
     pages_->addWidget(maps_);
     pages_->addWidget(buildEmptyPage(solve));
+    pages_->addWidget(modes_);
+    pages_->addWidget(series_);
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 4, 8, 4);
@@ -97,7 +104,20 @@ QWidget* FilmView::buildEmptyPage(QAction* solve)
 
 SurfaceView* FilmView::surface() const { return shape_->editor(); }
 
-void FilmView::setCase(const Case& c) { shape_->setCase(c); }
+void FilmView::open(const Case& c)
+{
+    clearResult();
+    modes_->clear();
+    series_->open(c);
+    setCase(c);
+}
+
+void FilmView::setCase(const Case& c)
+{
+    shape_->setCase(c);
+    modes_->setCase(c);
+    series_->setCase(c);
+}
 
 void FilmView::setResult(const Case& solved, const SteadyResult& result)
 {
@@ -144,17 +164,21 @@ void FilmView::fit()
 {
     surface()->fit();
     maps_->fit();
+    series_->fit();
 }
 
 void FilmView::showPage()
 {
     const bool shaping = page() == Page::Surface;
-    if (!shaping) maps_->setField(tabs_->currentIndex() - 1); // the maps have the same order as their tabs
-    pages_->setCurrentIndex(shaping ? 0 : solved_ ? 1 : 2);
-    maps_->controls()->setVisible(!shaping && solved_);
+    const bool own = page() == Page::Modes || page() == Page::Series; // they have results of their own
+    const bool mapped = !shaping && !own;
+    if (mapped) maps_->setField(tabs_->currentIndex() - 1); // the maps have the same order as their tabs
+    pages_->setCurrentIndex(shaping ? 0 : page() == Page::Modes ? 3 : page() == Page::Series ? 4 : solved_ ? 1 : 2);
+    maps_->controls()->setVisible(mapped && solved_);
+    gridShown_->setVisible(!own);
     gridShown_->setEnabled(solved_);
     setTextColour(note_, meaningColours(palette()).warning);
-    note_->setVisible(solved_ && stale_ && !shaping);
+    note_->setVisible(solved_ && stale_ && mapped);
     // The minimum spacing is that of the solved surface.
     surface()->setMinimumSpacing(stale_ ? std::nullopt : minimumAt_, minimumSpacing_);
 }

@@ -17,6 +17,8 @@
 namespace touchdown {
 
 class FieldsView;
+class ModesPage;
+class SeriesPage;
 class SurfacePage;
 class SurfaceView;
 struct Case;
@@ -26,12 +28,14 @@ class FilmView : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Page { Surface, Pressure, Gap, Recess };
+    enum class Page { Surface, Pressure, Gap, Recess, Modes, Series };
     Q_ENUM(Page)
 
     /// `solve` is offered where there is no result to show.
     explicit FilmView(QAction* solve, QWidget* parent = nullptr);
 
+    /// Another case was opened.
+    void open(const Case& c);
     /// The case as it is edited.
     void setCase(const Case& c);
     /// The solved case and its result.
@@ -50,6 +54,8 @@ public:
     SurfaceView* surface() const;
     SurfacePage* shape() const { return shape_; }
     FieldsView* maps() const { return maps_; }
+    ModesPage* modes() const { return modes_; }
+    SeriesPage* series() const { return series_; }
 
 private:
     QWidget* buildEmptyPage(QAction* solve);
@@ -61,6 +67,8 @@ private:
     QStackedWidget* pages_;
     SurfacePage* shape_;
     FieldsView* maps_;
+    ModesPage* modes_;
+    SeriesPage* series_;
     QLabel* emptyText_ = nullptr;
     bool solved_ = false;
     bool stale_ = false;

@@ -59,10 +59,9 @@ void FilmWindow::open(const Case& c)
     forgetPreviews();
     restTimer_.stop();
     reference_.reset();
-    view_->clearResult();
     attitude_->clear();
     edited_ = c;
-    view_->setCase(c);
+    view_->open(c);
     view_->shape()->open(c);
     emit view_->shape()->influenceWanted();
     view_->fit();
