@@ -80,6 +80,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
     connect(gridShown_, &QCheckBox::toggled, surface(), &SurfaceView::setGridShown);
     connect(gridShown_, &QCheckBox::toggled, maps_->map(), &FieldMap::setGridShown);
+    connect(&modes_->controller(), &ModesController::stateChanged, this, &FilmView::busyChanged);
+    connect(&series_->controller(), &SeriesController::stateChanged, this, &FilmView::busyChanged);
     setSolving(false);
     showPage();
 }
@@ -156,6 +158,18 @@ void FilmView::setStale(bool stale)
 void FilmView::setSolving(bool solving)
 {
     emptyText_->setText(solving ? tr("Solving…") : tr("There is no solution yet."));
+}
+
+bool FilmView::busy() const
+{
+    using State = CalculationController::State;
+    return modes_->controller().state() == State::Running || series_->controller().state() == State::Running;
+}
+
+void FilmView::stop()
+{
+    modes_->controller().stop();
+    series_->controller().stop();
 }
 
 void FilmView::setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }

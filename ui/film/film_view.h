@@ -47,6 +47,11 @@ public:
     /// The solver is active: the page shows it while there is no result.
     void setSolving(bool solving);
 
+    /// Modes or a series are being sought.
+    bool busy() const;
+    /// Ends them.
+    void stop();
+
     void setPage(Page page);
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     void fit();
@@ -56,6 +61,9 @@ public:
     FieldsView* maps() const { return maps_; }
     ModesPage* modes() const { return modes_; }
     SeriesPage* series() const { return series_; }
+
+signals:
+    void busyChanged();
 
 private:
     QWidget* buildEmptyPage(QAction* solve);

@@ -7,8 +7,10 @@
 
 #include <QEvent>
 #include <QKeyEvent>
+#include <QMenu>
 
 #include "ui/film/mode_motion.h"
+#include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
@@ -213,6 +215,18 @@ void ModePicture::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) update();
+}
+
+void ModePicture::contextMenuEvent(QContextMenuEvent* event)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("&Copy picture"), this, [this] { copyPicture(*this); });
+    menu->addAction(tr("&Save picture…"), this, [this] {
+        askAndSave(this, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
+                   [this](const QString& path) { return savePicture(*this, path); });
+    });
+    menu->popup(event->globalPos());
 }
 
 void ModePicture::keyPressEvent(QKeyEvent* event)

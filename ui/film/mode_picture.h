@@ -4,7 +4,8 @@
 // exaggerated, the static state dashed. A mode has no size of its own: the motion is drawn as large as the picture
 // allows, and the slider as much higher as it needs to stay above the disk.
 //
-// Space plays and pauses; Left and Right turn the phase by a 24th of a cycle. A hidden picture rests.
+// Space plays and pauses; Left and Right turn the phase by a 24th of a cycle; the right button copies and saves. A
+// hidden picture rests.
 #pragma once
 
 #include <optional>
@@ -62,6 +63,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void advance();

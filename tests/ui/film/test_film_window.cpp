@@ -59,6 +59,7 @@ private slots:
     void reportsProgress();
     void tabsChooseTheField();
     void modesAndSeriesHaveTheirPages();
+    void oneActionStopsModesAndSeries();
     void theGridIsOnBoth();
     void copiesTheTables();
     void exportsThePage();
@@ -295,6 +296,20 @@ void TestFilmWindow::modesAndSeriesHaveTheirPages()
     film_->open(case_);
     QVERIFY(view->series()->states().empty());
     QCOMPARE(view->series()->setup()->points().size(), std::size_t(9));
+}
+
+void TestFilmWindow::oneActionStopsModesAndSeries()
+{
+    FilmView* view = film_->view();
+    QVERIFY(!view->busy());
+    QSignalSpy changed(view, &FilmView::busyChanged);
+    view->modes()->startOrStop();
+    view->series()->startOrStop();
+    QVERIFY(view->busy());
+    QCOMPARE(changed.count(), 2);
+    view->stop();
+    QVERIFY(!view->busy());
+    QTRY_VERIFY_WITH_TIMEOUT(!view->modes()->controller().active() && !view->series()->controller().active(), 30000);
 }
 
 void TestFilmWindow::theGridIsOnBoth()

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -28,6 +30,7 @@ private slots:
     void keysTurnAndPause();
     void paintsBothThemes();
     void marksWhereItTurns();
+    void copiesItself();
 
 private:
     Case case_ = sampleFilmCase();
@@ -153,6 +156,19 @@ void TestModePicture::marksWhereItTurns()
                 QVERIFY(std::abs(x - column) <= 5);
             }
     QVERIFY(found > 10);
+}
+
+/// As large as on the screen, with the mode in it.
+void TestModePicture::copiesItself()
+{
+    picture_->setMode(modes_.modes.back(), {});
+    copyPicture(*picture_);
+    const QImage copied = QGuiApplication::clipboard()->image();
+    QVERIFY(copied.width() >= picture_->width());
+    int body = 0;
+    for (int x = 0; x < copied.width(); x += 4)
+        for (int y = 0; y < copied.height(); y += 4) body += copied.pixelColor(x, y).saturation() > 60;
+    QVERIFY(body > 100);
 }
 
 TOUCHDOWN_TEST(TestModePicture)
