@@ -149,6 +149,7 @@ QWidget* ModesPage::buildTable()
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setTabKeyNavigation(false);
+    table_->horizontalHeader()->setHighlightSections(false); // bold heads would need wider columns
     table_->verticalHeader()->setDefaultSectionSize(static_cast<int>(1.6 * fontMetrics().height()));
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) { showMode(row); });
     auto* shortcut = new QShortcut(QKeySequence::Copy, table_, nullptr, nullptr, Qt::WidgetShortcut);

@@ -157,6 +157,7 @@ QWidget* SeriesPage::buildTable()
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
     table_->setTabKeyNavigation(false);
+    table_->horizontalHeader()->setHighlightSections(false); // bold heads would need wider columns
     table_->verticalHeader()->setDefaultSectionSize(static_cast<int>(1.6 * fontMetrics().height()));
     connect(table_, &QTableWidget::currentCellChanged, this, [this](int row) {
         if (row >= 0) plots_->point(states_[static_cast<std::size_t>(row)].point);
