@@ -11,6 +11,8 @@
 #include "core/simulation/static_state/field_difference.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "ui/film/compare_page.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/film/solutions_model.h"
 #include "ui/film/surface_page.h"
 #include "ui/maps/field_map.h"
@@ -58,9 +60,12 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       pages_(new QStackedWidget(this)),
       shape_(new SurfacePage(this)),
       maps_(new FieldsView(this)),
-      compare_(new ComparePage(this))
+      compare_(new ComparePage(this)),
+      modes_(new ModesPage(touchdown::modes, this)),
+      series_(new SeriesPage(steady, this))
 {
-    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare")})
+    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare"), tr("Modes"),
+                                tr("Series")})
         tabs_->addTab(name);
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
@@ -84,6 +89,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     pages_->addWidget(buildEmptyPage(solve));
     pages_->addWidget(compare_);
     difference_->setToolTip(tr("Subtract the fields of the baseline from those of this solution"));
+    pages_->addWidget(modes_);
+    pages_->addWidget(series_);
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(6, 4, 8, 4);
@@ -107,6 +114,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     });
     connect(gridShown_, &QCheckBox::toggled, surface(), &SurfaceView::setGridShown);
     connect(gridShown_, &QCheckBox::toggled, maps_->map(), &FieldMap::setGridShown);
+    connect(&modes_->controller(), &ModesController::stateChanged, this, &FilmView::busyChanged);
+    connect(&series_->controller(), &SeriesController::stateChanged, this, &FilmView::busyChanged);
     setSolving(false);
     showPage();
 }
@@ -131,7 +140,20 @@ QWidget* FilmView::buildEmptyPage(QAction* solve)
 
 SurfaceView* FilmView::surface() const { return shape_->editor(); }
 
-void FilmView::setCase(const Case& c) { shape_->setCase(c); }
+void FilmView::open(const Case& c)
+{
+    clearResult();
+    modes_->clear();
+    series_->open(c);
+    setCase(c);
+}
+
+void FilmView::setCase(const Case& c)
+{
+    shape_->setCase(c);
+    modes_->setCase(c);
+    series_->setCase(c);
+}
 
 void FilmView::setResult(const Case& solved, const SteadyResult& result)
 {
@@ -207,24 +229,38 @@ void FilmView::setSolving(bool solving)
     emptyText_->setText(solving ? tr("Solving…") : tr("There is no solution yet."));
 }
 
+bool FilmView::busy() const
+{
+    using State = CalculationController::State;
+    return modes_->controller().state() == State::Running || series_->controller().state() == State::Running;
+}
+
+void FilmView::stop()
+{
+    modes_->controller().stop();
+    series_->controller().stop();
+}
+
 void FilmView::setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
 
 void FilmView::fit()
 {
     surface()->fit();
     maps_->fit();
+    series_->fit();
 }
 
 void FilmView::showPage()
 {
-    const bool mapped = page() != Page::Surface && page() != Page::Compare;
+    // In the order of the tabs, where the three maps share one page, or an empty one.
+    const int map = tabs_->currentIndex() - 1;
+    const bool mapped = map >= 0 && map < fieldCount;
     const bool subtracted = base_ && difference_->isChecked();
-    // The maps have the same order as their tabs; differences follow.
-    if (mapped) maps_->setField(tabs_->currentIndex() - 1 + (subtracted ? fieldCount : 0));
-    pages_->setCurrentIndex(page() == Page::Surface ? 0 : page() == Page::Compare ? 3 : state_ ? 1 : 2);
+    if (mapped) maps_->setField(map + (subtracted ? fieldCount : 0)); // differences follow
+    pages_->setCurrentIndex(page() == Page::Surface ? 0 : mapped ? (state_ ? 1 : 2) : 3 + map - fieldCount);
     maps_->controls()->setVisible(mapped && state_);
     difference_->setVisible(mapped && base_);
-    gridShown_->setVisible(page() != Page::Compare);
+    gridShown_->setVisible(page() == Page::Surface || mapped);
     gridShown_->setEnabled(state_.has_value());
     setTextColour(note_, meaningColours(palette()).warning);
     note_->setVisible(state_ && stale_ && mapped);

@@ -20,6 +20,8 @@ namespace touchdown {
 
 class ComparePage;
 class FieldsView;
+class ModesPage;
+class SeriesPage;
 class SurfacePage;
 class SurfaceView;
 struct SolutionRecord;
@@ -28,12 +30,14 @@ class FilmView : public QWidget {
     Q_OBJECT
 
 public:
-    enum class Page { Surface, Pressure, Gap, Recess, Compare };
+    enum class Page { Surface, Pressure, Gap, Recess, Compare, Modes, Series };
     Q_ENUM(Page)
 
     /// `solve` is offered where there is no result to show.
     explicit FilmView(QAction* solve, QWidget* parent = nullptr);
 
+    /// Another case was opened.
+    void open(const Case& c);
     /// The case as it is edited.
     void setCase(const Case& c);
     /// The solved case and its result.
@@ -48,6 +52,11 @@ public:
     /// The solver is active: the page shows it while there is no result.
     void setSolving(bool solving);
 
+    /// Modes or a series are being sought.
+    bool busy() const;
+    /// Ends them.
+    void stop();
+
     void setPage(Page page);
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     void fit();
@@ -57,6 +66,11 @@ public:
     FieldsView* maps() const { return maps_; }
     ComparePage* comparison() const { return compare_; }
     QCheckBox* difference() const { return difference_; }
+    ModesPage* modes() const { return modes_; }
+    SeriesPage* series() const { return series_; }
+
+signals:
+    void busyChanged();
 
 private:
     QWidget* buildEmptyPage(QAction* solve);
@@ -70,6 +84,8 @@ private:
     SurfacePage* shape_;
     FieldsView* maps_;
     ComparePage* compare_;
+    ModesPage* modes_;
+    SeriesPage* series_;
     QLabel* emptyText_ = nullptr;
     struct State {
         Case value;

@@ -8,6 +8,8 @@
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
+#include "ui/film/same_film.h"
+#include "ui/film/series_page.h"
 #include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
 #include "ui/slider/attitude_sections.h"
@@ -39,6 +41,9 @@ FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget*
     connect(&solutions_, &RecordList::shownChanged, this, &FilmWindow::showComparison);
     connect(&solutions_, &RecordList::baselineChanged, this, &FilmWindow::showComparison);
     connect(&solutions_, &RecordList::rowsRemoved, this, &FilmWindow::showComparison);
+    connect(view_->series(), &SeriesPage::solved, this, [this](const Case& c, const SteadyResult& result) {
+        if (!result.pressure.empty()) solutions_.add(c, result, {}, false);
+    });
     SurfacePage* shape = view_->shape();
     connect(shape, &SurfacePage::previewed, this, &FilmWindow::onPreviewed);
     connect(shape, &SurfacePage::edited, this, &FilmWindow::onSurfaceEdited);
@@ -75,7 +80,7 @@ void FilmWindow::open(const Case& c)
     restTimer_.stop();
     before_ = -1;
     edited_ = c;
-    view_->setCase(c);
+    view_->open(c);
     view_->shape()->open(c);
     emit view_->shape()->influenceWanted();
     const SolutionRecord* known = solutions_.of(c);
@@ -228,7 +233,10 @@ void FilmWindow::followEdit()
 void FilmWindow::updateStale()
 {
     const SolutionRecord* record = shown();
-    stale_ = record && !sameFilm(edited_, record->value);
+    // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
+    Case solved = record ? record->value : edited_;
+    solved.steady.fixedAttitude = edited_.steady.fixedAttitude;
+    stale_ = record && !sameFilm(edited_, solved);
     view_->setStale(stale_);
     view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);

@@ -4,21 +4,13 @@
 #include <cmath>
 
 #include "ui/case/parameter_text.h"
+#include "ui/film/same_film.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
-bool sameFilm(const Case& a, Case b)
-{
-    b.title = a.title;
-    b.about = a.about;
-    b.folder = a.folder;
-    b.steady.fixedAttitude = a.steady.fixedAttitude;
-    return a == b;
-}
-
-int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file)
+int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown)
 {
     auto record = std::make_unique<SolutionRecord>();
     record->number = nextNumber();
@@ -26,10 +18,11 @@ int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QS
     record->value = solved;
     record->file = file;
     record->result = result;
+    record->shown = shown;
     // A comparison of more than three is asked for, not made by a row of edits.
-    int shown = 0;
-    for (int row = count() - 1; row >= 0; --row)
-        if (listed(row).shown && listed(row).number != baseline() && ++shown > 2)
+    int others = 0;
+    for (int row = count() - 1; shown && row >= 0; --row)
+        if (listed(row).shown && listed(row).number != baseline() && ++others > 2)
             setData(index(row), Qt::Unchecked, Qt::CheckStateRole);
     const int number = addRecord(std::move(record)).number;
     dropFields();
@@ -75,8 +68,7 @@ const SolutionRecord* SolutionsModel::of(const Case& c) const
 {
     for (int row = count() - 1; row >= 0; --row) {
         const SolutionRecord& each = record(row);
-        if (each.result.status == SteadyStatus::Converged && !each.fieldsDropped &&
-            each.value.steady.fixedAttitude == c.steady.fixedAttitude && sameFilm(each.value, c))
+        if (each.result.status == SteadyStatus::Converged && !each.fieldsDropped && sameFilm(each.value, c))
             return &each;
     }
     return nullptr;

@@ -13,9 +13,6 @@ struct SolutionRecord : ListedRecord {
     bool fieldsDropped = false; // see SolutionsModel::fieldCapacity
 };
 
-/// Nothing that a static solution depends on differs, but for whether the attitude is held.
-bool sameFilm(const Case& a, Case b);
-
 class SolutionsModel : public RecordList {
     Q_OBJECT
 
@@ -25,8 +22,8 @@ public:
     /// Values of all fields of all solutions: 256 MB. Beyond it the oldest ones lose their fields, not their numbers.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
-    /// A solution with a field. Returns its number.
-    int add(const Case& solved, const SteadyResult& result, const QString& file = {});
+    /// A solution with a field; `shown`: its box is checked, and the list chooses it. Returns its number.
+    int add(const Case& solved, const SteadyResult& result, const QString& file = {}, bool shown = true);
     /// It was written to a file.
     void setFile(int number, const QString& file);
 

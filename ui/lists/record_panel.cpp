@@ -96,7 +96,7 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
     connect(&model_, &RecordList::dataChanged, this, &RecordPanel::updateButtons);
     connect(&model_, &RecordList::rowsRemoved, this, &RecordPanel::updateButtons);
     connect(&model_, &RecordList::rowsInserted, this, [this](const QModelIndex&, int, int last) {
-        list_->setCurrentIndex(model_.index(last));
+        if (model_.listed(last).shown) list_->setCurrentIndex(model_.index(last));
         list_->scrollToBottom();
         updateButtons();
     });

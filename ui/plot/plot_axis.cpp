@@ -114,7 +114,9 @@ std::vector<AxisTick> PlotAxis::linearTicks(int most) const
     const double low = range_.low / unit;
     const double high = range_.high / unit;
     double step = niceStep((high - low) / most);
-    while (std::floor(high / step) - std::ceil(low / step) + 1.0 > most) step = niceStep(step * 1.01);
+    const auto count = [&] { return std::floor(high / step) - std::ceil(low / step) + 1.0; };
+    while (count() > most) step = niceStep(step * 1.01);
+    if (count() < 2.0) step = niceStep(step * 0.39); // the next finer one: a single number is no scale
 
     std::vector<AxisTick> ticks;
     const int decimals = decimalsFor(step);

@@ -42,7 +42,7 @@ public:
     /// The range seen when [from, to] of the axis (0 to 1) fills it.
     PlotRange part(double from, double to) const;
 
-    /// Not more than `most` major ticks.
+    /// Not more than `most` major ticks, but at least two on a linear axis.
     std::vector<AxisTick> ticks(int most) const;
     /// "Flying height [nm]", or "Energy [10⁻⁶ J]" where the numbers need a common power, or "Time − 1.25 [ms]"
     /// far zoomed in.

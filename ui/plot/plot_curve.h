@@ -23,6 +23,8 @@ struct PlotCurve {
     const MinMaxPyramid* xData = nullptr; // a phase portrait: `data` is drawn against this instead of the time
     bool visible = true;
     bool arrows = false; // of a phase portrait: heads along the line point the way of time
+    bool inLegend = true;
+    bool dots = false; // one at each sample: what was computed, and what is a line between
 };
 
 /// A horizontal line across the plot: "d_s = 3 nm".

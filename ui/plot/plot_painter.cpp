@@ -47,6 +47,7 @@ void PlotPainter::paintAbove(QPainter& painter) const
     paintReferenceLabels(painter);
     paintEventMarks(painter);
     paintArrows(painter);
+    paintDots(painter);
     paintPointMarks(painter);
 }
 
@@ -62,7 +63,8 @@ void PlotPainter::paintHeader(QPainter& painter) const
         const auto same = [&curve](const PlotCurve* other) {
             return other->name == curve.name && other->style == curve.style;
         };
-        if (curve.visible && !curve.name.isEmpty() && curve.name != plot_.title() && std::ranges::none_of(named, same))
+        if (curve.visible && curve.inLegend && !curve.name.isEmpty() && curve.name != plot_.title() &&
+            std::ranges::none_of(named, same))
             named.push_back(&curve);
     }
 
@@ -171,6 +173,7 @@ void PlotPainter::paintShadedAreas(QPainter& painter) const
         fill.setAlphaF(0.18F);
         painter.setBrush(fill);
         painter.drawPolygon(outline);
+        if (shaded.label.isEmpty()) continue;
         QRectF box(0.0, 0.0, metrics.horizontalAdvance(shaded.label) + 4.0, metrics.height());
         box.moveCenter(outline.boundingRect().center());
         if (area_.contains(box)) paintLabel(painter, box, shaded.label, theme_.text);
@@ -233,6 +236,23 @@ void PlotPainter::paintArrows(QPainter& painter) const
             const QPointF side(-along.y(), along.x());
             const QPointF tip = QPointF(frame_.across(arrow.tip.x()), frame_.up(arrow.tip.y())) + 4.5 * along;
             painter.drawPolygon(QPolygonF({tip, tip - 9.0 * along + 4.0 * side, tip - 9.0 * along - 4.0 * side}));
+        }
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void PlotPainter::paintDots(QPainter& painter) const
+{
+    painter.setPen(Qt::NoPen);
+    for (const PlotCurve& curve : plot_.curves()) {
+        if (!curve.dots || !curve.visible || curve.data == nullptr) continue;
+        painter.setBrush(theme_.colour(curve.style));
+        const PlotRange& seen = plot_.xAxis().range();
+        const auto [begin, end] = curve.data->samplesWithin(seen.low, seen.high);
+        for (std::size_t i = begin; i < end; ++i) {
+            const QPointF at(frame_.across(plot_.xAxis().position(curve.data->time(i))),
+                             frame_.up(plot_.yAxis().position(curve.data->value(i))));
+            if (at.y() >= area_.top() && at.y() <= area_.bottom()) painter.drawEllipse(at, 3.0, 3.0);
         }
     }
     painter.setBrush(Qt::NoBrush);

@@ -27,6 +27,7 @@ private:
     void paintReferenceLabels(QPainter& painter) const;
     void paintEventMarks(QPainter& painter) const;
     void paintArrows(QPainter& painter) const;
+    void paintDots(QPainter& painter) const;
     void paintPointMarks(QPainter& painter) const;
     void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const;
 

@@ -7,6 +7,7 @@
 
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_theme.h"
+#include "ui/slider/profile_drawing.h"
 
 #include <QWidget>
 
@@ -55,9 +56,8 @@ private:
     void takeRun();
     void takeState();
     QRectF plotArea() const;
-    QPointF toPixel(double x, double height) const;
+    ProfileDrawing drawing() const;
     void paintAxes(QPainter& painter, const PlotTheme& theme) const;
-    void paintDisk(QPainter& painter, const PlotTheme& theme) const;
     void paintSlider(QPainter& painter, const PlotTheme& theme) const;
     void paintReadings(QPainter& painter, const PlotTheme& theme) const;
 

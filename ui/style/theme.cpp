@@ -134,6 +134,20 @@ void makePlainTable(QTableWidget* table, const QStringList& headers)
     table->setWordWrap(false);
 }
 
+QString tableText(const QTableWidget& table)
+{
+    QStringList lines;
+    for (int row = -1; row < table.rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < table.columnCount(); ++column) {
+            const QTableWidgetItem* item = row < 0 ? table.horizontalHeaderItem(column) : table.item(row, column);
+            cells << (item != nullptr ? item->text() : QString());
+        }
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
 QIcon icon(const QString& name, const QPalette& palette)
 {
     const QByteArray svg = svgOf(name);

@@ -41,6 +41,8 @@ void setTextColour(QWidget* widget, const QColor& colour);
 
 /// A table to read and copy from: without lines and row numbers; the first column takes the free width.
 void makePlainTable(QTableWidget* table, const QStringList& headers);
+/// Heads and rows for a spreadsheet: cells separated by tabs.
+QString tableText(const QTableWidget& table);
 
 /// resources/icons/<name>.svg, with its currentColor replaced by that of the text.
 QIcon icon(const QString& name, const QPalette& palette);

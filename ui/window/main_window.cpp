@@ -18,6 +18,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
 #include "ui/lesson/lesson_pane.h"
@@ -192,6 +193,7 @@ void MainWindow::updateRunActions()
     actions_->step->setEnabled(state == State::Paused);
     actions_->stop->setEnabled(state == State::Running || state == State::Paused ||
                                film_->controller().state() == SteadyController::State::Running ||
+                               film_->view()->busy() ||
                                studies_->controller().state() == StudyController::State::Running);
     actions_->resetAll->setEnabled(edits_->anyChanged());
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);

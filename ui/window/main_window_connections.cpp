@@ -128,6 +128,8 @@ void MainWindow::connectFilm()
     connect(pages_, &WindowPages::shown, this, &MainWindow::updateRunActions);
     connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
     connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
+    connect(actions_->stop, &QAction::triggered, film_->view(), &FilmView::stop);
+    connect(film_->view(), &FilmView::busyChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);

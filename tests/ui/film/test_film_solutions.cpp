@@ -14,6 +14,7 @@
 #include "ui/film/compare_page.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/series_page.h"
 #include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
 #include "ui/maps/field_map.h"
@@ -146,6 +147,19 @@ private slots:
         film_->solutions().setData(film_->solutions().index(0), Qt::Unchecked, Qt::CheckStateRole);
         QCOMPARE(film_->view()->maps()->sections()->alongX()->curves().size(), std::size_t{1});
         QCOMPARE(film_->view()->comparison()->comparison().columns.size(), 1);
+    }
+
+    /// States of a series are kept, but nothing else is shown for them.
+    void aSeriesIsKept()
+    {
+        solve();
+        Case other = case_;
+        other.disk.radius *= 1.1;
+        emit film_->view()->series()->solved(other, sampleResult(other));
+        QCOMPARE(film_->solutions().count(), 2);
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+        QVERIFY(!film_->solutions().listed(1).shown);
+        QVERIFY(film_->solutions().listed(1).name.startsWith(QStringLiteral("radius")));
     }
 
 private:

@@ -20,6 +20,9 @@
 #include "tests/ui/sample_slider.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
+#include "ui/film/series_setup.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
 #include "ui/maps/fields_view.h"
@@ -55,6 +58,8 @@ private slots:
     void anotherCaseForgetsTheResult();
     void reportsProgress();
     void tabsChooseTheField();
+    void modesAndSeriesHaveTheirPages();
+    void oneActionStopsModesAndSeries();
     void theGridIsOnBoth();
     void copiesTheTables();
     void exportsThePage();
@@ -269,6 +274,42 @@ void TestFilmWindow::tabsChooseTheField()
     }
     film_->view()->setPage(Page::Surface);
     QVERIFY(!film_->view()->maps()->controls()->isVisible());
+}
+
+/// They have the case as it is edited, and results of their own.
+void TestFilmWindow::modesAndSeriesHaveTheirPages()
+{
+    FilmView* view = film_->view();
+    QVERIFY(!view->modes()->isVisible() && !view->series()->isVisible());
+    view->setPage(Page::Modes);
+    QVERIFY(view->modes()->isVisible());
+    QVERIFY(!gridShown()->isVisible() && !view->maps()->controls()->isVisible());
+    Case edited = case_;
+    edited.steady.radii = {15e-3, 20e-3, 25e-3};
+    film_->edit(edited);
+    view->setPage(Page::Series);
+    QVERIFY(view->series()->isVisible());
+    view->series()->setup()->setChoice({.varied = Varied::Lists});
+    QCOMPARE(view->series()->setup()->points().size(), std::size_t(3));
+    view->setPage(Page::Gap);
+    QVERIFY(gridShown()->isVisible());
+    film_->open(case_);
+    QVERIFY(view->series()->states().empty());
+    QCOMPARE(view->series()->setup()->points().size(), std::size_t(9));
+}
+
+void TestFilmWindow::oneActionStopsModesAndSeries()
+{
+    FilmView* view = film_->view();
+    QVERIFY(!view->busy());
+    QSignalSpy changed(view, &FilmView::busyChanged);
+    view->modes()->startOrStop();
+    view->series()->startOrStop();
+    QVERIFY(view->busy());
+    QCOMPARE(changed.count(), 2);
+    view->stop();
+    QVERIFY(!view->busy());
+    QTRY_VERIFY_WITH_TIMEOUT(!view->modes()->controller().active() && !view->series()->controller().active(), 30000);
 }
 
 void TestFilmWindow::theGridIsOnBoth()

@@ -55,6 +55,9 @@ void TestPlotAxis::ticksAreRoundNumbers_data()
                                 << QStringList{minus + "1.0", minus + "0.5", "0.0", "0.5", "1.0"};
     QTest::addRow("range between ticks") << 6.95e-9 << 7.051e-9 << 1e-9 << false << 4
                                          << QStringList{"6.95", "7.00", "7.05"};
+    // Steps of 5 would leave 10 alone.
+    QTest::addRow("at least two numbers")
+        << 5.5e-9 << 14e-9 << 1e-9 << false << 3 << QStringList{"6", "8", "10", "12", "14"};
     QTest::addRow("powers of ten") << 1e-9 << 1e-5 << 1.0 << true << 9
                                    << QStringList{"10\u207b\u2079", "10\u207b\u2078", "10\u207b\u2077",
                                                   "10\u207b\u2076", "10\u207b\u2075"};

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The page of a series of static states: what varies, plots over it, and a table. Points appear as they are solved;
+// what was solved before a stop remains.
+#pragma once
+
+#include <QLabel>
+#include <QPushButton>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QToolButton>
+
+#include "ui/film/series_controller.h"
+#include "ui/film/series_plots.h"
+
+namespace touchdown {
+
+class ProgressStrip;
+class SeriesSetup;
+
+class SeriesPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SeriesPage(SteadyController::Solver solver = steady, QWidget* parent = nullptr);
+
+    /// The case as it is edited.
+    void setCase(const Case& c);
+    /// Another case was opened: no series of it is known.
+    void open(const Case& c);
+    void fit() { plots_->fit(); }
+
+    SeriesController& controller() { return controller_; }
+    SeriesSetup* setup() const { return setup_; }
+    SeriesPlots* plots() const { return plots_; }
+    QTableWidget* table() const { return table_; }
+    const std::vector<SeriesState>& states() const { return states_; }
+    bool stale() const;
+
+    /// All numbers of the states, in display units, as comma-separated values; empty cells where there is no state.
+    QByteArray csv() const;
+
+public slots:
+    /// Solves the chosen series, or stops that.
+    void startOrStop();
+    /// The table, tab-separated, on the clipboard.
+    void copy() const;
+    void chooseSave();
+
+signals:
+    /// A state of the series: the case at its point, and the result with its fields.
+    void solved(const touchdown::Case& c, const touchdown::SteadyResult& result);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildHead();
+    QWidget* buildTable();
+    QStringList tableHeads() const;
+    QStringList tableCells(const SeriesState& state) const;
+    void onSolved(std::size_t index, const SteadyResult& result);
+    void onFinished(bool stopped);
+    void showProblem(const QString& text);
+    void addRow(const SeriesState& state);
+    void colourState(int row, int column);
+    void showNotes();
+
+    SeriesController controller_;
+    QPushButton* start_;
+    SeriesSetup* setup_;
+    ProgressStrip* progress_;
+    QLabel *stale_, *problem_, *empty_;
+    QStackedWidget* pages_;
+    SeriesPlots* plots_;
+    QTableWidget* table_;
+    QToolButton *copy_, *save_;
+    Case case_, solved_;
+    std::vector<SteadySeriesPoint> points_;
+    std::vector<SeriesState> states_;
+};
+
+} // namespace touchdown
