@@ -87,12 +87,12 @@ private:
     ModesPage* modes_;
     SeriesPage* series_;
     QLabel* emptyText_ = nullptr;
-    struct State {
+    struct Shown {
         Case value;
         SteadyResult result;
     };
-    std::optional<State> state_; // that is shown, with its fields
-    std::optional<State> base_;  // that may be subtracted
+    std::optional<Shown> state_; // that is shown, with its fields
+    std::optional<Shown> base_;  // that may be subtracted
     bool stale_ = false;
 };
 
