@@ -46,6 +46,21 @@ QString quantityText(const std::string& text, const QLocale& locale = QLocale())
     return number.replace(QLatin1Char('.'), locale.decimalPoint()) + QChar(0x00A0) + unitText(text.substr(space + 1));
 }
 
+/// Both values with their unit; a number with as many digits as show the difference, at least five.
+std::pair<QString, QString> changeTexts(const Case& before, const Case& after, const Parameter& parameter)
+{
+    if (parameter.kind != ParameterKind::Number) return {valueText(before, parameter), valueText(after, parameter)};
+    const auto text = [&parameter](const Case& c, int digits) {
+        const double value = roundedTo(std::get<double>(parameter.get(c)), digits);
+        QString number = QString::fromStdString(formatNumber(value, parameter.displayUnit))
+                             .replace(QLatin1Char('.'), QLocale().decimalPoint());
+        return parameter.displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(parameter.displayUnit);
+    };
+    int digits = 5;
+    while (digits < 17 && text(before, digits) == text(after, digits)) ++digits;
+    return {text(before, digits), text(after, digits)};
+}
+
 /// A coordinate of a point in `moved`.
 bool isMove(const CaseChange& change, const std::vector<MovedPoints>& moved)
 {
@@ -127,11 +142,12 @@ QStringList caseDifference(const Case& before, const Case& after)
         case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
         case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
         case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
-        case CaseChangeKind::Value:
-            texts << QStringLiteral("%1 %2 → %3")
-                         .arg(label, parameter ? valueText(before, *parameter) : quantityText(change.before),
-                              parameter ? valueText(after, *parameter) : quantityText(change.after));
+        case CaseChangeKind::Value: {
+            const auto [then, now] = parameter ? changeTexts(before, after, *parameter)
+                                               : std::pair(quantityText(change.before), quantityText(change.after));
+            texts << QStringLiteral("%1 %2 → %3").arg(label, then, now);
             break;
+        }
         }
     }
     return texts;

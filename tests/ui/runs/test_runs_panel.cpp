@@ -98,6 +98,16 @@ void TestRunsPanel::saysWhatChanged()
     const QStringList expected{QStringLiteral("rail 1: recess 0\u00a0µm → 0.2\u00a0µm"),
                                QStringLiteral("rail 2 added")};
     QCOMPARE(caseDifference(before, after), expected);
+    // No more digits than tell the two apart.
+    after = before;
+    before.disk.radius = 20e-3;
+    after.disk.radius = 28.125000000000004e-3;
+    QVERIFY2(caseDifference(before, after).front().endsWith(QStringLiteral("20\u00a0mm → 28.125\u00a0mm")),
+             qPrintable(caseDifference(before, after).front()));
+    before.disk.radius = 28.125001e-3;
+    QVERIFY2(caseDifference(before, after).front().endsWith(QStringLiteral("28.125001\u00a0mm → 28.125\u00a0mm")),
+             qPrintable(caseDifference(before, after).front()));
+    before.disk.radius = after.disk.radius;
     // Points that were moved together are one change.
     after = before;
     for (RailPoint& point : after.surface.rails[0].points) point.x += 2e-6;
