@@ -8,6 +8,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/film_setup.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -158,6 +159,11 @@ PartSelection SurfacePage::influencingParts() const
 
 void SurfacePage::setCase(const Case& c)
 {
+    editor_->setGridOf([c](const AirBearingSurface& surface) {
+        Case shaped = c;
+        shaped.surface = surface;
+        return unadaptedGrid(shaped, filmLevels(c.film).back());
+    });
     editor_->setCase(c.surface, c.slider.length, c.slider.width);
     editor_->setSkew(c.disk.skew);
     panel_->setCase(c);

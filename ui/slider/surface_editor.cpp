@@ -2,12 +2,16 @@
 #include "ui/slider/surface_editor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
 
+#include "core/numerics/cell_grid.h"
+#include "core/physics/slider/meeting_walls.h"
+#include "core/physics/slider/short_edges.h"
 #include "ui/slider/part_picking.h"
 
 namespace touchdown {
@@ -99,7 +103,11 @@ void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length,
 {
     setSurface(surface, length, width, gesture_ == Gesture::Move);
     problems_ = surfaceProblems(surface);
-    warnings_ = problems_.empty() ? surfaceWarnings(surface, length, width) : std::vector<SurfaceProblem>{};
+    warnings_.clear();
+    if (!problems_.empty()) return;
+    warnings_ = surfaceWarnings(surface, length, width);
+    std::ranges::move(meetingWalls(surface), std::back_inserter(warnings_));
+    if (gridOf_) std::ranges::move(shortEdges(surface, gridOf_(surface)), std::back_inserter(warnings_));
 }
 
 void SurfaceEditor::preview(const AirBearingSurface& surface)

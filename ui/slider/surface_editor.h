@@ -10,6 +10,7 @@
 // overlap), F (fit); V, R, P choose the tool.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@
 
 #include "core/physics/slider/surface_check.h"
 #include "core/physics/slider/surface_edit.h"
+#include "ui/slider/plan_marks.h"
 #include "ui/slider/surface_view.h"
 
 namespace touchdown {
@@ -34,6 +36,9 @@ public:
     /// The surface of the case; ends a gesture.
     void setCase(const AirBearingSurface& surface, double length, double width);
     const AirBearingSurface& committed() const { return committed_; }
+    /// The grid of the case with a surface; edges shorter than its cells are marked.
+    using GridOf = std::function<CellGrid(const AirBearingSurface&)>;
+    void setGridOf(GridOf gridOf) { gridOf_ = std::move(gridOf); }
     /// Drawn behind, as it was last saved.
     void setGhost(const AirBearingSurface& surface);
 
@@ -58,6 +63,7 @@ public:
     QString influenceWords() const;
     /// Of the surface that is shown, drawn at their places.
     const std::vector<SurfaceProblem>& problems() const { return problems_; }
+    const std::vector<SurfaceProblem>& warnings() const { return warnings_; }
     /// During a drag nothing else may change the case.
     bool dragging() const { return gesture_ != Gesture::None; }
 
@@ -105,9 +111,12 @@ private:
     void paintGesture(QPainter& painter, const PlotTheme& theme) const;
     void paintInfluence(QPainter& painter, const PlotTheme& theme) const;
     void paintProblems(QPainter& painter, const PlotTheme& theme) const;
+    void paintProblem(QPainter& painter, const SurfaceProblem& problem, const QColor& colour, const PlotTheme& theme,
+                      TakenRoom& taken) const;
     void showSurface(const AirBearingSurface& surface, double length, double width);
 
     AirBearingSurface committed_, ghost_;
+    GridOf gridOf_;
     std::vector<std::pair<SurfacePart, double>> influence_;
     std::vector<SurfaceProblem> problems_, warnings_; // of the surface that is shown
     PartSelection selection_;

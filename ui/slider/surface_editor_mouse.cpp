@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gestures of the mouse, and what is drawn of them.
+// The gestures of the mouse.
 #include <algorithm>
 #include <cmath>
 
 #include <QApplication>
 #include <QMouseEvent>
-#include <QPainter>
 
 #include "ui/slider/part_picking.h"
-#include "ui/slider/rail_drawing.h"
 #include "ui/slider/surface_editor.h"
-#include "ui/style/theme.h"
 
 namespace touchdown {
 
@@ -19,7 +16,6 @@ namespace {
 
 constexpr double snapReach = 7.0;    // [px]
 constexpr double placeRaster = 1e-6; // [m]
-constexpr double handle = 7.0;       // width of a corner's square [px]
 
 QRectF box(const QPointF& a, const QPointF& b) { return QRectF(a, b).normalized(); }
 
@@ -211,107 +207,6 @@ QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
                 return {QString::fromStdString(warning.sentence)};
     if (hovered_ && hovered_->kind != PartKind::Rail && !dragging()) parts << partText(*hovered_);
     return parts;
-}
-
-void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
-{
-    SurfaceView::paintContent(painter, theme);
-    if (ghost_.rails != surface().rails) {
-        QPen pen(QColor(255, 255, 255, 150), 1.2, Qt::DashLine);
-        pen.setCosmetic(true);
-        for (std::size_t i = 0; i < ghost_.rails.size(); ++i)
-            if (i >= surface().rails.size() || !(ghost_.rails[i] == surface().rails[i]))
-                paintOutline(painter, ghost_.rails[i], pen);
-    }
-    if (!dragging()) paintInfluence(painter, theme);
-    paintSelection(painter, theme);
-    paintProblems(painter, theme);
-    paintGesture(painter, theme);
-}
-
-void SurfaceEditor::paintProblems(QPainter& painter, const PlotTheme& theme) const
-{
-    const MeaningColours colours = meaningColours(palette());
-    const auto ring = [&](const SurfaceProblem& problem, const QColor& colour) {
-        for (const SurfacePoint& place : problem.places) {
-            painter.setBrush(Qt::NoBrush);
-            painter.setPen(QPen(theme.background, 4.0));
-            painter.drawEllipse(toPixel(place), 8.0, 8.0);
-            painter.setPen(QPen(colour, 2.0));
-            painter.drawEllipse(toPixel(place), 8.0, 8.0);
-        }
-    };
-    for (const SurfaceProblem& warning : warnings_) ring(warning, colours.warning);
-    TakenRoom taken;
-    painter.setFont(font());
-    for (const SurfaceProblem& problem : problems_) {
-        ring(problem, colours.failure);
-        if (problem.places.empty()) continue;
-        const QString sentence = QString::fromStdString(problem.sentence);
-        const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(sentence) + 8.0;
-        QPointF at = toPixel(problem.places.front()) + QPointF(0.0, 24.0);
-        at.setX(std::clamp(at.x(), planArea().left() + half,
-                           std::max(planArea().left() + half, planArea().right() - half)));
-        paintPlanLabel(painter, at, sentence, theme, taken);
-    }
-}
-
-void SurfaceEditor::paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const
-{
-    QPolygonF outline;
-    for (const RailPoint& point : rail.points) outline << toPixel({point.x, point.y});
-    painter.setPen(pen);
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPolygon(outline);
-}
-
-void SurfaceEditor::paintSelection(QPainter& painter, const PlotTheme& theme) const
-{
-    const QColor mark = theme.selection;
-    const auto& rails = surface().rails;
-    const auto square = [&](const RailPoint& point, bool filled) {
-        const QPointF at = toPixel({point.x, point.y});
-        painter.setPen(QPen(mark, 1.4));
-        painter.setBrush(filled ? mark : theme.background);
-        painter.drawRect(QRectF(at.x() - 0.5 * handle, at.y() - 0.5 * handle, handle, handle));
-    };
-    const auto line = [&](const SurfacePart& edge, double width) {
-        const std::vector<RailPoint>& points = rails[edge.item].points;
-        const RailPoint &a = points[edge.index], &b = points[(edge.index + 1) % points.size()];
-        painter.setPen(QPen(mark, width, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(toPixel({a.x, a.y}), toPixel({b.x, b.y}));
-    };
-    if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Edge) line(*hovered_, 2.5);
-    if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Corner)
-        square(rails[hovered_->item].points[hovered_->index], false);
-    for (const SurfacePart& part : selection_) {
-        if (!has(surface(), part)) continue;
-        if (part.kind == PartKind::Interest) {
-            painter.setPen(QPen(mark, 2.5));
-            painter.setBrush(Qt::NoBrush);
-            painter.drawEllipse(toPixel(surface().pointsOfInterest[part.item]), 9.0, 9.0);
-            continue;
-        }
-        paintOutline(painter, rails[part.item], QPen(mark, part.kind == PartKind::Rail ? 2.6 : 1.4));
-        for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
-            square(rails[part.item].points[k],
-                   part.kind == PartKind::Corner && selection_.contains({PartKind::Corner, part.item, k}));
-        if (part.kind == PartKind::Edge) line(part, 4.0);
-    }
-}
-
-void SurfaceEditor::paintGesture(QPainter& painter, const PlotTheme& theme) const
-{
-    painter.setPen(QPen(theme.selection, 1.4, Qt::DashLine));
-    QColor fill = theme.selection;
-    fill.setAlphaF(0.12F);
-    painter.setBrush(fill);
-    if (gesture_ == Gesture::Band || gesture_ == Gesture::Rectangle)
-        painter.drawRect(box(toPixel(pressedPoint_), pointer_));
-    if (polygon_.empty()) return;
-    QPolygonF outline;
-    for (const SurfacePoint& corner : polygon_) outline << toPixel(corner);
-    painter.drawPolygon(outline << pointer_);
 }
 
 } // namespace touchdown

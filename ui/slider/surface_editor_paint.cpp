@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the editor draws over the plan: ghost, selection, warnings and problems at their places, and the gesture.
+#include <algorithm>
+#include <cmath>
+
+#include <QPainter>
+
+#include "ui/slider/plan_marks.h"
+#include "ui/slider/surface_editor.h"
+#include "ui/style/theme.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double handle = 7.0; // width of a corner's square [px]
+
+} // namespace
+
+void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
+{
+    SurfaceView::paintContent(painter, theme);
+    if (ghost_.rails != surface().rails) {
+        QPen pen(QColor(255, 255, 255, 150), 1.2, Qt::DashLine);
+        pen.setCosmetic(true);
+        for (std::size_t i = 0; i < ghost_.rails.size(); ++i)
+            if (i >= surface().rails.size() || !(ghost_.rails[i] == surface().rails[i]))
+                paintOutline(painter, ghost_.rails[i], pen);
+    }
+    if (!dragging()) paintInfluence(painter, theme);
+    paintSelection(painter, theme);
+    paintProblems(painter, theme);
+    paintGesture(painter, theme);
+}
+
+/// A ring about each place and the sentence beside the first one, where there is room.
+void SurfaceEditor::paintProblem(QPainter& painter, const SurfaceProblem& problem, const QColor& colour,
+                                 const PlotTheme& theme, TakenRoom& taken) const
+{
+    painter.setBrush(Qt::NoBrush);
+    for (const SurfacePoint& place : problem.places)
+        for (const QPen& pen : {QPen(theme.background, 4.0), QPen(colour, 2.0)}) {
+            painter.setPen(pen);
+            painter.drawEllipse(toPixel(place), 8.0, 8.0);
+        }
+    if (problem.places.empty()) return;
+    const QString sentence = QString::fromStdString(problem.sentence);
+    const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(sentence) + 8.0;
+    const QPointF place = toPixel(problem.places.front());
+    const double x =
+        std::clamp(place.x(), planArea().left() + half, std::max(planArea().left() + half, planArea().right() - half));
+    painter.setFont(font());
+    for (const double away : {24.0, -24.0})
+        if (paintPlanLabel(painter, {x, place.y() + away}, sentence, theme, taken)) return;
+}
+
+void SurfaceEditor::paintProblems(QPainter& painter, const PlotTheme& theme) const
+{
+    const MeaningColours colours = meaningColours(palette());
+    TakenRoom taken;
+    for (const SurfaceProblem& problem : problems_) paintProblem(painter, problem, colours.failure, theme, taken);
+    for (const SurfaceProblem& warning : warnings_) paintProblem(painter, warning, colours.warning, theme, taken);
+}
+
+void SurfaceEditor::paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const
+{
+    QPolygonF outline;
+    for (const RailPoint& point : rail.points) outline << toPixel({point.x, point.y});
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(outline);
+}
+
+void SurfaceEditor::paintSelection(QPainter& painter, const PlotTheme& theme) const
+{
+    const QColor mark = theme.selection;
+    const auto& rails = surface().rails;
+    const auto square = [&](const RailPoint& point, bool filled) {
+        const QPointF at = toPixel({point.x, point.y});
+        painter.setPen(QPen(mark, 1.4));
+        painter.setBrush(filled ? mark : theme.background);
+        painter.drawRect(QRectF(at.x() - 0.5 * handle, at.y() - 0.5 * handle, handle, handle));
+    };
+    const auto line = [&](const SurfacePart& edge, double width) {
+        const std::vector<RailPoint>& points = rails[edge.item].points;
+        const RailPoint &a = points[edge.index], &b = points[(edge.index + 1) % points.size()];
+        painter.setPen(QPen(mark, width, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(toPixel({a.x, a.y}), toPixel({b.x, b.y}));
+    };
+    if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Edge) line(*hovered_, 2.5);
+    if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Corner)
+        square(rails[hovered_->item].points[hovered_->index], false);
+    for (const SurfacePart& part : selection_) {
+        if (!has(surface(), part)) continue;
+        if (part.kind == PartKind::Interest) {
+            painter.setPen(QPen(mark, 2.5));
+            painter.setBrush(Qt::NoBrush);
+            painter.drawEllipse(toPixel(surface().pointsOfInterest[part.item]), 9.0, 9.0);
+            continue;
+        }
+        paintOutline(painter, rails[part.item], QPen(mark, part.kind == PartKind::Rail ? 2.6 : 1.4));
+        for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
+            square(rails[part.item].points[k],
+                   part.kind == PartKind::Corner && selection_.contains({PartKind::Corner, part.item, k}));
+        if (part.kind == PartKind::Edge) line(part, 4.0);
+    }
+}
+
+void SurfaceEditor::paintGesture(QPainter& painter, const PlotTheme& theme) const
+{
+    painter.setPen(QPen(theme.selection, 1.4, Qt::DashLine));
+    QColor fill = theme.selection;
+    fill.setAlphaF(0.12F);
+    painter.setBrush(fill);
+    if (gesture_ == Gesture::Band || gesture_ == Gesture::Rectangle)
+        painter.drawRect(QRectF(toPixel(pressedPoint_), pointer_).normalized());
+    if (polygon_.empty()) return;
+    QPolygonF outline;
+    for (const SurfacePoint& corner : polygon_) outline << toPixel(corner);
+    painter.drawPolygon(outline << pointer_);
+}
+
+} // namespace touchdown
