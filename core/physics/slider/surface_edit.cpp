@@ -218,6 +218,17 @@ AirBearingSurface withoutWall(AirBearingSurface surface, std::size_t wall)
     return surface;
 }
 
+AirBearingSurface withEdgeWall(AirBearingSurface surface, const PartSelection& parts, int wall)
+{
+    for (const SurfacePart& part : parts) {
+        if (!has(surface, part)) continue;
+        if (part.kind == PartKind::Edge) surface.rails[part.item].points[part.index].wall = wall;
+        if (part.kind == PartKind::Rail)
+            for (RailPoint& point : surface.rails[part.item].points) point.wall = wall;
+    }
+    return surface;
+}
+
 std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& surface, double width, double reach)
 {
     const auto imageIn = [&](const Rail& rail, const Rail& other) -> std::optional<std::vector<std::size_t>> {
@@ -251,7 +262,7 @@ std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& su
 }
 
 AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelection& parts, SurfaceShift by,
-                               double width, double reach)
+                               double width, double reach, const std::set<std::size_t>& single)
 {
     AirBearingSurface result = moved(surface, parts, by);
     const AirBearingSurface alone = result;
@@ -262,7 +273,7 @@ AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelec
     const auto still = [](SurfaceShift shift) { return shift.x == 0.0 && shift.y == 0.0; };
     const auto images = mirrorImages(surface, width, reach);
     for (std::size_t i = 0; i < surface.rails.size(); ++i) {
-        if (!images[i]) continue;
+        if (!images[i] || single.contains(i) || single.contains(images[i]->rail)) continue;
         for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
             const std::size_t rail = images[i]->rail, corner = images[i]->corner[k];
             const SurfaceShift own = shiftOf(i, k), image = shiftOf(rail, corner);
@@ -289,19 +300,21 @@ SnappedPlace snapped(const AirBearingSurface& surface, const PartSelection& movi
     const auto take = [&](double candidate, double wanted, double& near, double& coordinate, SnapTarget& held,
                           SnapTarget what) {
         const double distance = std::abs(candidate - wanted);
-        if (distance > near || (distance == near && held != SnapTarget::None)) return;
+        if (distance > near || (distance == near && held != SnapTarget::None)) return false;
         near = distance;
         coordinate = candidate;
         held = what;
+        return true;
     };
-    const auto takeX = [&](double x, SnapTarget what) { take(x, at.x, nearX, place.at.x, place.x, what); };
-    const auto takeY = [&](double y, SnapTarget what) { take(y, at.y, nearY, place.at.y, place.y, what); };
+    const auto takeX = [&](double x, SnapTarget what) { return take(x, at.x, nearX, place.at.x, place.x, what); };
+    const auto takeY = [&](double y, SnapTarget what) { return take(y, at.y, nearY, place.at.y, place.y, what); };
     const Corners own = cornersOf(surface, moving);
     for (std::size_t i = 0; i < surface.rails.size(); ++i)
         for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
             if (own.contains({i, k})) continue;
-            takeX(surface.rails[i].points[k].x, SnapTarget::Corner);
-            takeY(surface.rails[i].points[k].y, SnapTarget::Corner);
+            const SurfacePart corner{PartKind::Corner, i, k};
+            if (takeX(surface.rails[i].points[k].x, SnapTarget::Corner)) place.xCorner = corner;
+            if (takeY(surface.rails[i].points[k].y, SnapTarget::Corner)) place.yCorner = corner;
         }
     takeY(0.5 * grid.width, SnapTarget::Centre);
     for (const double x : {0.0, grid.length}) takeX(x, SnapTarget::Border);

@@ -194,6 +194,16 @@ private slots:
         for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 2, k).wall, expected[k]);
         QVERIFY(surfaceProblems(after).empty());
     }
+    void edgeWalls()
+    {
+        const AirBearingSurface before = sample();
+        AirBearingSurface after = withEdgeWall(before, {{PartKind::Edge, 0, 2}, {PartKind::Corner, 0, 1}}, 1);
+        const std::array expected{1, 2, 1, 4};
+        for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 0, k).wall, expected[k]);
+        after = withEdgeWall(before, {{PartKind::Rail, 3}, {PartKind::Edge, 9, 0}}, 0);
+        for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 3, k).wall, 0);
+        QVERIFY(after.rails[2] == before.rails[2]);
+    }
     void mirror()
     {
         const AirBearingSurface before = sample();
@@ -249,6 +259,13 @@ private slots:
         QVERIFY(is(shift(after, 0, 1), 10e-6, 0) && is(shift(after, 1, 1), 10e-6, 0));
         after = movedInPairs(before, {{PartKind::Rail, 3}}, by, width, 1e-7);
         QVERIFY(after == moved(before, {{PartKind::Rail, 3}}, by));
+        // A pair that is broken at either rail moves alone; the others do not.
+        for (const std::size_t single : {0, 1}) {
+            after = movedInPairs(before, {{PartKind::Rail, 0}}, by, width, 1e-7, {single});
+            QVERIFY(after == moved(before, {{PartKind::Rail, 0}}, by));
+            after = movedInPairs(before, {{PartKind::Corner, 2, 0}}, by, width, 1e-7, {single});
+            QVERIFY(is(shift(after, 2, 3), 10e-6, -5e-6));
+        }
     }
     /// A corner on the centre line stays there.
     void onTheCentreLine()
@@ -283,6 +300,7 @@ private slots:
         SnappedPlace place = at(0.603e-3, 0.4026e-3);
         QCOMPARE(place.at.x, 0.6e-3);
         QVERIFY(place.x == SnapTarget::Corner);
+        QVERIFY(place.xCorner == (SurfacePart{PartKind::Corner, 0, 1}));
         QCOMPARE(place.at.y, 0.4e-3);
         QVERIFY(place.y == SnapTarget::Centre);
         place = at(0.9963e-3, 0.02349e-3);
