@@ -115,6 +115,7 @@ QWidget* SurfacePage::buildTools()
     tool(SurfaceEditor::Tool::Select, tr("Select"), tr("Select and drag rails, edges and corners (V)"));
     tool(SurfaceEditor::Tool::Rectangle, tr("Rectangle"), tr("Draw a rectangular rail (R)"));
     tool(SurfaceEditor::Tool::Polygon, tr("Polygon"), tr("Draw a rail corner by corner; Enter closes it (P)"));
+    tool(SurfaceEditor::Tool::Measure, tr("Measure"), tr("Measure between two places; Esc removes the measure (M)"));
     group->button(0)->setChecked(true);
     connect(editor_, &SurfaceEditor::toolChanged, this,
             [this, group] { group->button(static_cast<int>(editor_->tool()))->setChecked(true); });
@@ -128,8 +129,8 @@ QWidget* SurfacePage::buildTools()
     layout->addSpacing(10);
     toggle(tr("S&nap"), tr("Snap to corners of other rails, to the centre line, the border and 1 µm; Ctrl lets go"),
            true, [this](bool on) { editor_->setSnapping(on); });
-    toggle(tr("&Pairs"), tr("Rails that are mirror images move together"), false,
-           [this](bool on) { editor_->setPairs(on); });
+    toggle(tr("&Pairs"), tr("Rails that are mirror images move together; a click on the link of a pair breaks it (L)"),
+           false, [this](bool on) { editor_->setPairs(on); });
     layout->addWidget(follow_);
     layout->addWidget(influence_);
     layout->addStretch(1);

@@ -4,10 +4,11 @@
 // `edited` asks the owner to make that one edit of the case, which comes back with setCase.
 //
 // Mouse: click or drag a rectangle to select, Shift adds; drag a corner, an edge, a rail or a point of interest: Shift
-// keeps to x or y, Ctrl lets go of the snap, Esc gives back; double click on an edge inserts a corner. The middle
-// button or Space with the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with
-// Shift by 10 µm, with Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), M (mirror), Page Up and Down (order of
-// overlap), F (fit); V, R, P choose the tool.
+// keeps to x or y, Ctrl lets go of the snap, Esc gives back, a number typed meanwhile is the distance in µm; double
+// click on an edge inserts a corner; click on the link of a pair breaks or joins it. The middle button or Space with
+// the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with Shift by 10 µm, with
+// Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirror), L (break or join the pair), Page Up and Down
+// (order of overlap), N and B (next and previous rail), F (fit); V, R, P, M choose the tool.
 #pragma once
 
 #include <functional>
@@ -24,11 +25,13 @@
 
 namespace touchdown {
 
+class DragField;
+
 class SurfaceEditor : public SurfaceView {
     Q_OBJECT
 
 public:
-    enum class Tool { Select, Rectangle, Polygon };
+    enum class Tool { Select, Rectangle, Polygon, Measure };
     Q_ENUM(Tool)
 
     explicit SurfaceEditor(QWidget* parent = nullptr);
@@ -48,7 +51,20 @@ public:
     Tool tool() const { return tool_; }
     void setTool(Tool tool);
     void setSnapping(bool on) { snapping_ = on; }
-    void setPairs(bool on) { pairs_ = on; }
+    void setPairs(bool on);
+    /// Mirror rails that move together; a link that is broken lets both move alone until it is joined again.
+    struct PairLink {
+        std::size_t rail, image;
+        bool broken;
+        SurfacePoint from, to; // inside the two rails [m]
+        SurfacePoint middle() const { return {0.5 * (from.x + to.x), 0.5 * (from.y + to.y)}; }
+    };
+    const std::vector<PairLink>& pairLinks() const { return links_; }
+    void togglePair(std::size_t rail);
+    /// What holds the place that is dragged or measured: "corner 2 of rail 3", "centre line", "border".
+    QStringList snapWords() const;
+    /// Distance, its parts along x and y, and its angle to x; empty where nothing is measured.
+    QString measureText() const;
 
     void nudge(SurfaceShift by);
     void removeSelected();
@@ -89,7 +105,8 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
-    enum class Gesture { None, Pressed, Move, Band, View, Rectangle };
+    static constexpr double pairReach = 0.1e-6; // within which rails are mirror images [m]
+    enum class Gesture { None, Pressed, Move, Band, View, Rectangle, Measure };
 
     bool moveByKey(const QKeyEvent& event);
     bool actByKey(const QKeyEvent& event);
@@ -98,8 +115,17 @@ private:
     void preview(const AirBearingSurface& surface);
     void previewWaiting();
     AirBearingSurface movedSelection(SurfaceShift by) const;
-    SurfaceShift wantedShift(const QMouseEvent& event) const;
-    SurfacePoint snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const;
+    SurfaceShift wantedShift(const QMouseEvent& event);
+    SurfacePoint snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers);
+    void endMove(SurfaceShift by);
+    void beginTyping(const QString& typed);
+    std::optional<SurfaceShift> typedShift() const;
+    bool typing() const { return !typed_.empty(); }
+    void stopTyping();
+    void findLinks();
+    std::optional<std::size_t> linkAt(const QPointF& pixel) const;
+    void chooseMeasure();
+    void addMeasured(const SurfacePoint& at);
     SnapGrid snapGrid() const;
     void press(const QMouseEvent& event);
     void addOutline(const std::vector<SurfacePoint>& corners);
@@ -110,6 +136,9 @@ private:
     void paintSelection(QPainter& painter, const PlotTheme& theme) const;
     void paintGesture(QPainter& painter, const PlotTheme& theme) const;
     void paintInfluence(QPainter& painter, const PlotTheme& theme) const;
+    void paintSnap(QPainter& painter, const PlotTheme& theme) const;
+    void paintLinks(QPainter& painter, const PlotTheme& theme) const;
+    void paintMeasure(QPainter& painter, const PlotTheme& theme) const;
     void paintProblems(QPainter& painter, const PlotTheme& theme) const;
     void paintProblem(QPainter& painter, const SurfaceProblem& problem, const QColor& colour, const PlotTheme& theme,
                       TakenRoom& taken) const;
@@ -128,11 +157,17 @@ private:
     std::optional<SurfaceShift> waiting_; // for the next preview
     QTimer previewTimer_;                 // since the last one
     std::optional<SurfacePart> grabbed_;
-    bool addedByPress_ = false;         // a click on what is selected already selects it alone
-    QPointF pressedAt_, pointer_;       // [px]
-    SurfacePoint pressedPoint_;         // [m]
-    std::vector<SurfacePoint> polygon_; // under way [m]
-    int nudges_ = 0;                    // number of the row of nudges
+    bool addedByPress_ = false;          // a click on what is selected already selects it alone
+    QPointF pressedAt_, pointer_;        // [px]
+    SurfacePoint pressedPoint_;          // [m]
+    std::vector<SurfacePoint> polygon_;  // under way [m]
+    int nudges_ = 0;                     // number of the row of nudges
+    std::optional<SnappedPlace> snap_;   // of the gesture
+    std::vector<SurfacePoint> measured_; // one place or two [m]
+    std::set<std::size_t> single_;       // rails whose pairs are broken
+    std::vector<PairLink> links_;        // where pairs move together
+    DragField* field_;
+    std::vector<SurfaceShift> typed_; // the directions of its numbers [-]
 };
 
 } // namespace touchdown

@@ -27,26 +27,44 @@ SnapGrid SurfaceEditor::snapGrid() const
     return {area().width(), area().height(), snapReach / metre, placeRaster};
 }
 
-SurfacePoint SurfaceEditor::snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const
+SurfacePoint SurfaceEditor::snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers)
 {
     const SurfacePoint at = toSlider(pixel);
-    if (!snapping_ || modifiers.testFlag(Qt::ControlModifier)) return at;
-    return snapped(committed_, {}, at, snapGrid()).at;
+    const bool snaps = snapping_ && !modifiers.testFlag(Qt::ControlModifier);
+    snap_ = snaps ? snapped(committed_, {}, at, snapGrid()) : SnappedPlace{at, {}, {}, {}, {}};
+    return snap_->at;
 }
 
-SurfaceShift SurfaceEditor::wantedShift(const QMouseEvent& event) const
+SurfaceShift SurfaceEditor::wantedShift(const QMouseEvent& event)
 {
     const SurfacePoint to = toSlider(event.position());
     SurfaceShift by{to.x - pressedPoint_.x, to.y - pressedPoint_.y};
+    snap_.reset();
     if (event.modifiers().testFlag(Qt::ShiftModifier)) (std::abs(by.x) > std::abs(by.y) ? by.y : by.x) = 0.0;
     if (!snapping_ || event.modifiers().testFlag(Qt::ControlModifier) || !grabbed_) return by;
     const SurfacePoint from = placeOf(committed_, *grabbed_, pressedPoint_);
-    const SnappedPlace place = snapped(committed_, selection_, {from.x + by.x, from.y + by.y}, snapGrid());
-    return {by.x == 0.0 ? 0.0 : place.at.x - from.x, by.y == 0.0 ? 0.0 : place.at.y - from.y};
+    SnappedPlace place = snapped(committed_, selection_, {from.x + by.x, from.y + by.y}, snapGrid());
+    if (by.x == 0.0) place.at.x = from.x, place.x = SnapTarget::None;
+    if (by.y == 0.0) place.at.y = from.y, place.y = SnapTarget::None;
+    snap_ = place;
+    return {place.at.x - from.x, place.at.y - from.y};
+}
+
+void SurfaceEditor::endMove(SurfaceShift by)
+{
+    const AirBearingSurface surface = movedSelection(by);
+    stopTyping();
+    commit(surface, tr("move %1").arg(selectionText(selection_)));
+    updateCursor();
+    update();
 }
 
 void SurfaceEditor::mousePressEvent(QMouseEvent* event)
 {
+    if (typing()) { // a click beside the numbers takes them
+        if (const auto by = typedShift()) endMove(*by);
+        return;
+    }
     if (dragging()) return;
     pressedAt_ = pointer_ = event->position();
     pressedPoint_ = toSlider(pressedAt_);
@@ -60,6 +78,10 @@ void SurfaceEditor::mousePressEvent(QMouseEvent* event)
         addPolygonCorner(snappedAt(event->position(), event->modifiers()));
     else if (tool_ == Tool::Rectangle)
         pressedPoint_ = snappedAt(event->position(), event->modifiers()), gesture_ = Gesture::Rectangle;
+    else if (tool_ == Tool::Measure)
+        addMeasured(snappedAt(event->position(), event->modifiers())), gesture_ = Gesture::Measure;
+    else if (const auto link = linkAt(pressedAt_))
+        togglePair(*link);
     else
         press(*event);
 }
@@ -94,18 +116,18 @@ void SurfaceEditor::mouseMoveEvent(QMouseEvent* event)
         updateCursor();
     }
     if (gesture_ == Gesture::Move) {
+        if (typing()) return;
         waiting_ = wantedShift(*event);
         if (!previewTimer_.isActive()) previewWaiting();
         return;
     }
+    if (tool_ != Tool::Select) snappedAt(event->position(), event->modifiers());
     if (gesture_ == Gesture::None) {
         const auto under = tool_ == Tool::Select && planArea().contains(event->position())
                                ? partAt(*this, committed_, event->position(), selection_)
                                : std::nullopt;
-        if (under != hovered_) {
-            hovered_ = under;
-            updateCursor();
-        }
+        hovered_ = linkAt(event->position()) ? std::nullopt : under;
+        updateCursor();
         SurfaceView::mouseMoveEvent(event);
     }
     update();
@@ -119,11 +141,14 @@ void SurfaceEditor::mouseReleaseEvent(QMouseEvent* event)
         gesture_ = Gesture::None;
         updateCursor();
         return;
-    case Gesture::Move: {
-        const AirBearingSurface surface = movedSelection(wantedShift(*event));
-        commit(surface, tr("move %1").arg(selectionText(selection_)));
+    case Gesture::Move:
+        if (!typing()) endMove(wantedShift(*event)); // else the numbers are still to come
         break;
-    }
+    case Gesture::Measure:
+        gesture_ = Gesture::None;
+        if ((event->position() - pressedAt_).manhattanLength() >= QApplication::startDragDistance())
+            addMeasured(snappedAt(event->position(), event->modifiers()));
+        break;
     case Gesture::Pressed:
         gesture_ = Gesture::None;
         if (!addedByPress_ && event->modifiers().testFlag(Qt::ShiftModifier)) {
@@ -189,6 +214,8 @@ void SurfaceEditor::updateCursor()
         setCursor(Qt::SizeAllCursor);
     else if (tool_ != Tool::Select)
         setCursor(Qt::CrossCursor);
+    else if (linkAt(pointer_))
+        setCursor(Qt::PointingHandCursor);
     else if (hovered_ && selection_.contains(*hovered_))
         setCursor(Qt::SizeAllCursor);
     else if (hovered_)

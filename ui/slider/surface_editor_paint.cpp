@@ -6,6 +6,7 @@
 
 #include <QPainter>
 
+#include "ui/slider/part_picking.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/slider/surface_editor.h"
 #include "ui/style/theme.h"
@@ -29,9 +30,55 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
                 paintOutline(painter, ghost_.rails[i], pen);
     }
     if (!dragging()) paintInfluence(painter, theme);
+    paintLinks(painter, theme);
     paintSelection(painter, theme);
     paintProblems(painter, theme);
+    paintSnap(painter, theme);
+    paintMeasure(painter, theme);
     paintGesture(painter, theme);
+}
+
+QStringList SurfaceEditor::snapWords() const
+{
+    if (!snap_) return {};
+    QStringList words{snapText(snap_->x, snap_->xCorner), snapText(snap_->y, snap_->yCorner)};
+    words.removeAll(QString());
+    words.removeDuplicates();
+    return words;
+}
+
+/// A line from what holds the place, and its name beside the place.
+void SurfaceEditor::paintSnap(QPainter& painter, const PlotTheme& theme) const
+{
+    const QStringList words = snapWords();
+    if (words.isEmpty()) return;
+    const QPointF place = toPixel(snap_->at);
+    const auto line = [&](SnapTarget target, const SurfacePart& corner, bool alongX) {
+        if (snapText(target, corner).isEmpty()) return;
+        QPointF from =
+            alongX ? QPointF(toPixel({0.0, 0.0}).x(), place.y()) : QPointF(place.x(), toPixel({0.0, 0.0}).y());
+        QPointF to = alongX ? QPointF(toPixel({area().right(), 0.0}).x(), place.y())
+                            : QPointF(place.x(), toPixel({0.0, area().bottom()}).y());
+        if (target == SnapTarget::Corner) {
+            const RailPoint& held = committed_.rails[corner.item].points[corner.index];
+            from = toPixel({held.x, held.y});
+            to = place;
+        }
+        for (const QPen& pen : {QPen(theme.background, 3.0), QPen(theme.selection, 1.2, Qt::DashLine)}) {
+            painter.setPen(pen);
+            painter.drawLine(from, to);
+        }
+        if (target == SnapTarget::Corner) painter.drawEllipse(from, 4.0, 4.0);
+    };
+    painter.setBrush(Qt::NoBrush);
+    line(snap_->x, snap_->xCorner, false);
+    line(snap_->y, snap_->yCorner, true);
+    const QString text = words.join(QStringLiteral("  ·  "));
+    painter.setFont(font());
+    const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(text) + 8.0;
+    const bool atRight = place.x() + 14.0 + 2.0 * half < planArea().right();
+    TakenRoom taken;
+    paintPlanLabel(painter, place + QPointF(atRight ? 10.0 + half : -10.0 - half, -18.0), text, theme, taken);
 }
 
 /// A ring about each place and the sentence beside the first one, where there is room.

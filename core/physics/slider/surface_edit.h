@@ -38,6 +38,9 @@ struct SurfaceShift {
 /// itself, by the part of the shift that is normal to it, and its corners slide along the neighbouring edges.
 AirBearingSurface moved(AirBearingSurface surface, const PartSelection& parts, SurfaceShift by);
 
+/// The unit vector normal to an edge that exists, to the right of its direction [-].
+SurfaceShift edgeNormal(const AirBearingSurface& surface, const SurfacePart& edge);
+
 /// A corner at this place on an edge, which is parted there; both halves have its wall. A ramp keeps its plane.
 AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::size_t edge, SurfacePoint at);
 

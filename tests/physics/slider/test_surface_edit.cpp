@@ -194,6 +194,16 @@ private slots:
         for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 2, k).wall, expected[k]);
         QVERIFY(surfaceProblems(after).empty());
     }
+    /// From (100, 50) to (600, 50) um the normal is (0, -1); a slanted edge of 3 x 4 um.
+    void normals()
+    {
+        AirBearingSurface surface = sample();
+        const SurfaceShift below = edgeNormal(surface, {PartKind::Edge, 0, 0});
+        QVERIFY(near(below.x, 0.0) && near(below.y, -1.0));
+        surface.rails[0].points = {{0, 0, 0}, {3e-6, 4e-6, 0}, {0, 8e-6, 0}};
+        const SurfaceShift slanted = edgeNormal(surface, {PartKind::Edge, 0, 0});
+        QVERIFY(near(slanted.x, 0.8) && near(slanted.y, -0.6));
+    }
     void edgeWalls()
     {
         const AirBearingSurface before = sample();
@@ -303,6 +313,13 @@ private slots:
         QVERIFY(place.xCorner == (SurfacePart{PartKind::Corner, 0, 1}));
         QCOMPARE(place.at.y, 0.4e-3);
         QVERIFY(place.y == SnapTarget::Centre);
+        // The middle pad's corner (0.8, 0.3) mm has both; 0.3 mm is also the x of the last rail.
+        place = at(0.8e-3 + 2e-6, 0.3e-3 - 2e-6);
+        QVERIFY(place.xCorner == (SurfacePart{PartKind::Corner, 2, 0}) && place.xCorner == place.yCorner);
+        // A corner on the border says less than the border.
+        AirBearingSurface wide = surface;
+        wide.rails[0].points[0].x = 0.0;
+        QVERIFY(snapped(wide, moving, {1e-6, 0.02349e-3}, grid).x == SnapTarget::Border);
         place = at(0.9963e-3, 0.02349e-3);
         QCOMPARE(place.at.x, 1e-3);
         QVERIFY(place.x == SnapTarget::Border && place.y == SnapTarget::Raster);
