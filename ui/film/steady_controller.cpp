@@ -4,6 +4,8 @@
 #include <exception>
 #include <utility>
 
+#include "core/simulation/static_state/steady_quantities.h"
+
 namespace touchdown {
 
 SteadyController::SteadyController(Solver solver, QObject* parent)

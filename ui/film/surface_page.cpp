@@ -89,6 +89,12 @@ SurfacePage::SurfacePage(QWidget* parent)
     connect(editor_, &SurfaceEditor::previewed, this, &SurfacePage::previewed);
     connect(editor_, &SurfaceEditor::edited, this, &SurfacePage::edited);
     connect(panel_, &ShapePanel::edited, this, &SurfacePage::edited);
+    connect(panel_, &ShapePanel::menuWanted, this,
+            [this](const QPoint& globalPos) { editor_->popUpMenu(globalPos, std::nullopt); });
+    connect(editor_, &SurfaceEditor::coordinatesWanted, panel_, &ShapePanel::typeCoordinates);
+    connect(editor_, &SurfaceEditor::recessWanted, panel_, &ShapePanel::typeRecess);
+    connect(editor_, &SurfaceEditor::wallWanted, panel_,
+            [this](int wall) { panel_->showWall(static_cast<std::size_t>(wall) - 1); });
 }
 
 QWidget* SurfacePage::buildTools()

@@ -8,8 +8,10 @@
 #include "core/numerics/cell_grid.h"
 #include "core/physics/slider/meeting_walls.h"
 #include "core/physics/slider/short_edges.h"
+#include "core/physics/slider/surface_symmetry.h"
 #include "ui/slider/drag_field.h"
 #include "ui/slider/part_picking.h"
+#include "ui/slider/wall_menu.h"
 
 namespace touchdown {
 
@@ -165,6 +167,26 @@ void SurfaceEditor::mirrorSelected()
         if (part.kind == PartKind::Interest) parts.insert(part);
     if (parts.empty() || dragging()) return;
     commit(mirrored(committed_, parts, area().height()), tr("mirror %1").arg(selectionText(parts)));
+}
+
+void SurfaceEditor::makeSymmetric()
+{
+    const PartSelection rails = railsOf(selection_);
+    if (rails.empty() || dragging()) return;
+    commit(madeSymmetric(committed_, rails, area().height(), pairReach),
+           tr("make %1 symmetric").arg(selectionText(rails)));
+}
+
+void SurfaceEditor::chooseWall(int wall)
+{
+    PartSelection parts;
+    std::ranges::copy_if(selection_, std::inserter(parts, parts.end()), [](const SurfacePart& part) {
+        return part.kind == PartKind::Edge || part.kind == PartKind::Rail;
+    });
+    if (parts.empty() || dragging()) return;
+    const bool added = wall > static_cast<int>(committed_.walls.size());
+    commit(withChosenWall(committed_, parts, wall), tr("wall of %1").arg(selectionText(parts)));
+    if (added) emit wallWanted(wall);
 }
 
 void SurfaceEditor::moveInOrder(int places)

@@ -70,6 +70,12 @@ public:
     void removeSelected();
     void copySelected();
     void mirrorSelected();
+    /// Rails of the selection get mirror images where they have none.
+    void makeSymmetric();
+    /// The wall of the selected edges and rails; one more than there are: a new one.
+    void chooseWall(int wall);
+    /// The verbs for what is selected, with `insertAt` on an edge [m].
+    void popUpMenu(const QPoint& globalPos, const std::optional<SurfacePoint>& insertAt);
     /// In the order of overlap: 1 forward, -1 backward.
     void moveInOrder(int places);
     void insertCorner(std::size_t rail, std::size_t edge, SurfacePoint at);
@@ -90,6 +96,10 @@ signals:
     void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
     void selectionChanged();
     void toolChanged();
+    /// Numbers of the selection, its recess, or a new wall are to be typed elsewhere.
+    void coordinatesWanted();
+    void recessWanted();
+    void wallWanted(int wall);
 
 protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;
