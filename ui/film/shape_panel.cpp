@@ -271,6 +271,7 @@ void ShapePanel::updateButtons()
 {
     const bool wall = chosen_.kind == Kind::Wall;
     corner_->setEnabled(wall || chosen_.kind == Kind::Rail);
+    corner_->setText(wall ? tr("+ Row") : tr("+ Corner"));
     corner_->setToolTip(wall ? tr("Add a point to the wall after the chosen one (Insert)")
                              : tr("Insert a corner after the chosen one (Insert)"));
     wall_->setEnabled(chosen_.kind == Kind::Rail);

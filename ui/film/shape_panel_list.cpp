@@ -22,6 +22,7 @@ void ShapePanel::buildList()
     list_->setHeaderLabels({tr("Part"), tr("Recess [µm]"), tr("Points")});
     list_->setAccessibleName(tr("Rails, walls and points of interest"));
     list_->setUniformRowHeights(true);
+    list_->setIndentation(12);
     list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
     list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
@@ -90,7 +91,8 @@ ShapePanel::Chosen ShapePanel::chosenOf(const QTreeWidgetItem* item) const
 void ShapePanel::setSelection(const PartSelection& parts)
 {
     selection_ = parts;
-    {
+    const bool wallStays = parts.empty() && chosen_.kind == Kind::Wall;
+    if (!wallStays) {
         const QSignalBlocker silent(list_);
         list_->clearSelection();
         for (const SurfacePart& part : parts) {
@@ -105,7 +107,7 @@ void ShapePanel::setSelection(const PartSelection& parts)
             }
         }
     }
-    if (parts.empty() && chosen_.kind != Kind::Wall) chosen_ = {};
+    if (parts.empty() && !wallStays) chosen_ = {};
     fillTable();
     updateButtons();
 }

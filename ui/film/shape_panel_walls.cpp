@@ -18,17 +18,16 @@ namespace touchdown {
 void ShapePanel::buildWallMenu()
 {
     wall_ = new QToolButton(this);
-    wall_->setText(tr("Wall"));
+    wall_->setText(tr("Wall…"));
     wall_->setToolTip(tr("Wall of the edges that begin at the chosen corners, or of all edges of the rail"));
     wall_->setAccessibleName(wall_->toolTip());
     wall_->setFocusPolicy(Qt::StrongFocus);
-    wall_->setPopupMode(QToolButton::InstantPopup);
-    auto* menu = new QMenu(wall_);
-    wall_->setMenu(menu);
-    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
-        menu->clear();
+    connect(wall_, &QToolButton::clicked, this, [this] {
+        auto* menu = new QMenu(wall_);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
         fillWallMenu(*menu, case_.surface, commonWall(case_.surface, chosenEdges()),
                      [this](int wall) { chooseWall(wall); });
+        menu->popup(wall_->mapToGlobal(QPoint(0, wall_->height())));
     });
 }
 

@@ -59,6 +59,7 @@ void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, dou
 void SurfaceEditor::setGhost(const AirBearingSurface& surface)
 {
     ghost_ = surface;
+    ghostWarnings_ = surfaceProblems(surface).empty() ? findWarnings(surface) : std::vector<SurfaceProblem>{};
     update();
 }
 
@@ -105,11 +106,15 @@ void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length,
 {
     setSurface(surface, length, width, gesture_ == Gesture::Move);
     problems_ = surfaceProblems(surface);
-    warnings_.clear();
-    if (!problems_.empty()) return;
-    warnings_ = surfaceWarnings(surface, length, width);
-    std::ranges::move(meetingWalls(surface), std::back_inserter(warnings_));
-    if (gridOf_) std::ranges::move(shortEdges(surface, gridOf_(surface)), std::back_inserter(warnings_));
+    warnings_ = problems_.empty() ? findWarnings(surface) : std::vector<SurfaceProblem>{};
+}
+
+std::vector<SurfaceProblem> SurfaceEditor::findWarnings(const AirBearingSurface& surface) const
+{
+    std::vector<SurfaceProblem> found = surfaceWarnings(surface, area().width(), area().height());
+    std::ranges::move(meetingWalls(surface), std::back_inserter(found));
+    if (gridOf_) std::ranges::move(shortEdges(surface, gridOf_(surface)), std::back_inserter(found));
+    return found;
 }
 
 void SurfaceEditor::preview(const AirBearingSurface& surface)

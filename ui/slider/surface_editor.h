@@ -60,6 +60,8 @@ public:
         SurfacePoint middle() const { return {0.5 * (from.x + to.x), 0.5 * (from.y + to.y)}; }
     };
     const std::vector<PairLink>& pairLinks() const { return links_; }
+    /// Where the symbol of a link is drawn and clicked [px].
+    QPointF symbolOf(const PairLink& link) const;
     void togglePair(std::size_t rail);
     /// What holds the place that is dragged or measured: "corner 2 of rail 3", "centre line", "border".
     QStringList snapWords() const;
@@ -150,14 +152,19 @@ private:
     void paintLinks(QPainter& painter, const PlotTheme& theme) const;
     void paintMeasure(QPainter& painter, const PlotTheme& theme) const;
     void paintProblems(QPainter& painter, const PlotTheme& theme) const;
-    void paintProblem(QPainter& painter, const SurfaceProblem& problem, const QColor& colour, const PlotTheme& theme,
-                      TakenRoom& taken) const;
+    void paintRings(QPainter& painter, const SurfaceProblem& problem, double radius, const QColor& colour,
+                    const PlotTheme& theme) const;
+    void paintSentence(QPainter& painter, const SurfaceProblem& problem, const PlotTheme& theme,
+                       TakenRoom& taken) const;
+    bool isTold(const SurfaceProblem& warning) const;
+    std::vector<SurfaceProblem> findWarnings(const AirBearingSurface& surface) const;
     void showSurface(const AirBearingSurface& surface, double length, double width);
 
     AirBearingSurface committed_, ghost_;
     GridOf gridOf_;
     std::vector<std::pair<SurfacePart, double>> influence_;
     std::vector<SurfaceProblem> problems_, warnings_; // of the surface that is shown
+    std::vector<SurfaceProblem> ghostWarnings_;
     PartSelection selection_;
     std::optional<SurfacePart> hovered_;
     Tool tool_ = Tool::Select;
@@ -176,6 +183,7 @@ private:
     std::vector<SurfacePoint> measured_; // one place or two [m]
     std::set<std::size_t> single_;       // rails whose pairs are broken
     std::vector<PairLink> links_;        // where pairs move together
+    bool noPairs_ = false;               // pairs are to move together, but there are none
     DragField* field_;
     std::vector<SurfaceShift> typed_; // the directions of its numbers [-]
 };

@@ -46,6 +46,13 @@ SurfaceShift SurfaceEditor::wantedShift(const QMouseEvent& event)
     SnappedPlace place = snapped(committed_, selection_, {from.x + by.x, from.y + by.y}, snapGrid());
     if (by.x == 0.0) place.at.x = from.x, place.x = SnapTarget::None;
     if (by.y == 0.0) place.at.y = from.y, place.y = SnapTarget::None;
+    if (selection_.size() == 1 && selection_.begin()->kind == PartKind::Edge) {
+        // An edge moves normal to itself: along x or y it snaps that way, slanted it does not.
+        const SurfaceShift normal = edgeNormal(committed_, *selection_.begin());
+        if (normal.x != 0.0 && normal.y != 0.0) return by;
+        if (normal.x == 0.0) place.at.x = from.x, place.x = SnapTarget::None;
+        if (normal.y == 0.0) place.at.y = from.y, place.y = SnapTarget::None;
+    }
     snap_ = place;
     return {place.at.x - from.x, place.at.y - from.y};
 }

@@ -81,16 +81,21 @@ void SurfaceEditor::paintSnap(QPainter& painter, const PlotTheme& theme) const
     paintPlanLabel(painter, place + QPointF(atRight ? 10.0 + half : -10.0 - half, -18.0), text, theme, taken);
 }
 
-/// A ring about each place and the sentence beside the first one, where there is room.
-void SurfaceEditor::paintProblem(QPainter& painter, const SurfaceProblem& problem, const QColor& colour,
-                                 const PlotTheme& theme, TakenRoom& taken) const
+void SurfaceEditor::paintRings(QPainter& painter, const SurfaceProblem& problem, double radius, const QColor& colour,
+                               const PlotTheme& theme) const
 {
     painter.setBrush(Qt::NoBrush);
     for (const SurfacePoint& place : problem.places)
         for (const QPen& pen : {QPen(theme.background, 4.0), QPen(colour, 2.0)}) {
             painter.setPen(pen);
-            painter.drawEllipse(toPixel(place), 8.0, 8.0);
+            painter.drawEllipse(toPixel(place), radius, radius);
         }
+}
+
+/// Beside the first place, where there is room.
+void SurfaceEditor::paintSentence(QPainter& painter, const SurfaceProblem& problem, const PlotTheme& theme,
+                                  TakenRoom& taken) const
+{
     if (problem.places.empty()) return;
     const QString sentence = QString::fromStdString(problem.sentence);
     const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(sentence) + 8.0;
@@ -98,16 +103,33 @@ void SurfaceEditor::paintProblem(QPainter& painter, const SurfaceProblem& proble
     const double x =
         std::clamp(place.x(), planArea().left() + half, std::max(planArea().left() + half, planArea().right() - half));
     painter.setFont(font());
-    for (const double away : {24.0, -24.0})
-        if (paintPlanLabel(painter, {x, place.y() + away}, sentence, theme, taken)) return;
+    for (const double away : {24.0, -24.0, 46.0, -46.0})
+        if (planArea().contains(x, place.y() + away) &&
+            paintPlanLabel(painter, {x, place.y() + away}, sentence, theme, taken))
+            return;
+}
+
+/// A warning that was there when the case was opened is told where the pointer is; a new one at once.
+bool SurfaceEditor::isTold(const SurfaceProblem& warning) const
+{
+    const auto known = [&](const SurfaceProblem& one) { return one.sentence == warning.sentence; };
+    if (std::ranges::none_of(ghostWarnings_, known)) return true;
+    constexpr double near = 12.0; // [px]
+    return std::ranges::any_of(warning.places, [&](const SurfacePoint& place) {
+        const QPointF away = toPixel(place) - pointer_;
+        return std::hypot(away.x(), away.y()) < near;
+    });
 }
 
 void SurfaceEditor::paintProblems(QPainter& painter, const PlotTheme& theme) const
 {
     const MeaningColours colours = meaningColours(palette());
     TakenRoom taken;
-    for (const SurfaceProblem& problem : problems_) paintProblem(painter, problem, colours.failure, theme, taken);
-    for (const SurfaceProblem& warning : warnings_) paintProblem(painter, warning, colours.warning, theme, taken);
+    for (const SurfaceProblem& warning : warnings_) paintRings(painter, warning, 6.0, colours.warning, theme);
+    for (const SurfaceProblem& problem : problems_) paintRings(painter, problem, 8.0, colours.failure, theme);
+    for (const SurfaceProblem& problem : problems_) paintSentence(painter, problem, theme, taken);
+    for (const SurfaceProblem& warning : warnings_)
+        if (isTold(warning)) paintSentence(painter, warning, theme, taken);
 }
 
 void SurfaceEditor::paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Pairs of mirror rails: their links on the plan, broken and joined by a click.
+#include <algorithm>
 #include <cmath>
 
 #include <QPainter>
@@ -13,14 +14,15 @@ namespace touchdown {
 
 namespace {
 
-constexpr double linkReach = 10.0; // of the symbol from its middle [px]
+constexpr double linkReach = 10.0;        // of the symbol from its middle [px]
+const QPointF besideTheNumber{18.0, 0.0}; // of a rail [px]
 
 /// Two links of a chain; apart where it is broken.
 void paintChain(QPainter& painter, const QPointF& at, bool broken)
 {
-    const double apart = broken ? 8.0 : 4.0;
+    const double apart = broken ? 5.5 : 3.0;
     for (const double side : {-1.0, 1.0})
-        painter.drawRoundedRect(QRectF(at.x() - 3.0, at.y() + side * apart - 5.0, 6.0, 10.0), 3.0, 3.0);
+        painter.drawRoundedRect(QRectF(at.x() - 2.5, at.y() + side * apart - 4.0, 5.0, 8.0), 2.5, 2.5);
 }
 
 } // namespace
@@ -41,8 +43,10 @@ void SurfaceEditor::findLinks()
 {
     links_.clear();
     update();
+    noPairs_ = false;
     if (!pairs_ || !problems_.empty()) return;
     const auto images = mirrorImages(committed_, area().height(), pairReach);
+    noPairs_ = std::ranges::none_of(images, [](const auto& image) { return image.has_value(); });
     const std::vector<SurfacePoint> inside = railNumberPoints(committed_);
     for (std::size_t i = 0; i < images.size(); ++i) {
         if (!images[i] || images[i]->rail <= i) continue;
@@ -65,21 +69,29 @@ void SurfaceEditor::togglePair(std::size_t rail)
     findLinks();
 }
 
+QPointF SurfaceEditor::symbolOf(const PairLink& link) const { return toPixel(link.middle()) + besideTheNumber; }
+
 std::optional<std::size_t> SurfaceEditor::linkAt(const QPointF& pixel) const
 {
     if (tool_ != Tool::Select || dragging()) return {};
     for (const PairLink& link : links_)
-        if (const QPointF away = toPixel(link.middle()) - pixel; std::hypot(away.x(), away.y()) < linkReach)
-            return link.rail;
+        if (const QPointF away = symbolOf(link) - pixel; std::hypot(away.x(), away.y()) < linkReach) return link.rail;
     return {};
 }
 
 void SurfaceEditor::paintLinks(QPainter& painter, const PlotTheme& theme) const
 {
     if (dragging()) return;
+    if (noPairs_) {
+        TakenRoom taken;
+        painter.setFont(font());
+        paintPlanLabel(painter, {planArea().center().x(), planArea().top() + 14.0},
+                       tr("No rail is a mirror image within 0.1 µm: there are no pairs."), theme, taken);
+    }
     painter.setBrush(Qt::NoBrush);
     for (const PairLink& link : links_) {
-        const QPointF from = toPixel(link.from), to = toPixel(link.to), middle = toPixel(link.middle());
+        const QPointF middle = symbolOf(link);
+        const QPointF from = toPixel(link.from) + besideTheNumber, to = toPixel(link.to) + besideTheNumber;
         const QPen thin(theme.selection, 1.0, link.broken ? Qt::DotLine : Qt::SolidLine);
         for (const QPen& pen : {QPen(theme.background, 3.0), thin}) {
             painter.setPen(pen);
@@ -87,9 +99,9 @@ void SurfaceEditor::paintLinks(QPainter& painter, const PlotTheme& theme) const
         }
         painter.setPen(QPen(theme.background, 1.0));
         painter.setBrush(theme.background);
-        painter.drawEllipse(middle, linkReach + 4.0, linkReach + 4.0);
+        painter.drawEllipse(middle, linkReach, linkReach);
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(link.broken ? theme.mutedText : theme.selection, 2.0));
+        painter.setPen(QPen(link.broken ? theme.mutedText : theme.selection, 1.6));
         paintChain(painter, middle, link.broken);
     }
 }

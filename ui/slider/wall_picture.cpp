@@ -24,7 +24,8 @@ double onRaster(double value, double raster) { return std::round(value / raster)
 
 } // namespace
 
-QPixmap wallPixmap(const WallProfile& wall, const QSize& size, const QPalette& palette, double ratio)
+QPixmap wallPixmap(const WallProfile& wall, const QSize& size, const QPalette& palette, double ratio,
+                   std::optional<double> fullWidth)
 {
     QPixmap picture(size * ratio);
     picture.setDevicePixelRatio(ratio);
@@ -35,13 +36,13 @@ QPixmap wallPixmap(const WallProfile& wall, const QSize& size, const QPalette& p
     QPolygonF curve{
         area.topLeft(), {area.center().x(), area.top()}, {area.center().x(), area.bottom()}, area.bottomRight()};
     if (wall.distance.size() >= 2 && wall.recess.size() == wall.distance.size()) {
-        const double left = wall.distance.front(), width = wall.distance.back() - left;
+        const double left = wall.distance.front();
         const auto [top, bottom] = std::ranges::minmax(wall.recess);
+        const double width = fullWidth.value_or(wall.distance.back() - left), height = bottom - top;
         curve.clear();
         for (std::size_t i = 0; i < wall.distance.size(); ++i)
             curve << QPointF(area.left() + (width > 0.0 ? (wall.distance[i] - left) / width : 0.5) * area.width(),
-                             area.top() +
-                                 (bottom > top ? (wall.recess[i] - top) / (bottom - top) : 0.5) * area.height());
+                             area.top() + (height > 0.0 ? (wall.recess[i] - top) / height : 0.5) * area.height());
     }
     painter.setPen(QPen(palette.color(QPalette::Text), 1.6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPolyline(curve);

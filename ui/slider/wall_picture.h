@@ -17,8 +17,10 @@
 
 namespace touchdown {
 
-/// The curve alone, for menus and lists; a vertical edge for a profile without points.
-QPixmap wallPixmap(const WallProfile& wall, const QSize& size, const QPalette& palette, double ratio);
+/// The curve alone, for menus and lists; a vertical edge for a profile without points. `width` fills the picture [m],
+/// so that several can be compared; nothing: that of the wall.
+QPixmap wallPixmap(const WallProfile& wall, const QSize& size, const QPalette& palette, double ratio,
+                   std::optional<double> width = {});
 
 class WallPicture : public QWidget {
     Q_OBJECT

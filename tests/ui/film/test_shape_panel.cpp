@@ -187,6 +187,8 @@ private slots:
     {
         list_->setCurrentItem(list_->topLevelItem(1)->child(0)); // (-5, 0.15), (0, 0.3), (20, 1.5) um
         auto* picture = panel_->findChild<WallPicture*>();
+        panel_->setSelection({}); // what the plan answers
+        QVERIFY(list_->topLevelItem(1)->child(0)->isSelected());
         table_->setCurrentCell(1, 0);
         QCOMPARE(picture->point(), std::optional<std::size_t>(1));
         QTest::keyClick(table_, Qt::Key_Insert);
@@ -217,12 +219,15 @@ private slots:
     void wallsOfEdges()
     {
         const auto menu = [&](auto action) {
-            for (QToolButton* button : panel_->findChildren<QToolButton*>())
-                if (QMenu* walls = button->menu()) {
-                    emit walls->aboutToShow();
-                    return action(walls);
-                }
-            QFAIL("no menu of walls");
+            QToolButton* button = nullptr;
+            for (QToolButton* each : panel_->findChildren<QToolButton*>())
+                if (each->text() == QStringLiteral("Wall…")) button = each;
+            QVERIFY(button != nullptr);
+            button->click();
+            auto* walls = button->findChild<QMenu*>();
+            QVERIFY(walls != nullptr);
+            action(walls);
+            delete walls;
         };
         panel_->setSelection({{PartKind::Corner, 1, 2}});
         menu([](QMenu* walls) {

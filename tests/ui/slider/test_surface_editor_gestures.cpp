@@ -132,6 +132,20 @@ private slots:
         QVERIFY(std::abs(distance() - before - 5 * um) < 1e-12);
     }
 
+    /// Dragged by its middle: only the coordinate normal to it snaps; a slanted one does not snap.
+    void edgesSnapNormalToThemselves()
+    {
+        const QPoint right = it_->pixel(400 * um, 200 * um);
+        it_->editor->select({{PartKind::Edge, 1, 1}});
+        it_->drag(right, it_->pixel(450 * um, 250 * um) + QPoint(3, 3), {}, false);
+        QCOMPARE(it_->editor->snapWords(), QStringList{QStringLiteral("corner 2 of rail 1")}); // x = 450 um
+        QTest::keyClick(it_->editor.get(), Qt::Key_Escape);
+        QTest::mouseRelease(it_->editor.get(), Qt::LeftButton, {}, right);
+        it_->editor->select({{PartKind::Edge, 3, 3}});
+        const QPoint slanted = it_->pixel(720 * um, 385 * um);
+        it_->drag(slanted, slanted + QPoint(-12, 7), {}, false);
+        QVERIFY(it_->editor->snapWords().isEmpty());
+    }
     void pairsHaveLinks()
     {
         QVERIFY(it_->editor->pairLinks().empty());
@@ -148,7 +162,7 @@ private slots:
     void aClickBreaksAndJoinsAPair()
     {
         it_->editor->setPairs(true);
-        const QPoint at = it_->editor->toPixel(it_->editor->pairLinks().front().middle()).toPoint();
+        const QPoint at = it_->editor->symbolOf(it_->editor->pairLinks().front()).toPoint();
         const auto imageMoves = [&] {
             const double before = it_->point(5, 0).x;
             it_->editor->select({{PartKind::Rail, 4}});

@@ -6,6 +6,7 @@
 
 #include <QContextMenuEvent>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -123,7 +124,7 @@ private:
         QVERIFY(menu != nullptr);
         const auto find = [](QMenu* in, const QString& wanted) -> QAction* {
             for (QAction* action : in->actions())
-                if (action->text().section(QLatin1Char('\t'), 0, 0) == wanted) return action;
+                if (action->text().split(QRegularExpression(QStringLiteral("[\t:]"))).front() == wanted) return action;
             return nullptr;
         };
         QAction* action = find(menu, text);
