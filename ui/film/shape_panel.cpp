@@ -48,7 +48,8 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setTabKeyNavigation(false);
     table_->setMinimumWidth(120);
-    list_->setMinimumWidth(120);
+    list_->setMinimumWidth(
+        list_->fontMetrics().horizontalAdvance(tr("Rail 10, ramp") + tr("Recess [µm]") + tr("Points")) + 90);
 
     const auto button = [this](const QString& text, const QString& tip, auto perform) {
         auto* made = new QToolButton(this);

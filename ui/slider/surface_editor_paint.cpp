@@ -25,9 +25,8 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
     if (ghost_.rails != surface().rails) {
         QPen pen(QColor(255, 255, 255, 150), 1.2, Qt::DashLine);
         pen.setCosmetic(true);
-        for (std::size_t i = 0; i < ghost_.rails.size(); ++i)
-            if (i >= surface().rails.size() || !(ghost_.rails[i] == surface().rails[i]))
-                paintOutline(painter, ghost_.rails[i], pen);
+        for (const Rail& rail : ghost_.rails)
+            if (std::ranges::find(surface().rails, rail) == surface().rails.end()) paintOutline(painter, rail, pen);
     }
     if (!dragging()) paintInfluence(painter, theme);
     paintLinks(painter, theme);
@@ -109,10 +108,15 @@ void SurfaceEditor::paintSentence(QPainter& painter, const SurfaceProblem& probl
             return;
 }
 
-/// A warning that was there when the case was opened is told where the pointer is; a new one at once.
+/// A warning that was at its place when the case was opened is told where the pointer is; a new one at once.
 bool SurfaceEditor::isTold(const SurfaceProblem& warning) const
 {
-    const auto known = [&](const SurfaceProblem& one) { return one.sentence == warning.sentence; };
+    const auto known = [&](const SurfaceProblem& one) {
+        if (one.places.empty() || warning.places.empty()) return one.sentence == warning.sentence;
+        constexpr double same = 1e-9; // [m]
+        const SurfacePoint &a = one.places.front(), &b = warning.places.front();
+        return std::hypot(b.x - a.x, b.y - a.y) < same;
+    };
     if (std::ranges::none_of(ghostWarnings_, known)) return true;
     constexpr double near = 12.0; // [px]
     return std::ranges::any_of(warning.places, [&](const SurfacePoint& place) {

@@ -92,8 +92,8 @@ void SurfaceEditor::paintLinks(QPainter& painter, const PlotTheme& theme) const
     for (const PairLink& link : links_) {
         const QPointF middle = symbolOf(link);
         const QPointF from = toPixel(link.from) + besideTheNumber, to = toPixel(link.to) + besideTheNumber;
-        const QPen thin(theme.selection, 1.0, link.broken ? Qt::DotLine : Qt::SolidLine);
-        for (const QPen& pen : {QPen(theme.background, 3.0), thin}) {
+        const QPen thin(theme.text, 1.2, link.broken ? Qt::DotLine : Qt::SolidLine);
+        for (const QPen& pen : {QPen(theme.background, 3.2), thin}) {
             painter.setPen(pen);
             painter.drawLine(from, to);
         }
@@ -101,7 +101,7 @@ void SurfaceEditor::paintLinks(QPainter& painter, const PlotTheme& theme) const
         painter.setBrush(theme.background);
         painter.drawEllipse(middle, linkReach, linkReach);
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(link.broken ? theme.mutedText : theme.selection, 1.6));
+        painter.setPen(QPen(link.broken ? theme.mutedText : theme.text, 1.6));
         paintChain(painter, middle, link.broken);
     }
 }

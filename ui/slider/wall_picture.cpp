@@ -186,7 +186,10 @@ void WallPicture::mouseMoveEvent(QMouseEvent* event)
         setCursor(pointAt(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
         return;
     }
-    const QPointF from = toPixel(before_.distance[*point_], before_.recess[*point_]), way = event->position() - from;
+    // Up to the border of the picture: further in another drag, on a new scale.
+    const QPointF at(std::clamp(event->position().x(), 0.0, width() - 1.0),
+                     std::clamp(event->position().y(), 0.0, height() - 1.0));
+    const QPointF way = at - toPixel(before_.distance[*point_], before_.recess[*point_]);
     const QRectF a = area();
     // Where all points have one distance, or one recess, a span of 10 um or of 1 um fills the picture.
     const double wide = span_.right > span_.left ? span_.right - span_.left : 10e-6;

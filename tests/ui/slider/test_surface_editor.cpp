@@ -40,7 +40,6 @@ private slots:
     void escapeGivesBack();
     void previewsWithoutEdits();
     void whatIsWrongStandsAtItsPlace();
-    void warningsStandAtTheirPlaces();
     void arrowsMove();
     void aRowOfArrowsIsOneEdit();
     void insertsAndDeletes();
@@ -222,33 +221,6 @@ void TestSurfaceEditor::whatIsWrongStandsAtItsPlace()
     QVERIFY(found >= 2);
     edits_->undoStack().undo();
     QVERIFY(editor_->problems().empty());
-}
-
-/// The front pad's wall of 10 um and the rear shelf's of 20 um meet where the pad's edge comes within 30 um of the
-/// shelf at x = 550 um, beyond the front shelf's end at 450 um. A grid of one cell resolves no edge.
-void TestSurfaceEditor::warningsStandAtTheirPlaces()
-{
-    QVERIFY(editor_->warnings().empty());
-    editor_->select({edge});
-    const auto moveBy = [&](double by) {
-        AirBearingSurface surface = moved(case_.surface, {edge}, {by, 0.0});
-        edits_->setSurface(surface, QStringLiteral("wider"));
-    };
-    moveBy(119e-6);
-    QVERIFY(editor_->warnings().empty());
-    moveBy(121e-6);
-    QCOMPARE(editor_->warnings().size(), std::size_t(1));
-    QVERIFY(editor_->problems().empty());
-    const QPoint place = editor_->toPixel(editor_->warnings().front().places.front()).toPoint();
-    const QImage picture = editor_->grab().toImage();
-    const QColor ring = meaningColours(editor_->palette()).warning;
-    int found = 0;
-    for (int i = -10; i <= 10; ++i) found += picture.pixelColor(place + QPoint(i, 0)) == ring;
-    QVERIFY(found >= 2);
-    edits_->open(case_);
-    editor_->setGridOf([](const AirBearingSurface&) { return CellGrid{{0.0, 1e-3}, {0.0, 1e-3}}; });
-    edits_->setSurface(moved(case_.surface, {edge}, {1e-6, 0.0}), QStringLiteral("wider"));
-    QCOMPARE(editor_->warnings().size(), case_.surface.rails.size());
 }
 
 void TestSurfaceEditor::arrowsMove()
