@@ -234,11 +234,6 @@ void SurfaceEditor::updateCursor()
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
 {
     QStringList parts = SurfaceView::readingAt(point);
-    constexpr double near = 10.0; // [px]
-    for (const SurfaceProblem& warning : warnings_)
-        for (const SurfacePoint& place : warning.places)
-            if (QPointF away = toPixel(place) - toPixel(point); std::hypot(away.x(), away.y()) < near)
-                return {QString::fromStdString(warning.sentence)};
     if (hovered_ && hovered_->kind != PartKind::Rail && !dragging()) parts << partText(*hovered_);
     return parts;
 }

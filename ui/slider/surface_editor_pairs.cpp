@@ -85,8 +85,9 @@ void SurfaceEditor::paintLinks(QPainter& painter, const PlotTheme& theme) const
     if (noPairs_) {
         TakenRoom taken;
         painter.setFont(font());
-        paintPlanLabel(painter, {planArea().center().x(), planArea().top() + 14.0},
-                       tr("No rail is a mirror image within 0.1 µm: there are no pairs."), theme, taken);
+        const QString text = tr("No mirror images within 0.1 µm");
+        const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(text) + 8.0;
+        paintPlanLabel(painter, planArea().bottomLeft() + QPointF(half, -14.0), text, theme, taken);
     }
     painter.setBrush(Qt::NoBrush);
     for (const PairLink& link : links_) {
