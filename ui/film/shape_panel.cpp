@@ -13,8 +13,8 @@
 
 #include "core/case/case_key.h"
 #include "ui/case/parameter_text.h"
-#include "ui/film/wall_picture.h"
-#include "ui/slider/part_picking.h"
+#include "ui/film/part_tree.h"
+#include "ui/slider/wall_picture.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -22,23 +22,23 @@ namespace touchdown {
 
 namespace {
 
-constexpr int keyRole = Qt::UserRole;
-constexpr int kindRole = Qt::UserRole + 1;
-
-std::string railKey(std::size_t rail) { return "abs.rail[" + std::to_string(rail + 1) + "]"; }
 std::string wallKey(std::size_t wall) { return "abs.wall[" + std::to_string(wall + 1) + "]"; }
 
 } // namespace
 
 ShapePanel::ShapePanel(QWidget* parent)
     : QWidget(parent),
-      list_(new QTreeWidget(this)),
+      list_(new PartTree(this)),
       table_(new QTableWidget(this)),
       caption_(new QLabel(this)),
       problem_(new QLabel(this)),
       profile_(new WallPicture(this))
 {
     buildList();
+    list_->installEventFilter(this);
+    table_->installEventFilter(this);
+    table_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(table_, &QWidget::customContextMenuRequested, this, &ShapePanel::onTableMenu);
     caption_->setContentsMargins(4, 4, 4, 0);
     caption_->setBuddy(table_);
     problem_->setWordWrap(true);
@@ -48,7 +48,8 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setTabKeyNavigation(false);
     table_->setMinimumWidth(120);
-    list_->setMinimumWidth(120);
+    list_->setMinimumWidth(
+        list_->fontMetrics().horizontalAdvance(tr("Rail 10, ramp") + tr("Recess [µm]") + tr("Points")) + 90);
 
     const auto button = [this](const QString& text, const QString& tip, auto perform) {
         auto* made = new QToolButton(this);
@@ -61,8 +62,8 @@ ShapePanel::ShapePanel(QWidget* parent)
     };
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(button(tr("+ Rail"), tr("Add a rectangular rail in the middle"), [this] { addRail(); }));
-    buttons->addWidget(corner_ =
-                           button(tr("+ Corner"), tr("Insert a corner after the chosen one"), [this] { addCorner(); }));
+    buttons->addWidget(corner_ = button(tr("+ Corner"), tr("Insert a corner after the chosen one"),
+                                        [this] { chosen_.kind == Kind::Wall ? addWallPoint() : addCorner(); }));
     buttons->addWidget(button(tr("+ Wall"), tr("Add a wall profile"), [this] { addWall(); }));
     buttons->addWidget(button(tr("+ Point"), tr("Add a point of interest"), [this] { addInterest(); }));
     buttons->addStretch(1);
@@ -71,6 +72,8 @@ ShapePanel::ShapePanel(QWidget* parent)
                                        [this] { moveChosen(1); }));
     verbs->addWidget(
         backward_ = button(QStringLiteral("↑"), tr("Backward, under the rail before"), [this] { moveChosen(-1); }));
+    buildWallMenu();
+    verbs->addWidget(wall_);
     verbs->addWidget(remove_ = button(tr("Delete"), tr("Delete the chosen part"), [this] { removeChosen(); }));
     verbs->addStretch(1);
 
@@ -108,25 +111,11 @@ ShapePanel::ShapePanel(QWidget* parent)
         if (!filling_) take(item->data(keyRole).toString().toStdString(), item->text());
     });
     connect(table_, &QTableWidget::itemSelectionChanged, this, &ShapePanel::onTableSelected);
-}
-
-void ShapePanel::buildList()
-{
-    list_->setColumnCount(3);
-    list_->setHeaderLabels({tr("Part"), tr("Recess [µm]"), tr("Points")});
-    list_->setAccessibleName(tr("Rails, walls and points of interest"));
-    list_->setUniformRowHeights(true);
-    list_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    list_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-    list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    for (const int column : {1, 2}) list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
-    list_->header()->setStretchLastSection(false);
-    for (QTreeWidgetItem** group : {&rails_, &walls_, &interests_}) {
-        *group = new QTreeWidgetItem(list_);
-        (*group)->setFlags(Qt::ItemIsEnabled);
-        (*group)->setExpanded(true);
-        (*group)->setFirstColumnSpanned(true);
-    }
+    connect(profile_, &WallPicture::edited, this, &ShapePanel::onWallEdited);
+    connect(profile_, &WallPicture::pointChosen, this, [this](int point) {
+        ++rowOfMoves_;
+        if (chosen_.kind == Kind::Wall) table_->setCurrentCell(point, std::max(0, table_->currentColumn()));
+    });
 }
 
 void ShapePanel::setCase(const Case& c)
@@ -139,95 +128,10 @@ void ShapePanel::setCase(const Case& c)
     fillTable();
 }
 
-void ShapePanel::fillList()
-{
-    filling_ = true;
-    const QSignalBlocker silent(list_);
-    const AirBearingSurface& surface = case_.surface;
-    const auto resize = [](QTreeWidgetItem* group, std::size_t count, const QString& name) {
-        group->setText(0, QStringLiteral("%1 (%2)").arg(name).arg(count));
-        while (group->childCount() > static_cast<int>(count)) delete group->takeChild(group->childCount() - 1);
-        while (group->childCount() < static_cast<int>(count)) new QTreeWidgetItem(group);
-    };
-    resize(rails_, surface.rails.size(), tr("Rails"));
-    resize(walls_, surface.walls.size(), tr("Walls"));
-    resize(interests_, surface.pointsOfInterest.size(), tr("Points of interest"));
-    const auto fill = [&](QTreeWidgetItem* group, std::size_t i, Kind kind, const QString& name, std::size_t points) {
-        QTreeWidgetItem* item = group->child(static_cast<int>(i));
-        item->setText(0, name);
-        item->setData(0, kindRole, static_cast<int>(kind));
-        item->setText(2, points > 0 ? QString::number(points) : QString());
-        item->setTextAlignment(2, Qt::AlignRight | Qt::AlignVCenter);
-        return item;
-    };
-    for (std::size_t i = 0; i < surface.rails.size(); ++i) {
-        const Rail& rail = surface.rails[i];
-        const QString name = rail.kind == RailKind::Ramp ? tr("Rail %1, ramp").arg(i + 1) : tr("Rail %1").arg(i + 1);
-        QTreeWidgetItem* item = fill(rails_, i, Kind::Rail, name, rail.points.size());
-        const std::string key = railKey(i) + ".recess";
-        item->setText(1, editorText(case_, std::get<Parameter>(caseKey(case_, key))));
-        item->setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
-        item->setData(1, keyRole, QString::fromStdString(key));
-        item->setFlags(item->flags() | Qt::ItemIsEditable);
-    }
-    for (std::size_t i = 0; i < surface.walls.size(); ++i)
-        fill(walls_, i, Kind::Wall, tr("Wall %1").arg(i + 1), surface.walls[i].distance.size());
-    for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
-        fill(interests_, i, Kind::Interest, tr("P%1").arg(i + 1), 0);
-    filling_ = false;
-    const std::size_t counts[] = {0, surface.rails.size(), surface.walls.size(), surface.pointsOfInterest.size()};
-    if (chosen_.item >= counts[static_cast<int>(chosen_.kind)]) chosen_ = {};
-    updateButtons();
-}
-
-ShapePanel::Chosen ShapePanel::chosenOf(const QTreeWidgetItem* item) const
-{
-    if (item == nullptr || item->parent() == nullptr) return {};
-    return {static_cast<Kind>(item->data(0, kindRole).toInt()),
-            static_cast<std::size_t>(item->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(item)))};
-}
-
-void ShapePanel::setSelection(const PartSelection& parts)
-{
-    selection_ = parts;
-    {
-        const QSignalBlocker silent(list_);
-        list_->clearSelection();
-        for (const SurfacePart& part : parts) {
-            QTreeWidgetItem* group = part.kind == PartKind::Interest ? interests_ : rails_;
-            QTreeWidgetItem* item = group->child(static_cast<int>(part.item));
-            if (item == nullptr) continue;
-            item->setSelected(true);
-            if (part == *parts.begin()) {
-                list_->setCurrentItem(item, 0, QItemSelectionModel::NoUpdate);
-                list_->scrollToItem(item);
-                chosen_ = chosenOf(item);
-            }
-        }
-    }
-    if (parts.empty() && chosen_.kind != Kind::Wall) chosen_ = {};
-    fillTable();
-    updateButtons();
-}
-
-void ShapePanel::onListSelected()
-{
-    PartSelection parts;
-    for (const QTreeWidgetItem* item : list_->selectedItems()) {
-        const Chosen one = chosenOf(item);
-        if (one.kind == Kind::Rail) parts.insert({PartKind::Rail, one.item});
-        if (one.kind == Kind::Interest) parts.insert({PartKind::Interest, one.item});
-    }
-    const Chosen current = chosenOf(list_->currentItem());
-    if (current.kind != Kind::None) chosen_ = current;
-    selection_ = parts;
-    fillTable();
-    updateButtons();
-    emit selected(parts);
-}
-
 void ShapePanel::onTableSelected()
 {
+    if (!filling_ && chosen_.kind == Kind::Wall && table_->currentRow() >= 0)
+        profile_->setPoint(static_cast<std::size_t>(table_->currentRow()));
     if (filling_ || chosen_.kind != Kind::Rail) return;
     PartSelection parts;
     for (const QTableWidgetItem* item : table_->selectedItems())
@@ -273,7 +177,7 @@ void ShapePanel::fillTable()
     switch (chosen_.kind) {
     case Kind::Rail:
         caption_->setText(tr("Corners of rail %1").arg(chosen_.item + 1));
-        fillRail(surface.rails[chosen_.item], railKey(chosen_.item));
+        fillRail(surface.rails[chosen_.item], "abs.rail[" + std::to_string(chosen_.item + 1) + "]");
         break;
     case Kind::Wall:
         caption_->setText(tr("Profile of wall %1: recess against the distance from the edge").arg(chosen_.item + 1));
@@ -366,7 +270,12 @@ void ShapePanel::take(const std::string& key, const QString& typed)
 
 void ShapePanel::updateButtons()
 {
-    corner_->setEnabled(chosen_.kind == Kind::Rail);
+    const bool wall = chosen_.kind == Kind::Wall;
+    corner_->setEnabled(wall || chosen_.kind == Kind::Rail);
+    corner_->setText(wall ? tr("+ Row") : tr("+ Corner"));
+    corner_->setToolTip(wall ? tr("Add a point to the wall after the chosen one (Insert)")
+                             : tr("Insert a corner after the chosen one (Insert)"));
+    wall_->setEnabled(chosen_.kind == Kind::Rail);
     remove_->setEnabled(chosen_.kind == Kind::Wall || !selection_.empty());
     const std::size_t count = case_.surface.rails.size();
     forward_->setEnabled(chosen_.kind == Kind::Rail && chosen_.item + 1 < count);

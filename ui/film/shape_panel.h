@@ -2,7 +2,8 @@
 //
 // The air bearing surface as a list and a table beside its plan: rails with their recess, walls, points of interest,
 // and the numbers of the chosen one, each typed as a parameter is (core/case/case_key.h). The last rail of the list
-// lies on top.
+// lies on top; rails are dragged to another place. Keys: Del removes what is chosen, Insert adds a corner or a point
+// of a wall after the chosen row, the menu key has more.
 #pragma once
 
 #include <string>
@@ -19,6 +20,7 @@
 
 namespace touchdown {
 
+class PartTree;
 class WallPicture;
 
 class ShapePanel : public QWidget {
@@ -31,14 +33,25 @@ public:
     /// Shows and marks these parts; emits nothing.
     void setSelection(const PartSelection& parts);
 
+    /// The keyboard goes to the table, at the chosen corner or edge; or to the recess of the chosen rail.
+    void typeCoordinates();
+    void typeRecess();
+    void showWall(std::size_t wall);
+
     /// "abs.rail[3].point[2].x" of a cell of the table; empty where it cannot be changed.
     std::string keyAt(int row, int column) const;
 
 signals:
     void selected(const touchdown::PartSelection& parts);
     void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
+    /// The menu for what is selected, at a place of the screen.
+    void menuWanted(const QPoint& globalPos);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    static constexpr int keyRole = Qt::UserRole, kindRole = Qt::UserRole + 1; // of items
     enum class Kind { None, Rail, Wall, Interest };
     struct Chosen {
         Kind kind = Kind::None;
@@ -47,6 +60,15 @@ private:
     };
 
     void buildList();
+    void buildWallMenu();
+    void onListMenu(const QPoint& at);
+    void onTableMenu(const QPoint& at);
+    void onReordered(int from, int to);
+    PartSelection chosenEdges() const;
+    void chooseWall(int wall);
+    void addWallPoint();
+    void removeTableRows();
+    void onWallEdited(const WallProfile& wall, bool row);
     void fillList();
     void fillTable();
     void fillRail(const Rail& rail, const std::string& key);
@@ -71,13 +93,15 @@ private:
     Chosen chosen_;
     PartSelection selection_;
     bool filling_ = false;
-    QTreeWidget* list_;
+    PartTree* list_;
     QTreeWidgetItem *rails_ = nullptr, *walls_ = nullptr, *interests_ = nullptr;
     QTableWidget* table_;
     QLabel* caption_;
     QLabel* problem_;
     WallPicture* profile_;
     QToolButton *corner_ = nullptr, *remove_ = nullptr, *forward_ = nullptr, *backward_ = nullptr;
+    QToolButton* wall_ = nullptr; // of the chosen edges
+    int rowOfMoves_ = 0;          // number of the row of moves of a wall's point
 };
 
 } // namespace touchdown

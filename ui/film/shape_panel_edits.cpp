@@ -3,6 +3,7 @@
 // What the buttons of the panel do.
 #include <algorithm>
 
+#include "core/physics/slider/wall_edit.h"
 #include "ui/film/shape_panel.h"
 #include "ui/slider/part_picking.h"
 
@@ -40,9 +41,8 @@ void ShapePanel::addCorner()
 
 void ShapePanel::addWall()
 {
-    // A slope of 10 um down to the base, to begin with.
     AirBearingSurface surface = case_.surface;
-    surface.walls.push_back({{0.0, 10e-6}, {0.0, surface.baseRecess}});
+    surface.walls.push_back(slopedWall(0.0, surface.baseRecess));
     chosen_ = {Kind::Wall, surface.walls.size() - 1};
     emit edited(surface, tr("add a wall"), 0);
 }

@@ -8,6 +8,7 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/simulation/static_state/film_setup.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -88,6 +89,12 @@ SurfacePage::SurfacePage(QWidget* parent)
     connect(editor_, &SurfaceEditor::previewed, this, &SurfacePage::previewed);
     connect(editor_, &SurfaceEditor::edited, this, &SurfacePage::edited);
     connect(panel_, &ShapePanel::edited, this, &SurfacePage::edited);
+    connect(panel_, &ShapePanel::menuWanted, this,
+            [this](const QPoint& globalPos) { editor_->popUpMenu(globalPos, std::nullopt); });
+    connect(editor_, &SurfaceEditor::coordinatesWanted, panel_, &ShapePanel::typeCoordinates);
+    connect(editor_, &SurfaceEditor::recessWanted, panel_, &ShapePanel::typeRecess);
+    connect(editor_, &SurfaceEditor::wallWanted, panel_,
+            [this](int wall) { panel_->showWall(static_cast<std::size_t>(wall) - 1); });
 }
 
 QWidget* SurfacePage::buildTools()
@@ -114,6 +121,7 @@ QWidget* SurfacePage::buildTools()
     tool(SurfaceEditor::Tool::Select, tr("Select"), tr("Select and drag rails, edges and corners (V)"));
     tool(SurfaceEditor::Tool::Rectangle, tr("Rectangle"), tr("Draw a rectangular rail (R)"));
     tool(SurfaceEditor::Tool::Polygon, tr("Polygon"), tr("Draw a rail corner by corner; Enter closes it (P)"));
+    tool(SurfaceEditor::Tool::Measure, tr("Measure"), tr("Measure between two places; Esc removes the measure (M)"));
     group->button(0)->setChecked(true);
     connect(editor_, &SurfaceEditor::toolChanged, this,
             [this, group] { group->button(static_cast<int>(editor_->tool()))->setChecked(true); });
@@ -127,8 +135,8 @@ QWidget* SurfacePage::buildTools()
     layout->addSpacing(10);
     toggle(tr("S&nap"), tr("Snap to corners of other rails, to the centre line, the border and 1 µm; Ctrl lets go"),
            true, [this](bool on) { editor_->setSnapping(on); });
-    toggle(tr("&Pairs"), tr("Rails that are mirror images move together"), false,
-           [this](bool on) { editor_->setPairs(on); });
+    toggle(tr("&Pairs"), tr("Rails that are mirror images move together; a click on the link of a pair breaks it (L)"),
+           false, [this](bool on) { editor_->setPairs(on); });
     layout->addWidget(follow_);
     layout->addWidget(influence_);
     layout->addStretch(1);
@@ -158,6 +166,11 @@ PartSelection SurfacePage::influencingParts() const
 
 void SurfacePage::setCase(const Case& c)
 {
+    editor_->setGridOf([c](const AirBearingSurface& surface) {
+        Case shaped = c;
+        shaped.surface = surface;
+        return unadaptedGrid(shaped, filmLevels(c.film).back());
+    });
     editor_->setCase(c.surface, c.slider.length, c.slider.width);
     editor_->setSkew(c.disk.skew);
     panel_->setCase(c);

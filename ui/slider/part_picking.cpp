@@ -92,6 +92,30 @@ PartSelection partsWithin(const AirBearingSurface& surface, const QRectF& area)
     return found;
 }
 
+PartSelection railsOf(const PartSelection& parts)
+{
+    PartSelection rails;
+    for (const SurfacePart& part : parts)
+        if (part.kind != PartKind::Interest) rails.insert({PartKind::Rail, part.item});
+    return rails;
+}
+
+std::set<std::size_t> sameRails(const AirBearingSurface& before, const AirBearingSurface& after,
+                                const std::set<std::size_t>& rails)
+{
+    std::set<std::size_t> same;
+    for (const std::size_t rail : rails) {
+        if (rail >= before.rails.size()) continue;
+        const bool kept = rail < after.rails.size() && after.rails[rail] == before.rails[rail];
+        const auto equal = std::ranges::find(after.rails, before.rails[rail]);
+        if (!kept && equal != after.rails.end())
+            same.insert(static_cast<std::size_t>(equal - after.rails.begin()));
+        else if (kept || before.rails.size() == after.rails.size())
+            same.insert(rail);
+    }
+    return same;
+}
+
 QString partText(const SurfacePart& part)
 {
     const QString item = QString::number(part.item + 1), index = QString::number(part.index + 1);
@@ -108,6 +132,18 @@ QString selectionText(const PartSelection& parts)
 {
     if (parts.size() == 1) return partText(*parts.begin());
     return translated("%1 parts").arg(parts.size());
+}
+
+QString snapText(SnapTarget target, const SurfacePart& corner)
+{
+    switch (target) {
+    case SnapTarget::Corner: return partText(corner);
+    case SnapTarget::Centre: return translated("centre line");
+    case SnapTarget::Border: return translated("border");
+    case SnapTarget::Raster:
+    case SnapTarget::None: break;
+    }
+    return {};
 }
 
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near)

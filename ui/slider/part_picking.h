@@ -23,9 +23,20 @@ std::optional<SurfacePart> partAt(const SliderPlan& plan, const AirBearingSurfac
 /// What lies in a rectangle [m]: rails that are whole in it; where there is none, corners; and points of interest.
 PartSelection partsWithin(const AirBearingSurface& surface, const QRectF& area);
 
+/// The rails of these parts; points of interest have none.
+PartSelection railsOf(const PartSelection& parts);
+
+/// The rails with these numbers after another edit: an equal rail, else one that has kept its number while none was
+/// added or removed.
+std::set<std::size_t> sameRails(const AirBearingSurface& before, const AirBearingSurface& after,
+                                const std::set<std::size_t>& rails);
+
 /// "rail 3", "corner 2 of rail 3", "5 parts".
 QString partText(const SurfacePart& part);
 QString selectionText(const PartSelection& parts);
+
+/// What holds a place that snaps: "corner 2 of rail 3", "centre line", "border"; empty for the raster or nothing.
+QString snapText(SnapTarget target, const SurfacePart& corner);
 
 /// The place of a corner, of an edge's first corner, or of a point of interest; of a rail the corner nearest to `near`.
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near);

@@ -2,46 +2,49 @@
 #include "ui/slider/surface_editor.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
-#include <QContextMenuEvent>
-#include <QKeyEvent>
-#include <QMenu>
-
+#include "core/numerics/cell_grid.h"
+#include "core/physics/slider/meeting_walls.h"
+#include "core/physics/slider/short_edges.h"
+#include "core/physics/slider/surface_symmetry.h"
+#include "ui/slider/drag_field.h"
 #include "ui/slider/part_picking.h"
+#include "ui/slider/wall_menu.h"
 
 namespace touchdown {
 
 namespace {
 
 constexpr int previewInterval = 40;  // between two pictures of a drag [ms]
-constexpr double keyStep = 1e-6;     // [m]
 constexpr double copyOffset = 10e-6; // [m]
-constexpr double pairReach = 0.1e-6; // within which rails are mirror images [m]
-
-PartSelection railsOf(const PartSelection& parts)
-{
-    PartSelection rails;
-    for (const SurfacePart& part : parts)
-        if (part.kind != PartKind::Interest) rails.insert({PartKind::Rail, part.item});
-    return rails;
-}
 
 } // namespace
 
-SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent)
+SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), field_(new DragField(this))
 {
+    connect(field_, &DragField::changed, this, [this] {
+        if (const auto by = typedShift()) preview(movedSelection(*by));
+    });
+    connect(field_, &DragField::taken, this, [this] {
+        if (const auto by = typedShift()) endMove(*by);
+    });
+    connect(field_, &DragField::givenBack, this, &SurfaceEditor::giveUp);
     previewTimer_.setSingleShot(true);
     connect(&previewTimer_, &QTimer::timeout, this, &SurfaceEditor::previewWaiting);
     setAccessibleDescription(tr(
         "Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
-        "rails, N and B the next and previous one, Del removes, Ctrl+D copies, M mirrors, Page Up and Page Down change "
-        "the order of overlap, F shows everything."));
+        "rails, N and B the next and previous one, Del removes, Ctrl+D copies, Shift+M mirrors, L breaks or joins the "
+        "pair, Page Up and Page Down change the order of overlap, M measures between two selected corners, F shows "
+        "everything, the menu key has more."));
 }
 
 void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, double width)
 {
     gesture_ = Gesture::None;
+    stopTyping();
+    single_ = sameRails(committed_, surface, single_);
     committed_ = surface;
     showSurface(surface, length, width);
     hovered_.reset();
@@ -49,12 +52,14 @@ void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, dou
     std::ranges::copy_if(selection_, std::inserter(kept, kept.end()),
                          [&](const SurfacePart& part) { return has(surface, part); });
     select(kept);
+    findLinks();
     updateCursor();
 }
 
 void SurfaceEditor::setGhost(const AirBearingSurface& surface)
 {
     ghost_ = surface;
+    ghostWarnings_ = surfaceProblems(surface).empty() ? findWarnings(surface) : std::vector<SurfaceProblem>{};
     update();
 }
 
@@ -79,6 +84,7 @@ void SurfaceEditor::setTool(Tool tool)
     giveUp();
     polygon_.clear();
     tool_ = tool;
+    if (tool == Tool::Measure) chooseMeasure();
     updateCursor();
     update();
     emit toolChanged();
@@ -87,6 +93,7 @@ void SurfaceEditor::setTool(Tool tool)
 void SurfaceEditor::commit(const AirBearingSurface& surface, const QString& text, int merge)
 {
     gesture_ = Gesture::None;
+    snap_.reset();
     if (merge == 0) ++nudges_;
     if (surface == committed_) {
         preview(committed_);
@@ -99,7 +106,15 @@ void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length,
 {
     setSurface(surface, length, width, gesture_ == Gesture::Move);
     problems_ = surfaceProblems(surface);
-    warnings_ = problems_.empty() ? surfaceWarnings(surface, length, width) : std::vector<SurfaceProblem>{};
+    warnings_ = problems_.empty() ? findWarnings(surface) : std::vector<SurfaceProblem>{};
+}
+
+std::vector<SurfaceProblem> SurfaceEditor::findWarnings(const AirBearingSurface& surface) const
+{
+    std::vector<SurfaceProblem> found = surfaceWarnings(surface, area().width(), area().height());
+    std::ranges::move(meetingWalls(surface), std::back_inserter(found));
+    if (gridOf_) std::ranges::move(shortEdges(surface, gridOf_(surface)), std::back_inserter(found));
+    return found;
 }
 
 void SurfaceEditor::preview(const AirBearingSurface& surface)
@@ -120,15 +135,11 @@ void SurfaceEditor::previewWaiting()
 void SurfaceEditor::giveUp()
 {
     const bool previewing = std::exchange(gesture_, Gesture::None) == Gesture::Move;
+    stopTyping();
+    snap_.reset();
     if (previewing) preview(committed_);
     updateCursor();
     update();
-}
-
-AirBearingSurface SurfaceEditor::movedSelection(SurfaceShift by) const
-{
-    return pairs_ ? movedInPairs(committed_, selection_, by, area().height(), pairReach)
-                  : moved(committed_, selection_, by);
 }
 
 void SurfaceEditor::nudge(SurfaceShift by)
@@ -161,6 +172,26 @@ void SurfaceEditor::mirrorSelected()
         if (part.kind == PartKind::Interest) parts.insert(part);
     if (parts.empty() || dragging()) return;
     commit(mirrored(committed_, parts, area().height()), tr("mirror %1").arg(selectionText(parts)));
+}
+
+void SurfaceEditor::makeSymmetric()
+{
+    const PartSelection rails = railsOf(selection_);
+    if (rails.empty() || dragging()) return;
+    commit(madeSymmetric(committed_, rails, area().height(), pairReach),
+           tr("make %1 symmetric").arg(selectionText(rails)));
+}
+
+void SurfaceEditor::chooseWall(int wall)
+{
+    PartSelection parts;
+    std::ranges::copy_if(selection_, std::inserter(parts, parts.end()), [](const SurfacePart& part) {
+        return part.kind == PartKind::Edge || part.kind == PartKind::Rail;
+    });
+    if (parts.empty() || dragging()) return;
+    const bool added = wall > static_cast<int>(committed_.walls.size());
+    commit(withChosenWall(committed_, parts, wall), tr("wall of %1").arg(selectionText(parts)));
+    if (added) emit wallWanted(wall);
 }
 
 void SurfaceEditor::moveInOrder(int places)
@@ -218,132 +249,6 @@ void SurfaceEditor::finishPolygon()
         addOutline(corners);
     else
         setTool(Tool::Select);
-}
-
-bool SurfaceEditor::moveByKey(const QKeyEvent& event)
-{
-    if (selection_.empty()) return false;
-    const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? 10.0 * keyStep
-                        : event.modifiers().testFlag(Qt::AltModifier) ? 0.1 * keyStep
-                                                                      : keyStep;
-    switch (event.key()) {
-    case Qt::Key_Left: nudge({-step, 0.0}); return true;
-    case Qt::Key_Right: nudge({step, 0.0}); return true;
-    case Qt::Key_Up: nudge({0.0, step}); return true;
-    case Qt::Key_Down: nudge({0.0, -step}); return true;
-    default: return false;
-    }
-}
-
-bool SurfaceEditor::actByKey(const QKeyEvent& event)
-{
-    const auto selectRail = [&](std::size_t step) {
-        const std::size_t count = committed_.rails.size();
-        if (count == 0) return;
-        const PartSelection rails = railsOf(selection_);
-        const std::size_t from = rails.empty() ? count - step % count : rails.begin()->item;
-        select({{PartKind::Rail, (from + step) % count}});
-    };
-    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
-    if (control && event.key() == Qt::Key_A) {
-        PartSelection all;
-        for (std::size_t i = 0; i < committed_.rails.size(); ++i) all.insert({PartKind::Rail, i});
-        select(all);
-        return true;
-    }
-    if (control && event.key() == Qt::Key_D) return copySelected(), true;
-    if (control) return false;
-    switch (event.key()) {
-    case Qt::Key_Escape:
-        if (dragging())
-            giveUp();
-        else if (tool_ != Tool::Select)
-            setTool(Tool::Select);
-        else
-            select({});
-        return true;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-        if (tool_ != Tool::Polygon) return false;
-        finishPolygon();
-        return true;
-    case Qt::Key_Delete:
-    case Qt::Key_Backspace: removeSelected(); return true;
-    case Qt::Key_PageUp: moveInOrder(1); return true;
-    case Qt::Key_PageDown: moveInOrder(-1); return true;
-    case Qt::Key_M: mirrorSelected(); return true;
-    case Qt::Key_N: selectRail(1); return true;
-    case Qt::Key_B: selectRail(std::max<std::size_t>(committed_.rails.size(), 1) - 1); return true;
-    case Qt::Key_F: fit(); return true;
-    case Qt::Key_V: setTool(Tool::Select); return true;
-    case Qt::Key_R: setTool(Tool::Rectangle); return true;
-    case Qt::Key_P: setTool(Tool::Polygon); return true;
-    default: return false;
-    }
-}
-
-bool SurfaceEditor::event(QEvent* event)
-{
-    // Keys of the editor come before actions of the window with the same key.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const bool control = key->modifiers().testFlag(Qt::ControlModifier);
-        const bool own = control ? key->key() == Qt::Key_A || key->key() == Qt::Key_D
-                                 : key->modifiers() == Qt::NoModifier && key->key() != Qt::Key_Tab &&
-                                       (key->key() < Qt::Key_F1 || key->key() > Qt::Key_F35);
-        if (own) event->accept();
-    }
-    return SurfaceView::event(event);
-}
-
-void SurfaceEditor::keyPressEvent(QKeyEvent* event)
-{
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        spaceHeld_ = true;
-        updateCursor();
-        return;
-    }
-    if (!moveByKey(*event) && !actByKey(*event)) SurfaceView::keyPressEvent(event);
-}
-
-void SurfaceEditor::keyReleaseEvent(QKeyEvent* event)
-{
-    if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
-        spaceHeld_ = false;
-        updateCursor();
-    } else {
-        SurfaceView::keyReleaseEvent(event);
-    }
-}
-
-void SurfaceEditor::focusOutEvent(QFocusEvent* event)
-{
-    spaceHeld_ = false;
-    updateCursor();
-    SurfaceView::focusOutEvent(event);
-}
-
-void SurfaceEditor::contextMenuEvent(QContextMenuEvent* event)
-{
-    if (dragging() || tool_ != Tool::Select) return;
-    const QPointF pixel = event->reason() == QContextMenuEvent::Mouse ? QPointF(event->pos()) : QPointF(-1.0, -1.0);
-    const auto part = partAt(*this, committed_, pixel, selection_);
-    if (part && !selection_.contains(*part) && !selection_.contains({PartKind::Rail, part->item})) select({*part});
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    if (part && part->kind == PartKind::Edge)
-        menu->addAction(tr("Insert a corner here"), this,
-                        [this, edge = *part, at = toSlider(pixel)] { insertCorner(edge.item, edge.index, at); });
-    const auto add = [&](const QString& text, auto perform) {
-        menu->addAction(text, this, perform)->setEnabled(!selection_.empty());
-    };
-    add(tr("Copy") + QStringLiteral("\tCtrl+D"), [this] { copySelected(); });
-    add(tr("Mirror about the centre line") + QStringLiteral("\tM"), [this] { mirrorSelected(); });
-    add(tr("Forward") + QStringLiteral("\tPgUp"), [this] { moveInOrder(1); });
-    add(tr("Backward") + QStringLiteral("\tPgDown"), [this] { moveInOrder(-1); });
-    menu->addSeparator();
-    add(tr("Delete") + QStringLiteral("\tDel"), [this] { removeSelected(); });
-    menu->popup(event->globalPos());
 }
 
 } // namespace touchdown

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gestures of the mouse, and what is drawn of them.
+// The gestures of the mouse.
 #include <algorithm>
 #include <cmath>
 
 #include <QApplication>
 #include <QMouseEvent>
-#include <QPainter>
 
 #include "ui/slider/part_picking.h"
-#include "ui/slider/rail_drawing.h"
 #include "ui/slider/surface_editor.h"
-#include "ui/style/theme.h"
 
 namespace touchdown {
 
@@ -19,7 +16,6 @@ namespace {
 
 constexpr double snapReach = 7.0;    // [px]
 constexpr double placeRaster = 1e-6; // [m]
-constexpr double handle = 7.0;       // width of a corner's square [px]
 
 QRectF box(const QPointF& a, const QPointF& b) { return QRectF(a, b).normalized(); }
 
@@ -31,26 +27,51 @@ SnapGrid SurfaceEditor::snapGrid() const
     return {area().width(), area().height(), snapReach / metre, placeRaster};
 }
 
-SurfacePoint SurfaceEditor::snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers) const
+SurfacePoint SurfaceEditor::snappedAt(const QPointF& pixel, Qt::KeyboardModifiers modifiers)
 {
     const SurfacePoint at = toSlider(pixel);
-    if (!snapping_ || modifiers.testFlag(Qt::ControlModifier)) return at;
-    return snapped(committed_, {}, at, snapGrid()).at;
+    const bool snaps = snapping_ && !modifiers.testFlag(Qt::ControlModifier);
+    snap_ = snaps ? snapped(committed_, {}, at, snapGrid()) : SnappedPlace{at, {}, {}, {}, {}};
+    return snap_->at;
 }
 
-SurfaceShift SurfaceEditor::wantedShift(const QMouseEvent& event) const
+SurfaceShift SurfaceEditor::wantedShift(const QMouseEvent& event)
 {
     const SurfacePoint to = toSlider(event.position());
     SurfaceShift by{to.x - pressedPoint_.x, to.y - pressedPoint_.y};
+    snap_.reset();
     if (event.modifiers().testFlag(Qt::ShiftModifier)) (std::abs(by.x) > std::abs(by.y) ? by.y : by.x) = 0.0;
     if (!snapping_ || event.modifiers().testFlag(Qt::ControlModifier) || !grabbed_) return by;
     const SurfacePoint from = placeOf(committed_, *grabbed_, pressedPoint_);
-    const SnappedPlace place = snapped(committed_, selection_, {from.x + by.x, from.y + by.y}, snapGrid());
-    return {by.x == 0.0 ? 0.0 : place.at.x - from.x, by.y == 0.0 ? 0.0 : place.at.y - from.y};
+    SnappedPlace place = snapped(committed_, selection_, {from.x + by.x, from.y + by.y}, snapGrid());
+    if (by.x == 0.0) place.at.x = from.x, place.x = SnapTarget::None;
+    if (by.y == 0.0) place.at.y = from.y, place.y = SnapTarget::None;
+    if (selection_.size() == 1 && selection_.begin()->kind == PartKind::Edge) {
+        // An edge moves normal to itself: along x or y it snaps that way, slanted it does not.
+        const SurfaceShift normal = edgeNormal(committed_, *selection_.begin());
+        if (normal.x != 0.0 && normal.y != 0.0) return by;
+        if (normal.x == 0.0) place.at.x = from.x, place.x = SnapTarget::None;
+        if (normal.y == 0.0) place.at.y = from.y, place.y = SnapTarget::None;
+    }
+    snap_ = place;
+    return {place.at.x - from.x, place.at.y - from.y};
+}
+
+void SurfaceEditor::endMove(SurfaceShift by)
+{
+    const AirBearingSurface surface = movedSelection(by);
+    stopTyping();
+    commit(surface, tr("move %1").arg(selectionText(selection_)));
+    updateCursor();
+    update();
 }
 
 void SurfaceEditor::mousePressEvent(QMouseEvent* event)
 {
+    if (typing()) { // a click beside the numbers takes them
+        if (const auto by = typedShift()) endMove(*by);
+        return;
+    }
     if (dragging()) return;
     pressedAt_ = pointer_ = event->position();
     pressedPoint_ = toSlider(pressedAt_);
@@ -64,6 +85,10 @@ void SurfaceEditor::mousePressEvent(QMouseEvent* event)
         addPolygonCorner(snappedAt(event->position(), event->modifiers()));
     else if (tool_ == Tool::Rectangle)
         pressedPoint_ = snappedAt(event->position(), event->modifiers()), gesture_ = Gesture::Rectangle;
+    else if (tool_ == Tool::Measure)
+        addMeasured(snappedAt(event->position(), event->modifiers())), gesture_ = Gesture::Measure;
+    else if (const auto link = linkAt(pressedAt_))
+        togglePair(*link);
     else
         press(*event);
 }
@@ -98,18 +123,18 @@ void SurfaceEditor::mouseMoveEvent(QMouseEvent* event)
         updateCursor();
     }
     if (gesture_ == Gesture::Move) {
+        if (typing()) return;
         waiting_ = wantedShift(*event);
         if (!previewTimer_.isActive()) previewWaiting();
         return;
     }
+    if (tool_ != Tool::Select) snappedAt(event->position(), event->modifiers());
     if (gesture_ == Gesture::None) {
         const auto under = tool_ == Tool::Select && planArea().contains(event->position())
                                ? partAt(*this, committed_, event->position(), selection_)
                                : std::nullopt;
-        if (under != hovered_) {
-            hovered_ = under;
-            updateCursor();
-        }
+        hovered_ = linkAt(event->position()) ? std::nullopt : under;
+        updateCursor();
         SurfaceView::mouseMoveEvent(event);
     }
     update();
@@ -123,11 +148,14 @@ void SurfaceEditor::mouseReleaseEvent(QMouseEvent* event)
         gesture_ = Gesture::None;
         updateCursor();
         return;
-    case Gesture::Move: {
-        const AirBearingSurface surface = movedSelection(wantedShift(*event));
-        commit(surface, tr("move %1").arg(selectionText(selection_)));
+    case Gesture::Move:
+        if (!typing()) endMove(wantedShift(*event)); // else the numbers are still to come
         break;
-    }
+    case Gesture::Measure:
+        gesture_ = Gesture::None;
+        if ((event->position() - pressedAt_).manhattanLength() >= QApplication::startDragDistance())
+            addMeasured(snappedAt(event->position(), event->modifiers()));
+        break;
     case Gesture::Pressed:
         gesture_ = Gesture::None;
         if (!addedByPress_ && event->modifiers().testFlag(Qt::ShiftModifier)) {
@@ -193,6 +221,8 @@ void SurfaceEditor::updateCursor()
         setCursor(Qt::SizeAllCursor);
     else if (tool_ != Tool::Select)
         setCursor(Qt::CrossCursor);
+    else if (linkAt(pointer_))
+        setCursor(Qt::PointingHandCursor);
     else if (hovered_ && selection_.contains(*hovered_))
         setCursor(Qt::SizeAllCursor);
     else if (hovered_)
@@ -204,114 +234,8 @@ void SurfaceEditor::updateCursor()
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
 {
     QStringList parts = SurfaceView::readingAt(point);
-    constexpr double near = 10.0; // [px]
-    for (const SurfaceProblem& warning : warnings_)
-        for (const SurfacePoint& place : warning.places)
-            if (QPointF away = toPixel(place) - toPixel(point); std::hypot(away.x(), away.y()) < near)
-                return {QString::fromStdString(warning.sentence)};
     if (hovered_ && hovered_->kind != PartKind::Rail && !dragging()) parts << partText(*hovered_);
     return parts;
-}
-
-void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
-{
-    SurfaceView::paintContent(painter, theme);
-    if (ghost_.rails != surface().rails) {
-        QPen pen(QColor(255, 255, 255, 150), 1.2, Qt::DashLine);
-        pen.setCosmetic(true);
-        for (std::size_t i = 0; i < ghost_.rails.size(); ++i)
-            if (i >= surface().rails.size() || !(ghost_.rails[i] == surface().rails[i]))
-                paintOutline(painter, ghost_.rails[i], pen);
-    }
-    if (!dragging()) paintInfluence(painter, theme);
-    paintSelection(painter, theme);
-    paintProblems(painter, theme);
-    paintGesture(painter, theme);
-}
-
-void SurfaceEditor::paintProblems(QPainter& painter, const PlotTheme& theme) const
-{
-    const MeaningColours colours = meaningColours(palette());
-    const auto ring = [&](const SurfaceProblem& problem, const QColor& colour) {
-        for (const SurfacePoint& place : problem.places) {
-            painter.setBrush(Qt::NoBrush);
-            painter.setPen(QPen(theme.background, 4.0));
-            painter.drawEllipse(toPixel(place), 8.0, 8.0);
-            painter.setPen(QPen(colour, 2.0));
-            painter.drawEllipse(toPixel(place), 8.0, 8.0);
-        }
-    };
-    for (const SurfaceProblem& warning : warnings_) ring(warning, colours.warning);
-    TakenRoom taken;
-    painter.setFont(font());
-    for (const SurfaceProblem& problem : problems_) {
-        ring(problem, colours.failure);
-        if (problem.places.empty()) continue;
-        const QString sentence = QString::fromStdString(problem.sentence);
-        const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(sentence) + 8.0;
-        QPointF at = toPixel(problem.places.front()) + QPointF(0.0, 24.0);
-        at.setX(std::clamp(at.x(), planArea().left() + half,
-                           std::max(planArea().left() + half, planArea().right() - half)));
-        paintPlanLabel(painter, at, sentence, theme, taken);
-    }
-}
-
-void SurfaceEditor::paintOutline(QPainter& painter, const Rail& rail, const QPen& pen) const
-{
-    QPolygonF outline;
-    for (const RailPoint& point : rail.points) outline << toPixel({point.x, point.y});
-    painter.setPen(pen);
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPolygon(outline);
-}
-
-void SurfaceEditor::paintSelection(QPainter& painter, const PlotTheme& theme) const
-{
-    const QColor mark = theme.selection;
-    const auto& rails = surface().rails;
-    const auto square = [&](const RailPoint& point, bool filled) {
-        const QPointF at = toPixel({point.x, point.y});
-        painter.setPen(QPen(mark, 1.4));
-        painter.setBrush(filled ? mark : theme.background);
-        painter.drawRect(QRectF(at.x() - 0.5 * handle, at.y() - 0.5 * handle, handle, handle));
-    };
-    const auto line = [&](const SurfacePart& edge, double width) {
-        const std::vector<RailPoint>& points = rails[edge.item].points;
-        const RailPoint &a = points[edge.index], &b = points[(edge.index + 1) % points.size()];
-        painter.setPen(QPen(mark, width, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(toPixel({a.x, a.y}), toPixel({b.x, b.y}));
-    };
-    if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Edge) line(*hovered_, 2.5);
-    if (hovered_ && has(surface(), *hovered_) && hovered_->kind == PartKind::Corner)
-        square(rails[hovered_->item].points[hovered_->index], false);
-    for (const SurfacePart& part : selection_) {
-        if (!has(surface(), part)) continue;
-        if (part.kind == PartKind::Interest) {
-            painter.setPen(QPen(mark, 2.5));
-            painter.setBrush(Qt::NoBrush);
-            painter.drawEllipse(toPixel(surface().pointsOfInterest[part.item]), 9.0, 9.0);
-            continue;
-        }
-        paintOutline(painter, rails[part.item], QPen(mark, part.kind == PartKind::Rail ? 2.6 : 1.4));
-        for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
-            square(rails[part.item].points[k],
-                   part.kind == PartKind::Corner && selection_.contains({PartKind::Corner, part.item, k}));
-        if (part.kind == PartKind::Edge) line(part, 4.0);
-    }
-}
-
-void SurfaceEditor::paintGesture(QPainter& painter, const PlotTheme& theme) const
-{
-    painter.setPen(QPen(theme.selection, 1.4, Qt::DashLine));
-    QColor fill = theme.selection;
-    fill.setAlphaF(0.12F);
-    painter.setBrush(fill);
-    if (gesture_ == Gesture::Band || gesture_ == Gesture::Rectangle)
-        painter.drawRect(box(toPixel(pressedPoint_), pointer_));
-    if (polygon_.empty()) return;
-    QPolygonF outline;
-    for (const SurfacePoint& corner : polygon_) outline << toPixel(corner);
-    painter.drawPolygon(outline << pointer_);
 }
 
 } // namespace touchdown

@@ -17,6 +17,7 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
+#include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_group.h"
@@ -75,6 +76,7 @@ void MainWindow::connectFiles()
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
     connect(files_, &CaseFiles::saved, this, [this] {
         casePanel_->setPreset({});
+        film_->view()->shape()->editor()->setGhost(edits_->value().surface);
         updateTitle();
         messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
     });

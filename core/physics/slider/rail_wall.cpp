@@ -23,6 +23,12 @@ double spread(double sine, double cosine, double own, double neighbour)
     return (neighbour / own - 1.0) / sine + halfTangent;
 }
 
+SurfacePoint direction(const RailPoint& a, const RailPoint& b)
+{
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    return {(b.x - a.x) / length, (b.y - a.y) / length};
+}
+
 } // namespace
 
 WallShape::WallShape(const WallProfile& profile)
@@ -75,6 +81,46 @@ RailWall::RailWall(const RailPoint& a, const RailPoint& b, double turn, const Wa
     uy_ = (b.y - a.y) / length_;
     nx_ = turn * uy_;
     ny_ = -turn * ux_;
+}
+
+std::vector<SurfacePoint> RailWall::corners(WallSide side) const
+{
+    if (!has(side)) return {};
+    double n = end(side);
+    const double closing = start_[side] + end_[side]; // of the length, per unit of n
+    const bool triangle = length_ + closing * n < 0.0;
+    if (triangle) n = -length_ / closing;
+    const auto at = [&](double t, double away) {
+        return SurfacePoint{x_ + t * ux_ + away * nx_, y_ + t * uy_ + away * ny_};
+    };
+    std::vector<SurfacePoint> corners{at(0.0, 0.0), at(length_, 0.0), at(length_ + end_[side] * n, n)};
+    if (!triangle) corners.push_back(at(-start_[side] * n, n));
+    return corners;
+}
+
+std::vector<RailWall> railWalls(const Rail& rail, int index, double baseRecess, const std::vector<WallShape>& shapes)
+{
+    std::vector<RailWall> walls;
+    if (rail.kind == RailKind::Ramp || rail.recess[0] >= baseRecess) return walls;
+    const std::vector<RailPoint> points = withoutRepetitions(rail.points);
+    const std::size_t count = points.size();
+    const double turn = signedArea(points) < 0.0 ? -1.0 : 1.0;
+    const auto shapeOf = [&](std::size_t i) -> const WallShape* {
+        return points[i].wall > 0 ? &shapes[static_cast<std::size_t>(points[i].wall - 1)] : nullptr;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const WallShape* shape = shapeOf(i);
+        if (!shape) continue;
+        const std::size_t before = (i + count - 1) % count;
+        const std::size_t after = (i + 1) % count;
+        const SurfacePoint previous = direction(points[before], points[i]);
+        const SurfacePoint own = direction(points[i], points[after]);
+        const SurfacePoint next = direction(points[after], points[(i + 2) % count]);
+        const WallSpread start = wallSpread(previous, own, turn, *shape, shapeOf(before));
+        const WallSpread end = wallSpread(own, next, turn, *shape, shapeOf(after));
+        walls.emplace_back(points[i], points[after], turn, *shape, start, end, index);
+    }
+    return walls;
 }
 
 RailWall::Place RailWall::place(double x, double y) const

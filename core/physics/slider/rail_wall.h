@@ -69,6 +69,11 @@ public:
              WallSpread end, int rail);
 
     int rail() const { return rail_; }
+    SurfacePoint firstCorner() const { return {x_, y_}; } // of its edge [m]
+    SurfacePoint outwards() const { return {nx_, ny_}; }  // normal to its edge [-]
+    /// The corners of that part of the wall, without the arcs about its ends; a triangle where its borders meet. Empty
+    /// where it has none.
+    std::vector<SurfacePoint> corners(WallSide side) const;
     const WallShape& shape() const { return *shape_; }
     bool has(WallSide side) const { return side == WallSide::Outside ? shape_->outer() > 0.0 : shape_->inner() < 0.0; }
 
@@ -111,5 +116,9 @@ private:
     const WallShape* shape_;
     int rail_;
 };
+
+/// The walls of a rail, one for each edge that has one; `index` is its number in the surface. None of a ramp, nor of a
+/// step at or below the base recess. The walls refer to the shapes.
+std::vector<RailWall> railWalls(const Rail& rail, int index, double baseRecess, const std::vector<WallShape>& shapes);
 
 } // namespace touchdown

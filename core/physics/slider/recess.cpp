@@ -2,7 +2,7 @@
 #include "core/physics/slider/recess.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "core/physics/slider/surface_bins.h"
 
@@ -11,12 +11,6 @@ namespace touchdown {
 namespace {
 
 constexpr double boxSlack = 1e-11; // [m] a box is smooth only this far from anything that is not
-
-SurfacePoint direction(const RailPoint& a, const RailPoint& b)
-{
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
-    return {(b.x - a.x) / length, (b.y - a.y) / length};
-}
 
 /// The plane through the recesses at the first three points.
 RailTop topOf(const Rail& rail)
@@ -31,29 +25,6 @@ RailTop topOf(const Rail& rail)
     return {rail.recess[0] - cx * p.x - cy * p.y, cx, cy};
 }
 
-void addWalls(const Rail& rail, int index, double baseRecess, SurfaceParts& parts)
-{
-    if (rail.kind == RailKind::Ramp || rail.recess[0] >= baseRecess) return;
-    const std::vector<RailPoint> points = withoutRepetitions(rail.points);
-    const std::size_t count = points.size();
-    const double turn = signedArea(points) < 0.0 ? -1.0 : 1.0;
-    const auto shapeOf = [&](std::size_t i) -> const WallShape* {
-        return points[i].wall > 0 ? &parts.shapes[static_cast<std::size_t>(points[i].wall - 1)] : nullptr;
-    };
-    for (std::size_t i = 0; i < count; ++i) {
-        const WallShape* shape = shapeOf(i);
-        if (!shape) continue;
-        const std::size_t before = (i + count - 1) % count;
-        const std::size_t after = (i + 1) % count;
-        const SurfacePoint previous = direction(points[before], points[i]);
-        const SurfacePoint own = direction(points[i], points[after]);
-        const SurfacePoint next = direction(points[after], points[(i + 2) % count]);
-        const WallSpread start = wallSpread(previous, own, turn, *shape, shapeOf(before));
-        const WallSpread end = wallSpread(own, next, turn, *shape, shapeOf(after));
-        parts.walls.emplace_back(points[i], points[after], turn, *shape, start, end, index);
-    }
-}
-
 SurfaceParts partsOf(const AirBearingSurface& surface, double length, double width)
 {
     SurfaceParts parts{length, width, surface.baseRecess, {}, {}, {}, {}};
@@ -62,7 +33,7 @@ SurfaceParts partsOf(const AirBearingSurface& surface, double length, double wid
         const int index = static_cast<int>(parts.tops.size());
         parts.tops.push_back(topOf(rail));
         parts.outlines.emplace_back(rail.points, SurfaceBins::rows, width);
-        addWalls(rail, index, surface.baseRecess, parts);
+        std::ranges::move(railWalls(rail, index, surface.baseRecess, parts.shapes), std::back_inserter(parts.walls));
     }
     return parts;
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/physics/slider/part_list.h"
 #include "core/physics/slider/rail_outline.h"
 
 namespace touchdown {
@@ -21,20 +22,6 @@ using Problems = std::vector<SurfaceProblem>;
 using Indices = std::vector<std::size_t>;
 
 std::string text(std::size_t number) { return std::to_string(number); }
-
-/// "point 3", or "points 3, 4 and 7 more" for long lists; from indices.
-std::string pointList(const Indices& indices)
-{
-    constexpr std::size_t most = 5;
-    const std::size_t named = indices.size() > most ? most - 1 : indices.size();
-    std::string list = indices.size() == 1 ? "point " : "points ";
-    for (std::size_t i = 0; i < named; ++i) {
-        if (i > 0) list += i + 1 == indices.size() ? " and " : ", ";
-        list += text(indices[i] + 1);
-    }
-    if (named < indices.size()) list += " and " + text(indices.size() - named) + " more";
-    return list;
-}
 
 /// The indices below `count` for which `holds` is true.
 Indices indicesWhere(std::size_t count, const std::function<bool(std::size_t)>& holds)
@@ -65,7 +52,7 @@ struct Part {
         for (const std::size_t i : points)
             if (corners != nullptr && std::isfinite((*corners)[i].x) && std::isfinite((*corners)[i].y))
                 places.push_back({(*corners)[i].x, (*corners)[i].y});
-        add(before + pointList(points) + (points.size() == 1 ? one : several) + rest, std::move(places));
+        add(before + partList("point", points) + (points.size() == 1 ? one : several) + rest, std::move(places));
     }
 };
 

@@ -96,7 +96,7 @@ void shiftEdge(Rail& rail, std::size_t edge, SurfaceShift by)
     const RailPoint a = rail.points[edge], b = rail.points[next];
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0.0)) return;
-    const double nx = (b.y - a.y) / length, ny = (a.x - b.x) / length;
+    const double nx = (b.y - a.y) / length, ny = (a.x - b.x) / length; // as edgeNormal
     const double distance = by.x * nx + by.y * ny;
     const SurfacePoint at{a.x + distance * nx, a.y + distance * ny}; // on the shifted edge
     const auto slide = [&](std::size_t corner, const RailPoint& neighbour) {
@@ -131,6 +131,15 @@ AirBearingSurface moved(AirBearingSurface surface, const PartSelection& parts, S
     for (const SurfacePart& part : only(parts, PartKind::Interest))
         if (has(surface, part)) moveBy(surface.pointsOfInterest[part.item], by);
     return surface;
+}
+
+SurfaceShift edgeNormal(const AirBearingSurface& surface, const SurfacePart& edge)
+{
+    const Rail& rail = surface.rails.at(edge.item);
+    const RailPoint &a = rail.points.at(edge.index), &b = rail.points[after(rail, edge.index)];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(length > 0.0)) return {};
+    return {(b.y - a.y) / length, (a.x - b.x) / length};
 }
 
 AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::size_t edge, SurfacePoint at)
@@ -218,6 +227,17 @@ AirBearingSurface withoutWall(AirBearingSurface surface, std::size_t wall)
     return surface;
 }
 
+AirBearingSurface withEdgeWall(AirBearingSurface surface, const PartSelection& parts, int wall)
+{
+    for (const SurfacePart& part : parts) {
+        if (!has(surface, part)) continue;
+        if (part.kind == PartKind::Edge) surface.rails[part.item].points[part.index].wall = wall;
+        if (part.kind == PartKind::Rail)
+            for (RailPoint& point : surface.rails[part.item].points) point.wall = wall;
+    }
+    return surface;
+}
+
 std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& surface, double width, double reach)
 {
     const auto imageIn = [&](const Rail& rail, const Rail& other) -> std::optional<std::vector<std::size_t>> {
@@ -251,7 +271,7 @@ std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& su
 }
 
 AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelection& parts, SurfaceShift by,
-                               double width, double reach)
+                               double width, double reach, const std::set<std::size_t>& single)
 {
     AirBearingSurface result = moved(surface, parts, by);
     const AirBearingSurface alone = result;
@@ -262,7 +282,7 @@ AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelec
     const auto still = [](SurfaceShift shift) { return shift.x == 0.0 && shift.y == 0.0; };
     const auto images = mirrorImages(surface, width, reach);
     for (std::size_t i = 0; i < surface.rails.size(); ++i) {
-        if (!images[i]) continue;
+        if (!images[i] || single.contains(i) || single.contains(images[i]->rail)) continue;
         for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
             const std::size_t rail = images[i]->rail, corner = images[i]->corner[k];
             const SurfaceShift own = shiftOf(i, k), image = shiftOf(rail, corner);
@@ -289,23 +309,34 @@ SnappedPlace snapped(const AirBearingSurface& surface, const PartSelection& movi
     const auto take = [&](double candidate, double wanted, double& near, double& coordinate, SnapTarget& held,
                           SnapTarget what) {
         const double distance = std::abs(candidate - wanted);
-        if (distance > near || (distance == near && held != SnapTarget::None)) return;
+        if (distance > near || (distance == near && held != SnapTarget::None)) return false;
         near = distance;
         coordinate = candidate;
         held = what;
+        return true;
     };
-    const auto takeX = [&](double x, SnapTarget what) { take(x, at.x, nearX, place.at.x, place.x, what); };
-    const auto takeY = [&](double y, SnapTarget what) { take(y, at.y, nearY, place.at.y, place.y, what); };
+    const auto takeX = [&](double x, SnapTarget what) { return take(x, at.x, nearX, place.at.x, place.x, what); };
+    const auto takeY = [&](double y, SnapTarget what) { return take(y, at.y, nearY, place.at.y, place.y, what); };
+    // Of places alike the first holds.
+    takeY(0.5 * grid.width, SnapTarget::Centre);
+    for (const double x : {0.0, grid.length}) takeX(x, SnapTarget::Border);
+    for (const double y : {0.0, grid.width}) takeY(y, SnapTarget::Border);
     const Corners own = cornersOf(surface, moving);
     for (std::size_t i = 0; i < surface.rails.size(); ++i)
         for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
             if (own.contains({i, k})) continue;
-            takeX(surface.rails[i].points[k].x, SnapTarget::Corner);
-            takeY(surface.rails[i].points[k].y, SnapTarget::Corner);
+            const SurfacePart corner{PartKind::Corner, i, k};
+            if (takeX(surface.rails[i].points[k].x, SnapTarget::Corner)) place.xCorner = corner;
+            if (takeY(surface.rails[i].points[k].y, SnapTarget::Corner)) place.yCorner = corner;
         }
-    takeY(0.5 * grid.width, SnapTarget::Centre);
-    for (const double x : {0.0, grid.length}) takeX(x, SnapTarget::Border);
-    for (const double y : {0.0, grid.width}) takeY(y, SnapTarget::Border);
+    // A corner with both coordinates is told before two corners with one each.
+    if (place.x == SnapTarget::Corner && place.y == SnapTarget::Corner)
+        for (std::size_t i = 0; i < surface.rails.size(); ++i)
+            for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {
+                const RailPoint& corner = surface.rails[i].points[k];
+                if (!own.contains({i, k}) && corner.x == place.at.x && corner.y == place.at.y)
+                    place.xCorner = place.yCorner = {PartKind::Corner, i, k};
+            }
     const auto onRaster = [&](double value) { return tidy(std::round(value / grid.raster) * grid.raster); };
     if (grid.raster > 0.0 && place.x == SnapTarget::None) place.at.x = onRaster(at.x), place.x = SnapTarget::Raster;
     if (grid.raster > 0.0 && place.y == SnapTarget::None) place.at.y = onRaster(at.y), place.y = SnapTarget::Raster;

@@ -38,6 +38,9 @@ struct SurfaceShift {
 /// itself, by the part of the shift that is normal to it, and its corners slide along the neighbouring edges.
 AirBearingSurface moved(AirBearingSurface surface, const PartSelection& parts, SurfaceShift by);
 
+/// The unit vector normal to an edge that exists, to the right of its direction [-].
+SurfaceShift edgeNormal(const AirBearingSurface& surface, const SurfacePart& edge);
+
 /// A corner at this place on an edge, which is parted there; both halves have its wall. A ramp keeps its plane.
 AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::size_t edge, SurfacePoint at);
 
@@ -68,15 +71,19 @@ struct MirrorImage {
 std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& surface, double width, double reach);
 
 /// As `moved`, and the images of the parts move as the mirror shows it. A rail that is its own image stays one: its
-/// corners on both sides move, and along y a whole rail does not.
+/// corners on both sides move, and along y a whole rail does not. A rail in `single`, and its image, move alone.
 AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelection& parts, SurfaceShift by,
-                               double width, double reach);
+                               double width, double reach, const std::set<std::size_t>& single = {});
+
+/// With this wall on these edges, and on all edges of these rails; 0: none, vertical edges.
+AirBearingSurface withEdgeWall(AirBearingSurface surface, const PartSelection& parts, int wall);
 
 /// What a point that is dragged snaps to, along one axis.
 enum class SnapTarget : std::uint8_t { None, Raster, Centre, Border, Corner };
 struct SnappedPlace {
     SurfacePoint at;                        // [m]
     SnapTarget x = SnapTarget::None, y = x; // what held it
+    SurfacePart xCorner{}, yCorner{};       // that one, where it was a corner
 };
 struct SnapGrid {
     double length = 0.0, width = 0.0; // of the slider [m]

@@ -194,6 +194,26 @@ private slots:
         for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 2, k).wall, expected[k]);
         QVERIFY(surfaceProblems(after).empty());
     }
+    /// From (100, 50) to (600, 50) um the normal is (0, -1); a slanted edge of 3 x 4 um.
+    void normals()
+    {
+        AirBearingSurface surface = sample();
+        const SurfaceShift below = edgeNormal(surface, {PartKind::Edge, 0, 0});
+        QVERIFY(near(below.x, 0.0) && near(below.y, -1.0));
+        surface.rails[0].points = {{0, 0, 0}, {3e-6, 4e-6, 0}, {0, 8e-6, 0}};
+        const SurfaceShift slanted = edgeNormal(surface, {PartKind::Edge, 0, 0});
+        QVERIFY(near(slanted.x, 0.8) && near(slanted.y, -0.6));
+    }
+    void edgeWalls()
+    {
+        const AirBearingSurface before = sample();
+        AirBearingSurface after = withEdgeWall(before, {{PartKind::Edge, 0, 2}, {PartKind::Corner, 0, 1}}, 1);
+        const std::array expected{1, 2, 1, 4};
+        for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 0, k).wall, expected[k]);
+        after = withEdgeWall(before, {{PartKind::Rail, 3}, {PartKind::Edge, 9, 0}}, 0);
+        for (std::size_t k = 0; k < 4; ++k) QCOMPARE(corner(after, 3, k).wall, 0);
+        QVERIFY(after.rails[2] == before.rails[2]);
+    }
     void mirror()
     {
         const AirBearingSurface before = sample();
@@ -249,6 +269,13 @@ private slots:
         QVERIFY(is(shift(after, 0, 1), 10e-6, 0) && is(shift(after, 1, 1), 10e-6, 0));
         after = movedInPairs(before, {{PartKind::Rail, 3}}, by, width, 1e-7);
         QVERIFY(after == moved(before, {{PartKind::Rail, 3}}, by));
+        // A pair that is broken at either rail moves alone; the others do not.
+        for (const std::size_t single : {0, 1}) {
+            after = movedInPairs(before, {{PartKind::Rail, 0}}, by, width, 1e-7, {single});
+            QVERIFY(after == moved(before, {{PartKind::Rail, 0}}, by));
+            after = movedInPairs(before, {{PartKind::Corner, 2, 0}}, by, width, 1e-7, {single});
+            QVERIFY(is(shift(after, 2, 3), 10e-6, -5e-6));
+        }
     }
     /// A corner on the centre line stays there.
     void onTheCentreLine()
@@ -283,8 +310,16 @@ private slots:
         SnappedPlace place = at(0.603e-3, 0.4026e-3);
         QCOMPARE(place.at.x, 0.6e-3);
         QVERIFY(place.x == SnapTarget::Corner);
+        QVERIFY(place.xCorner == (SurfacePart{PartKind::Corner, 0, 1}));
         QCOMPARE(place.at.y, 0.4e-3);
         QVERIFY(place.y == SnapTarget::Centre);
+        // The middle pad's corner (0.8, 0.3) mm has both; 0.3 mm is also the x of the last rail.
+        place = at(0.8e-3 + 2e-6, 0.3e-3 - 2e-6);
+        QVERIFY(place.xCorner == (SurfacePart{PartKind::Corner, 2, 0}) && place.xCorner == place.yCorner);
+        // A corner on the border says less than the border.
+        AirBearingSurface wide = surface;
+        wide.rails[0].points[0].x = 0.0;
+        QVERIFY(snapped(wide, moving, {1e-6, 0.02349e-3}, grid).x == SnapTarget::Border);
         place = at(0.9963e-3, 0.02349e-3);
         QCOMPARE(place.at.x, 1e-3);
         QVERIFY(place.x == SnapTarget::Border && place.y == SnapTarget::Raster);

@@ -4,13 +4,16 @@
 #include <cmath>
 #include <memory>
 
+#include <QLineEdit>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/case/case_edits.h"
-#include "ui/film/wall_picture.h"
+#include "ui/film/part_tree.h"
+#include "ui/slider/wall_picture.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
@@ -178,6 +181,103 @@ private slots:
         QVERIFY(picture && picture->isVisible());
         panel_->setSelection({{PartKind::Rail, 1}});
         QVERIFY(!picture->isVisible());
+    }
+    /// Points of a wall from the table and its picture; the row that is chosen in one is chosen in the other.
+    void editsAWall()
+    {
+        list_->setCurrentItem(list_->topLevelItem(1)->child(0)); // (-5, 0.15), (0, 0.3), (20, 1.5) um
+        auto* picture = panel_->findChild<WallPicture*>();
+        panel_->setSelection({}); // what the plan answers
+        QVERIFY(list_->topLevelItem(1)->child(0)->isSelected());
+        table_->setCurrentCell(1, 0);
+        QCOMPARE(picture->point(), std::optional<std::size_t>(1));
+        QTest::keyClick(table_, Qt::Key_Insert);
+        const auto wall = [&] { return edits_->value().surface.walls[0]; };
+        QCOMPARE(wall().distance, (std::vector{-5e-6, 0.0, 10e-6, 20e-6}));
+        QVERIFY(std::abs(wall().recess[2] - 0.9e-6) < 1e-15);
+        QCOMPARE(table_->currentRow(), 2);
+        QTest::keyClick(table_, Qt::Key_Delete);
+        QVERIFY(edits_->value() == case_);
+        picture->setPoint(1);
+        const int before = edits_->undoStack().count();
+        for (int i = 0; i < 3; ++i) QTest::keyClick(picture, Qt::Key_Down);
+        QVERIFY(std::abs(wall().recess[1] - 0.33e-6) < 1e-15);
+        QCOMPARE(edits_->undoStack().count(), before + 1); // a row of moves is one edit
+        QCOMPARE(table_->currentRow(), 1);
+        QCOMPARE(table_->item(1, 1)->text(), QStringLiteral("0.33"));
+        QTest::keyClick(picture, Qt::Key_N);
+        QTest::keyClick(picture, Qt::Key_Right);
+        QCOMPARE(edits_->undoStack().count(), before + 2);
+        // Two points are left at least.
+        for (int i = 0; i < 3; ++i) {
+            table_->setCurrentCell(0, 0);
+            QTest::keyClick(table_, Qt::Key_Delete);
+        }
+        QCOMPARE(wall().distance.size(), std::size_t(2));
+    }
+    /// Of the edges that begin at the chosen corners; of all where none is chosen. A new wall is shown.
+    void wallsOfEdges()
+    {
+        const auto menu = [&](auto action) {
+            QToolButton* button = nullptr;
+            for (QToolButton* each : panel_->findChildren<QToolButton*>())
+                if (each->text() == QStringLiteral("Wall…")) button = each;
+            QVERIFY(button != nullptr);
+            button->click();
+            auto* walls = button->findChild<QMenu*>();
+            QVERIFY(walls != nullptr);
+            action(walls);
+            delete walls;
+        };
+        panel_->setSelection({{PartKind::Corner, 1, 2}});
+        menu([](QMenu* walls) {
+            QCOMPARE(walls->actions().size(), 5); // none, two walls, a line, a new one
+            QVERIFY(walls->actions()[2]->isChecked() && !walls->actions()[1]->isChecked());
+            QVERIFY(!walls->actions()[2]->icon().isNull());
+            walls->actions()[1]->trigger();
+        });
+        QCOMPARE(edits_->value().surface.rails[1].points[2].wall, 1);
+        QCOMPARE(edits_->value().surface.rails[1].points[1].wall, 2);
+        panel_->setSelection({{PartKind::Rail, 1}});
+        menu([](QMenu* walls) {
+            for (const QAction* action : walls->actions()) QVERIFY(!action->isChecked()); // they differ
+            walls->actions()[0]->trigger();
+        });
+        for (const RailPoint& point : edits_->value().surface.rails[1].points) QCOMPARE(point.wall, 0);
+        panel_->setSelection({{PartKind::Edge, 1, 0}});
+        menu([](QMenu* walls) { walls->actions().back()->trigger(); });
+        QCOMPARE(edits_->value().surface.walls.size(), std::size_t(3));
+        QCOMPARE(edits_->value().surface.rails[1].points[0].wall, 3);
+        QCOMPARE(edits_->value().surface.walls[2].recess, (std::vector{0.0, case_.surface.baseRecess}));
+        QVERIFY(panel_->findChild<WallPicture*>()->isVisible());
+        QVERIFY(panel_->findChild<WallPicture*>()->wall() == edits_->value().surface.walls[2]);
+    }
+    void aDraggedRailChangesTheOrder()
+    {
+        QSignalSpy selected(panel_.get(), &ShapePanel::selected);
+        emit panel_->findChild<PartTree*>()->reordered(0, 2);
+        QVERIFY(edits_->value().surface.rails[2] == case_.surface.rails[0]);
+        QCOMPARE(selected.back().front().value<PartSelection>(), (PartSelection{{PartKind::Rail, 2}}));
+        QVERIFY(list_->topLevelItem(0)->child(2)->isSelected());
+    }
+    void theMenuIsTheEditors()
+    {
+        QSignalSpy wanted(panel_.get(), &ShapePanel::menuWanted);
+        const auto at = [&](int group, int item) {
+            return list_->visualItemRect(list_->topLevelItem(group)->child(item)).center();
+        };
+        emit list_->customContextMenuRequested(at(0, 1));
+        QCOMPARE(wanted.count(), 1);
+        emit list_->customContextMenuRequested(list_->visualItemRect(list_->topLevelItem(0)).center());
+        QCOMPARE(wanted.count(), 1);
+    }
+    void theKeyboardGoesToTheNumbers()
+    {
+        panel_->setSelection({{PartKind::Edge, 3, 2}});
+        panel_->typeCoordinates();
+        QCOMPARE(table_->currentRow(), 2);
+        panel_->typeRecess();
+        QVERIFY(list_->findChild<QLineEdit*>() != nullptr); // being typed
     }
     void everyControlHasAName()
     {

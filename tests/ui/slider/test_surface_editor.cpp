@@ -294,7 +294,7 @@ void TestSurfaceEditor::copiesMirrorsAndOrders()
     QCOMPARE(edits_->value().surface.rails.size(), std::size_t(5));
     QCOMPARE(editor_->selection(), (PartSelection{{PartKind::Rail, 4}}));
     const double y = point(4, 0).y;
-    QTest::keyClick(editor_.get(), Qt::Key_M);
+    QTest::keyClick(editor_.get(), Qt::Key_M, Qt::ShiftModifier);
     QVERIFY(std::abs(point(4, 0).y - (case_.slider.width - y)) < 1e-15);
     QTest::keyClick(editor_.get(), Qt::Key_PageDown);
     QCOMPARE(editor_->selection(), (PartSelection{{PartKind::Rail, 3}}));

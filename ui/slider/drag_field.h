@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Small fields beside the pointer that take the distances of a drag as they are typed, in µm or with a unit of one's
+// own. Tab goes from one to the next, Enter takes them, Escape gives back.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <QFrame>
+#include <QLabel>
+#include <QLineEdit>
+
+namespace touchdown {
+
+class DragField : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit DragField(QWidget* parent);
+
+    /// Shows one field or two with these names beside a place of the parent [px]; the field `first` has the text that
+    /// was typed, the other one 0.
+    void open(const QPoint& beside, const QStringList& names, int first, const QString& typed);
+    /// The distances [m]; nothing where one of the shown texts is none.
+    std::optional<std::vector<double>> distances() const;
+
+signals:
+    void changed();
+    void taken();
+    void givenBack();
+
+protected:
+    bool event(QEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    struct Entry {
+        QLabel* name;
+        QLineEdit* text;
+    };
+    std::vector<Entry> entries_;
+};
+
+} // namespace touchdown
