@@ -9,12 +9,22 @@ namespace touchdown {
 
 namespace {
 
+/// The square of it.
+double squaredDistance(const QPointF& point, const QPointF& a, const QPointF& b)
+{
+    const QPointF along = b - a;
+    const double square = QPointF::dotProduct(along, along);
+    const double part = square > 0.0 ? std::clamp(QPointF::dotProduct(point - a, along) / square, 0.0, 1.0) : 0.0;
+    const QPointF away = point - a - part * along;
+    return QPointF::dotProduct(away, away);
+}
+
 double distanceToOutline(const QPointF& point, const QPolygonF& polygon)
 {
     double least = std::numeric_limits<double>::infinity();
     for (qsizetype i = 0; i < polygon.size(); ++i)
-        least = std::min(least, distanceToEdge(point, polygon[i], polygon[(i + 1) % polygon.size()]));
-    return least;
+        least = std::min(least, squaredDistance(point, polygon[i], polygon[i + 1 < polygon.size() ? i + 1 : 0]));
+    return std::sqrt(least);
 }
 
 bool holds(const QPolygonF& polygon, const QPointF& point) { return polygon.containsPoint(point, Qt::OddEvenFill); }
@@ -23,11 +33,7 @@ bool holds(const QPolygonF& polygon, const QPointF& point) { return polygon.cont
 
 double distanceToEdge(const QPointF& point, const QPointF& a, const QPointF& b)
 {
-    const QPointF along = b - a;
-    const double square = QPointF::dotProduct(along, along);
-    const double part = square > 0.0 ? std::clamp(QPointF::dotProduct(point - a, along) / square, 0.0, 1.0) : 0.0;
-    const QPointF away = point - a - part * along;
-    return std::hypot(away.x(), away.y());
+    return std::sqrt(squaredDistance(point, a, b));
 }
 
 QPolygonF railPolygon(const Rail& rail)
@@ -66,6 +72,7 @@ std::vector<SurfacePoint> railNumberPoints(const AirBearingSurface& surface)
             double room = distanceToOutline(at, polygons[i]);
             bool free = true;
             for (const QPolygonF* later : above) {
+                if (bestFree && (!free || room <= bestRoom)) break; // it cannot be the best any more
                 if (holds(*later, at))
                     free = false;
                 else
