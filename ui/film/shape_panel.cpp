@@ -171,6 +171,8 @@ void ShapePanel::fillTable()
     filling_ = true;
     const QSignalBlocker silent(table_);
     const AirBearingSurface& surface = case_.surface;
+    // The keyboard stays where it was.
+    const int row = table_->currentRow(), column = table_->currentColumn();
     table_->clearContents();
     table_->setRowCount(0);
     profile_->setVisible(chosen_.kind == Kind::Wall);
@@ -198,6 +200,14 @@ void ShapePanel::fillTable()
         setHeaders({});
         break;
     }
+    if (row >= 0 && row < table_->rowCount() && column < table_->columnCount())
+        table_->setCurrentCell(row, column, QItemSelectionModel::NoUpdate);
+    if (chosen_.kind == Kind::Rail)
+        for (const SurfacePart& part : selection_)
+            if (part.kind == PartKind::Corner && part.item == chosen_.item)
+                if (const int corner = static_cast<int>(part.index); corner < table_->rowCount())
+                    table_->item(corner, corner == table_->currentRow() ? table_->currentColumn() : 0)
+                        ->setSelected(true);
     filling_ = false;
 }
 
@@ -218,8 +228,6 @@ void ShapePanel::fillRail(const Rail& rail, const std::string& key)
         setCell(row, 3, typeset(std::hypot(b.x - a.x, b.y - a.y) * 1e6, 2));
         setCell(row, 4, typeset(std::atan2(b.y - a.y, b.x - a.x) * 180.0 / std::numbers::pi, 1));
         if (ramp) setNumber(row, 5, key + ".recess" + index);
-        for (const SurfacePart& part : selection_)
-            if (part == SurfacePart{PartKind::Corner, chosen_.item, k}) table_->item(row, 0)->setSelected(true);
     }
 }
 

@@ -48,6 +48,7 @@ signals:
     void menuWanted(const QPoint& globalPos);
 
 protected:
+    void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:

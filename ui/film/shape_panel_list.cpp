@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The list of rails, walls and points of interest.
+#include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QSignalBlocker>
@@ -127,6 +128,12 @@ void ShapePanel::onListSelected()
     fillTable();
     updateButtons();
     emit selected(parts);
+}
+
+void ShapePanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) fillList(); // the pictures of walls have the colour of the text
 }
 
 void ShapePanel::onReordered(int from, int to)

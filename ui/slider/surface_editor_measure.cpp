@@ -63,10 +63,14 @@ void SurfaceEditor::paintMeasure(QPainter& painter, const PlotTheme& theme) cons
     }
     painter.setFont(font());
     const double half = 0.5 * QFontMetricsF(font()).horizontalAdvance(text) + 8.0;
-    QPointF at = 0.5 * (from + to) + QPointF(0.0, std::abs(across.y()) > std::abs(across.x()) ? -18.0 : 0.0);
-    if (std::abs(across.y()) <= std::abs(across.x())) at.rx() += half + 8.0;
-    at.setX(
-        std::clamp(at.x(), planArea().left() + half, std::max(planArea().left() + half, planArea().right() - half)));
+    // Above a flat line; beside a steep one, at the right where there is room.
+    QPointF at = 0.5 * (from + to);
+    if (std::abs(across.y()) > std::abs(across.x()))
+        at.ry() -= 18.0;
+    else
+        at.rx() += at.x() + 2.0 * half + 8.0 < planArea().right() ? half + 8.0 : -half - 8.0;
+    const double left = planArea().left() + half;
+    at.setX(std::clamp(at.x(), left, std::max(left, planArea().right() - half)));
     TakenRoom taken;
     paintPlanLabel(painter, at, text, theme, taken);
 }

@@ -6,6 +6,7 @@
 #include <QContextMenuEvent>
 #include <QMenu>
 
+#include "core/physics/slider/surface_symmetry.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/surface_editor.h"
 #include "ui/slider/wall_menu.h"
@@ -57,7 +58,8 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     add(tr("Duplicate"), QStringLiteral("Ctrl+D"), !rails.empty(), [this] { copySelected(); });
     add(tr("Mirror about the centre line"), QStringLiteral("Shift+M"), !selection_.empty(),
         [this] { mirrorSelected(); });
-    add(tr("Make symmetric"), {}, !rails.empty(), [this] { makeSymmetric(); });
+    const bool lopsided = madeSymmetric(committed_, rails, area().height(), pairReach) != committed_;
+    add(tr("Make symmetric"), {}, lopsided, [this] { makeSymmetric(); });
     for (const PairLink& link : links_)
         if (rails.size() == 1 && (link.rail == rails.begin()->item || link.image == rails.begin()->item))
             add(link.broken ? tr("Join the pair") : tr("Break the pair"), QStringLiteral("L"), true,

@@ -140,6 +140,16 @@ void SurfaceEditor::mouseMoveEvent(QMouseEvent* event)
     update();
 }
 
+void SurfaceEditor::leaveEvent(QEvent* event)
+{
+    if (!dragging()) {
+        snap_.reset();
+        hovered_.reset();
+        update();
+    }
+    SurfaceView::leaveEvent(event);
+}
+
 void SurfaceEditor::mouseReleaseEvent(QMouseEvent* event)
 {
     const Gesture ended = gesture_;

@@ -174,6 +174,37 @@ private slots:
         QCOMPARE(table_->rowCount(), 5);
         QVERIFY(table_->item(2, 0)->isSelected());
     }
+    /// The plan answers each selection with its own: the keyboard stays in its cell.
+    void arrowsMoveThroughTheTable()
+    {
+        connect(panel_.get(), &ShapePanel::selected, panel_.get(), &ShapePanel::setSelection);
+        panel_->setSelection({{PartKind::Rail, 1}});
+        table_->setCurrentCell(0, 2);
+        QTest::keyClick(table_, Qt::Key_Down);
+        QTest::keyClick(table_, Qt::Key_Down);
+        QCOMPARE(table_->currentRow(), 2);
+        QCOMPARE(table_->currentColumn(), 2);
+        QVERIFY(table_->item(2, 2)->isSelected() && !table_->item(1, 2)->isSelected());
+        QTest::keyClick(table_, Qt::Key_Down, Qt::ShiftModifier);
+        QVERIFY(table_->item(3, 2)->isSelected());
+    }
+    /// The pictures of walls are seen in the dark theme, too.
+    void picturesFollowTheTheme()
+    {
+        const auto ink = [&] {
+            const QImage image = list_->topLevelItem(1)->child(0)->icon(0).pixmap(32, 16).toImage();
+            int lightest = -1;
+            for (int y = 0; y < image.height(); ++y)
+                for (int x = 0; x < image.width(); ++x)
+                    if (const QColor each = image.pixelColor(x, y); each.alpha() > 200)
+                        lightest = std::max(lightest, each.lightness());
+            return lightest;
+        };
+        QVERIFY(ink() >= 0 && ink() < 100);
+        applyTheme(Theme::Dark);
+        QTRY_VERIFY(ink() > 150);
+        applyTheme(Theme::Light);
+    }
     void drawsAWall()
     {
         list_->setCurrentItem(list_->topLevelItem(1)->child(0));

@@ -349,7 +349,7 @@ void TestSurfaceEditor::everythingCanBeUndone()
         const auto kind = std::array{PartKind::Rail, PartKind::Edge, PartKind::Corner}[below(3)];
         editor_->select({{kind, rail, kind == PartKind::Rail ? 0 : k}});
         editor_->setPairs(below(2) == 0);
-        switch (below(8)) {
+        switch (below(10)) {
         case 0: editor_->insertCorner(rail, k, {double(below(850)) * 1e-6, double(below(700)) * 1e-6}); break;
         case 1:
             if (surface.rails.size() > 2) editor_->removeSelected();
@@ -362,9 +362,17 @@ void TestSurfaceEditor::everythingCanBeUndone()
         case 5:
             if (surface.walls.size() > 1) edits_->setSurface(withoutWall(surface, 0), QStringLiteral("wall"));
             break;
+        case 6:
+            if (surface.rails.size() < 12) editor_->makeSymmetric();
+            break;
+        case 7: editor_->chooseWall(static_cast<int>(below(std::min<std::size_t>(surface.walls.size() + 2, 6)))); break;
         default: editor_->nudge({step(), step()}); break;
         }
-        if (!surfaceProblems(edits_->value().surface).empty()) continue;
+        if (!surfaceProblems(edits_->value().surface).empty()) {
+            if (below(3) == 0) // back to the last shape that is one
+                while (!surfaceProblems(edits_->value().surface).empty()) edits_->undoStack().undo();
+            continue;
+        }
         ++legal;
         const CaseDocument again = parseCase(formatCase(edits_->value()), "again");
         QVERIFY(again.valid());
