@@ -50,6 +50,7 @@ void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
 void FieldMap::setLook(const FieldLook& look)
 {
     look_ = look;
+    forgetLayout();
     setTitle(look.title);
     if (isFitted()) fit(); // the numbers of the bar may need another width
     update();

@@ -69,7 +69,7 @@ AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
     return {tr("Air bearing"),
             {QString(), tr("At x, y [mm]")},
             {{tr("Net force"), milli(f.net, r.discretisationError.load),
-              typeset(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf")},
+              std::isfinite(f.net) ? typeset(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf") : QString()},
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
              {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
@@ -144,6 +144,7 @@ QString withError(double value, double error, std::string_view displayUnit, cons
     const double factor = unitFactor(displayUnit);
     const double shown = value / factor;
     const QString unit = QChar(0x00A0) + unitText(displayUnit);
+    if (!std::isfinite(shown)) return tr("not known");
     if (!(error > 0.0) || !std::isfinite(error)) {
         const int decimals = std::abs(shown) < 1.0 ? 3 : decimalsOf(shown, 4);
         return typeset(shown, decimals, locale) + unit;

@@ -151,7 +151,12 @@ void SliderPlan::pan(const QPointF& byPixels)
 
 QRectF SliderPlan::planArea() const
 {
-    return PlotFrame::areaWithin(size(), font(), QStringLiteral("0.0000"), keyWidth() + gap);
+    if (size() != laidOutSize_ || font() != laidOutFont_) {
+        laidOutSize_ = size();
+        laidOutFont_ = font();
+        planArea_ = PlotFrame::areaWithin(size(), font(), QStringLiteral("0.0000"), keyWidth() + gap);
+    }
+    return planArea_;
 }
 
 QPointF SliderPlan::toPixel(const SurfacePoint& point) const

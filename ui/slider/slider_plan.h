@@ -88,6 +88,8 @@ protected:
     /// Key of the content, in a column of keyWidth().
     virtual void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) = 0;
     virtual double keyWidth() const = 0; // [px]
+    /// To be called when keyWidth() may have changed for another reason than size and font.
+    void forgetLayout() { laidOutSize_ = {}; }
 
     void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -110,6 +112,10 @@ private:
     void paintScales(QPainter& painter, const PlotTheme& theme) const;
     void paintHeader(QPainter& painter, const PlotTheme& theme, const PlotFrame& frame) const;
 
+    // planArea() as it was measured: each conversion between places and pixels asks for it.
+    mutable QRectF planArea_;
+    mutable QSize laidOutSize_;
+    mutable QFont laidOutFont_;
     QRectF area_{0.0, 0.0, 1.25e-3, 1.0e-3}; // [m]
     CellGrid grid_;
     bool gridShown_ = false;

@@ -99,6 +99,7 @@ void SurfaceView::setSurface(const AirBearingSurface& surface, double length, do
     if (!numbersPass_) numberPoints_.clear();
     pointedRail_.reset();
     scale_ = ColourScale::throughLevels(ColourMap::Mako, recessLevels(surface)).reversed();
+    forgetLayout();
     if (drawable(surface)) {
         recess_.emplace(surface, length, width);
         AirBearingSurface flat = surface;
@@ -160,7 +161,8 @@ void SurfaceView::paintContent(QPainter& painter, const PlotTheme& theme)
 {
     paintRecess(painter);
     paintGrid(painter);
-    paintRails(painter);
+    outlines_.paint(painter, *this, surface_.rails);
+    if (pointedRail_) paintRailOutline(painter, *this, surface_.rails[*pointedRail_], true);
     TakenRoom taken;
     paintMarks(painter, theme, taken);
     paintNumbers(painter, theme, taken);
@@ -180,21 +182,6 @@ void SurfaceView::paintRecess(QPainter& painter) const
         painter.fillRect(slider, QColor(scale_.colour(surface_.baseRecess)));
     }
     painter.restore();
-}
-
-void SurfaceView::paintRails(QPainter& painter) const
-{
-    for (std::size_t i = 0; i < surface_.rails.size(); ++i) {
-        QPolygonF outline;
-        for (const RailPoint& point : surface_.rails[i].points) outline << toPixel({point.x, point.y});
-        const bool pointed = pointedRail_ == i;
-        // Dark on light tops and light on the dark base: one line in each.
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(QColor(255, 255, 255, pointed ? 230 : 90), pointed ? 4.0 : 2.4));
-        painter.drawPolygon(outline);
-        painter.setPen(QPen(QColor(20, 24, 28, pointed ? 255 : 190), pointed ? 1.8 : 1.0));
-        painter.drawPolygon(outline);
-    }
 }
 
 void SurfaceView::paintNumbers(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const

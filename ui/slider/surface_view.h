@@ -14,6 +14,7 @@
 #include "core/physics/slider/recess.h"
 #include "ui/calculation/calculation_controller.h"
 #include "ui/plot/colour_scale.h"
+#include "ui/slider/outline_layer.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/slider/slider_plan.h"
 
@@ -84,7 +85,6 @@ private:
     QSize wantedPixels() const;
     std::vector<ScaleTick> levelTicks() const;
     void paintRecess(QPainter& painter) const;
-    void paintRails(QPainter& painter) const;
     void paintMarks(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const;
     void paintNumbers(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const;
 
@@ -93,6 +93,7 @@ private:
     std::optional<Recess> drawnRecess_; // without
     ColourScale scale_;
     RecessPicture picture_;
+    OutlineLayer outlines_;
     QTimer pictureTimer_;
     std::vector<SurfacePoint> numberPoints_;
     bool numbersPass_ = false; // they are of a surface before

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <limits>
+
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -187,6 +189,7 @@ void TestAttitudeSections::saysTheOutcomeInASentence()
 void TestAttitudeSections::usesTheDecimalComma()
 {
     const QLocale german(QLocale::German, QLocale::Germany);
+    QCOMPARE(withError(std::numeric_limits<double>::quiet_NaN(), 0.0, "mN", german), QStringLiteral("not known"));
     QCOMPARE(withError(7.0312e-9, 0.02e-9, "nm", german), "7,03" + nbsp + "±" + nbsp + "0,02" + nbsp + "nm");
     QCOMPARE(withError(12345.6e-9, 0.0, "nm", german), "12346" + nbsp + "nm"); // no dots that look like decimals
     const Case c = sampleFilmCase();
