@@ -167,8 +167,9 @@ std::vector<MovedPoints> movedPoints(const AirBearingSurface& before, const AirB
         if (then.size() != now.size()) continue;
         std::vector<MovedPoints> ofRail;
         for (std::size_t k = 0; k < now.size(); ++k) {
-            const double x = now[k].x - then[k].x, y = now[k].y - then[k].y;
-            if (std::abs(x) < same && std::abs(y) < same) continue;
+            const auto shift = [](double from, double to) { return std::abs(to - from) < same ? 0.0 : to - from; };
+            const double x = shift(then[k].x, now[k].x), y = shift(then[k].y, now[k].y);
+            if (x == 0.0 && y == 0.0) continue;
             const auto together = std::ranges::find_if(ofRail, [x, y](const MovedPoints& each) {
                 return std::abs(each.x - x) < same && std::abs(each.y - y) < same;
             });

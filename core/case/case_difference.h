@@ -33,8 +33,8 @@ struct MovedPoints {
     double x = 0.0;     // [m]
     double y = 0.0;     // [m]
 };
-/// Of rails that have as many points before as after, in surfaces with as many rails; shifts that differ by less than
-/// 1 pm are the same.
+/// Of rails that have as many points before as after, in surfaces with as many rails; a shift of less than 1 pm is
+/// none, and shifts that differ by less are the same.
 std::vector<MovedPoints> movedPoints(const AirBearingSurface& before, const AirBearingSurface& after);
 
 } // namespace touchdown

@@ -154,6 +154,7 @@ void Hdf5Dataset::checkStored() const
 
 std::vector<double> Hdf5Dataset::numbers() const
 {
+    checkStored();
     std::vector<double> values(product(shape()));
     if (!values.empty()) checkHdf5(H5Dread(*this, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     return values;
@@ -162,7 +163,6 @@ std::vector<double> Hdf5Dataset::numbers() const
 std::vector<double> Hdf5Dataset::column() const
 {
     if (shape().size() != 1) throw Hdf5Error("a column is not one-dimensional");
-    checkStored();
     return numbers();
 }
 

@@ -46,9 +46,9 @@ public:
     std::string text() const;
     /// Throws where a damaged header claims more numbers than are stored.
     void checkStored() const;
-    /// All numbers, row by row.
+    /// All numbers, row by row, checked.
     std::vector<double> numbers() const;
-    /// The numbers of an array with one dimension, checked.
+    /// The numbers of an array with one dimension.
     std::vector<double> column() const;
 
     /// Entries of a growing array: numbers of a column, or matrices.

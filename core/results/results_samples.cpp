@@ -87,7 +87,6 @@ void readSet(const Hdf5Group& file, const std::string& name, StoredSamples& stor
         if (member == "time" || member == "x" || member == "y" || member.ends_with("_lines")) continue;
         const Hdf5Dataset dataset = group.get(member);
         if (dataset.shape() != wanted) throw Hdf5Error(member + " does not fit the grid of " + name);
-        dataset.checkStored();
         set.quantities.push_back(quantityOf(member, dataset));
         for (std::size_t k = 0; k < times.size(); ++k) stored.snapshots[first + k].values.push_back(dataset.entry(k));
     }

@@ -2,11 +2,12 @@
 #include "core/results/steady_reader.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <new>
+#include <string_view>
 #include <utility>
 
-#include "core/case/parameters.h"
 #include "core/formats/hdf5_file.h"
 #include "core/results/file_header.h"
 #include "core/results/steady_writer.h"
@@ -24,9 +25,7 @@ SteadyStatus statusOf(const std::string& text)
 
 std::vector<double> numbers(const Hdf5Group& state, const std::string& name, std::size_t count)
 {
-    const Hdf5Dataset dataset = state.get(name);
-    dataset.checkStored();
-    std::vector<double> values = dataset.numbers();
+    std::vector<double> values = state.get(name).numbers();
     if (values.size() != count)
         throw Hdf5Error(name + " has " + std::to_string(values.size()) + " numbers instead of " +
                         std::to_string(count));
@@ -42,7 +41,8 @@ SurfacePoint place(const Hdf5Group& state, const std::string& name)
 std::vector<double> lines(const Hdf5Group& state, const std::string& name)
 {
     std::vector<double> values = state.get(name).column();
-    if (values.size() < 2 || std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end())
+    const auto ascends = [](double a, double b) { return std::isfinite(a) && std::isfinite(b) && a < b; };
+    if (values.size() < 2 || std::ranges::adjacent_find(values, std::not_fn(ascends)) != values.end())
         throw Hdf5Error(name + " does not hold at least two increasing numbers");
     return values;
 }
@@ -54,23 +54,30 @@ void readFields(const Hdf5Group& state, SteadyResult& result)
     result.grid.y = lines(state, "fields/y_lines");
     const std::size_t cells = result.grid.cells();
     const auto field = [&](const char* name, std::vector<double>& values) {
-        const std::string path = std::string("fields/") + name;
-        if (state.has(path)) values = numbers(state, path, cells);
+        values = numbers(state, std::string("fields/") + name, cells);
+        if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+            throw Hdf5Error(std::string("fields/") + name + " holds something that is not a number");
     };
     field("pressure", result.pressure);
     field("gap", result.gap);
     field("recess", result.recess);
+    const Attitude& a = result.attitude;
+    if (!std::isfinite(a.height) || !std::isfinite(a.pitch) || !std::isfinite(a.roll) ||
+        !std::isfinite(result.minimumSpacing))
+        throw Hdf5Error("a state with fields has no attitude");
 }
 
 void readSensitivities(const Hdf5Group& state, SteadyResult& result)
 {
+    constexpr std::string_view per = " per "; // of the long name, before the parameter's unit
     if (!state.has("sensitivities")) return;
     const Hdf5Group group = state.group("sensitivities");
     for (const std::string& key : group.names()) {
         const std::vector<double> values = numbers(group, key, 4);
-        const Parameter* parameter = findParameter(key);
-        result.sensitivities.push_back(
-            {key, parameter ? parameter->unit : std::string(), values[0], values[1], values[2], values[3]});
+        const std::string words = group.get(key).attribute("long_name");
+        const std::size_t at = words.rfind(per);
+        result.sensitivities.push_back({key, at == std::string::npos ? std::string() : words.substr(at + per.size()),
+                                        values[0], values[1], values[2], values[3]});
     }
 }
 
@@ -100,6 +107,7 @@ SteadyResult readState(const Hdf5Group& state)
     }
     if (state.has("points_of_interest")) {
         const std::vector<double> values = state.get("points_of_interest").numbers();
+        if (values.size() % 3 != 0) throw Hdf5Error("points_of_interest does not hold rows of x, y and spacing");
         for (std::size_t k = 2; k < values.size(); k += 3) result.interestSpacing.push_back(values[k]);
     }
     readSensitivities(state, result);

@@ -93,6 +93,9 @@ private slots:
         QTest::newRow("a run") << "not static states of Touchdown";
         QTest::newRow("cut in half") << "damaged or cut short";
         QTest::newRow("a field of another size") << "pressure has 2 numbers instead of 6";
+        QTest::newRow("no gap") << "gap";
+        QTest::newRow("a pressure that is none") << "holds something that is not a number";
+        QTest::newRow("points that claim too much") << "fewer numbers than it says";
         QTest::newRow("lines that do not increase") << "x_lines does not hold at least two increasing numbers";
     }
 
@@ -111,6 +114,9 @@ private slots:
             QVERIFY(file.resize(file.size() / 2));
         }
         if (kind == "a field of another size") replace("pressure", {1e5, 1e5});
+        if (kind == "no gap") replace("gap", {});
+        if (kind == "a pressure that is none") replace("pressure", {1e5, 1e5, NAN, 1e5, 1e5, 1e5});
+        if (kind == "points that claim too much") claimPoints();
         if (kind == "lines that do not increase") replace("x_lines", {0.0, 1e-3, 1e-3, 2e-3});
         const StoredSteady stored = readSteady(path());
         QVERIFY2(stored.problem.find(says.toStdString()) != std::string::npos, stored.problem.c_str());
@@ -139,7 +145,22 @@ private:
         const Hdf5Group file = openHdf5File(path(), H5F_ACC_RDWR);
         const Hdf5Group fields = file.group("states/1/fields");
         fields.remove(field);
-        fields.put(field, values);
+        if (!values.empty()) fields.put(field, values);
+    }
+    /// Points of interest of which nothing is stored.
+    void claimPoints() const
+    {
+        const Hdf5Access access;
+        const Hdf5Group file = openHdf5File(path(), H5F_ACC_RDWR);
+        const Hdf5Group state = file.group("states/1");
+        state.remove("points_of_interest");
+        const hsize_t count = hsize_t{1} << 61, chunk = 1024;
+        const Hdf5Handle space(H5Screate_simple(1, &count, nullptr), H5Sclose);
+        const Hdf5Handle chunked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        checkHdf5(H5Pset_chunk(chunked, 1, &chunk));
+        const Hdf5Handle made(
+            H5Dcreate2(state, "points_of_interest", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, chunked, H5P_DEFAULT),
+            H5Dclose);
     }
     std::unique_ptr<QTemporaryDir> folder_;
 };

@@ -71,16 +71,14 @@ std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionReco
     return numbers;
 }
 
-/// "+0.31", with as many decimals as the values have.
-QString differenceText(double difference, double value, const std::string& unit, const QLocale& locale)
+/// "+0.31", with as many decimals as the value with its error has.
+QString differenceText(double difference, double value, double error, const std::string& unit, const QLocale& locale)
 {
-    const double shown = difference / unitFactor(unit);
-    const QString text = withError(value, 0.0, unit, locale);
+    const QString text = withError(value, error, unit, locale);
     const QString number = text.left(text.indexOf(QChar(0x00A0)));
     const qsizetype point = number.indexOf(locale.decimalPoint());
     const int decimals = point < 0 ? 0 : static_cast<int>(number.size() - point - 1);
-    const QString plain = typeset(shown, decimals, locale);
-    return shown > 0.0 ? QLatin1Char('+') + plain : plain;
+    return typesetChange(difference / unitFactor(unit), decimals, locale);
 }
 
 QString cell(const QString& text, const QString& style)
@@ -112,7 +110,8 @@ SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& soluti
             row.values << (known ? withError(value, number.error(each->result), number.unit, locale) : QString());
             row.differences << (each == &base || !known || !std::isfinite(reference)
                                     ? QString()
-                                    : differenceText(value - reference, value, number.unit, locale));
+                                    : differenceText(value - reference, value, number.error(each->result), number.unit,
+                                                     locale));
         }
         all.rows.push_back(std::move(row));
     }

@@ -64,8 +64,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       modes_(new ModesPage(touchdown::modes, this)),
       series_(new SeriesPage(steady, this))
 {
-    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare"), tr("Modes"),
-                                tr("Series")})
+    for (const QString& name :
+         {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare"), tr("Modes"), tr("Series")})
         tabs_->addTab(name);
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
@@ -159,8 +159,12 @@ void FilmView::setResult(const Case& solved, const SteadyResult& result)
 {
     if (result.pressure.empty()) {
         clearResult();
+        emptyText_->setText(
+            tr("The fields of this solution were given up to save memory; its numbers are in the table. "
+               "Use and Solve bring them back."));
         return;
     }
+    base_.reset(); // that of another solution
     state_ = {solved, result};
     stale_ = false;
     maps_->map()->setSlider(solved.slider.length, solved.slider.width);
@@ -175,6 +179,7 @@ void FilmView::clearResult()
 {
     state_.reset();
     stale_ = false;
+    setSolving(false);
     maps_->proposeSectionPoint(std::nullopt);
     surface()->setGrid({});
     showFields();

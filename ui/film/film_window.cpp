@@ -96,7 +96,6 @@ void FilmWindow::show(int number)
     if (record) {
         view_->setResult(record->value, record->result);
         attitude_->setResult(record->value, record->result);
-        view_->shape()->showFlight(record->result, reference(), false);
     } else {
         view_->clearResult();
         attitude_->clear();
@@ -106,7 +105,14 @@ void FilmWindow::show(int number)
     updateStale();
 }
 
-void FilmWindow::showComparison() { view_->compare(shown(), solutions_.compared(), solutions_.baseline()); }
+void FilmWindow::showComparison()
+{
+    view_->compare(shown(), solutions_.compared(), solutions_.baseline());
+    if (const SolutionRecord* record = shown()) {
+        view_->shape()->showFlight(record->result, reference(), false);
+        view_->shape()->setStale(stale_);
+    }
+}
 
 std::optional<SteadyResult> FilmWindow::reference() const
 {
@@ -130,14 +136,16 @@ void FilmWindow::edit(const Case& c)
     view_->setCase(c);
     emit view_->shape()->influenceWanted();
     // Undo and redo are followed, too.
-    const SolutionRecord* known = stale_ || shaped ? solutions_.of(c) : nullptr;
-    if (known && known->number != shown_) {
+    updateStale();
+    const SolutionRecord* known = stale_ || !shown() ? solutions_.of(c) : nullptr;
+    if ((known || (shown() && !stale_)) && controller_.active() && !isEdited(asked_))
+        controller_.stop(); // of a case that was left for one that is solved
+    if (known) {
         restTimer_.stop();
         panel_->choose(known->number);
     } else if (shaped && shown_ >= 0 && view_->shape()->follows()) {
         restTimer_.start(restTime);
     }
-    updateStale();
 }
 
 void FilmWindow::solve(const Case& c, bool given)
@@ -230,13 +238,17 @@ void FilmWindow::followEdit()
         solve(edited_, false);
 }
 
+bool FilmWindow::isEdited(Case solved) const
+{
+    // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
+    solved.steady.fixedAttitude = edited_.steady.fixedAttitude;
+    return sameFilm(edited_, solved);
+}
+
 void FilmWindow::updateStale()
 {
     const SolutionRecord* record = shown();
-    // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
-    Case solved = record ? record->value : edited_;
-    solved.steady.fixedAttitude = edited_.steady.fixedAttitude;
-    stale_ = record && !sameFilm(edited_, solved);
+    stale_ = record && !isEdited(record->value);
     view_->setStale(stale_);
     view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);

@@ -68,6 +68,8 @@ private:
     void onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge);
     /// Solves on the case's own grid once the hand rests.
     void followEdit();
+    /// What was solved is the case as it is edited.
+    bool isEdited(Case solved) const;
     void updateStale();
 
     SteadyController controller_;

@@ -2,6 +2,7 @@
 #include "ui/film/influence_controller.h"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace touchdown {
@@ -12,22 +13,10 @@ constexpr int finestNodes = 193; // of a side: on coarser grids edges have large
 
 Case ofInfluence(const Case& c)
 {
-    Case solved = caseAt(attitudeCase(c), seriesOf(c).front());
+    Case solved = withoutSeries(attitudeCase(c));
     for (int& nodes : solved.film.nodes) nodes = std::min(nodes, finestNodes);
     solved.film.accuracy = 0.0;
     return solved;
-}
-
-/// Rails are quick and come first, then edge by edge.
-std::vector<PartSelection> portions(const PartSelection& parts)
-{
-    std::vector<PartSelection> list(1);
-    for (const SurfacePart& part : parts)
-        if (part.kind == PartKind::Edge)
-            list.push_back({part});
-        else
-            list.front().insert(part);
-    return list;
 }
 
 } // namespace
@@ -37,16 +26,20 @@ void InfluenceController::start(const Case& c, const PartSelection& parts)
     stopAndWait(); // within one part
     begin([this, solved = ofInfluence(c), parts, held = c.steady.fixedAttitude](const std::stop_token& stop) {
         const auto goOn = [&] { return !stop.stop_requested(); };
-        const SteadyResult state = steady(solved, [&](const SteadyProgress&) { return goOn(); });
-        const bool flies = state.status == SteadyStatus::Converged && !held;
-        std::vector<PartInfluence> influence;
-        if (flies)
-            for (const PartSelection& some : portions(parts)) {
-                const std::vector<PartInfluence> more = shapeInfluence(solved, state, some, goOn);
-                influence.insert(influence.end(), more.begin(), more.end());
-                if (!goOn()) break;
-                mailbox_.post([&](Mail& mail) { mail.influence = influence; });
-            }
+        bool flies = false;
+        try {
+            const SteadyResult state = steady(solved, [&](const SteadyProgress&) { return goOn(); });
+            flies = state.status == SteadyStatus::Converged && !held;
+            std::vector<PartInfluence> influence;
+            if (flies)
+                shapeInfluence(solved, state, parts, [&](const PartInfluence* found) {
+                    if (found) influence.push_back(*found);
+                    if (found && goOn()) mailbox_.post([&](Mail& mail) { mail.influence = influence; });
+                    return goOn();
+                });
+        } catch (const std::exception&) {
+            flies = false; // as where memory is short: nothing is known
+        }
         mailbox_.post([&](Mail& mail) {
             if (!flies) mail.influence.emplace();
             mail.finished = true;

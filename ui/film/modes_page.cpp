@@ -175,6 +175,7 @@ QWidget* ModesPage::buildTable()
 void ModesPage::setCase(const Case& c)
 {
     case_ = c;
+    refusal_.clear();
     showNotes();
 }
 
@@ -194,11 +195,11 @@ void ModesPage::startOrStop()
 {
     if (controller_.active()) return controller_.stop();
     if (const auto problems = checkCombinations(case_); !problems.empty()) {
-        remarks_->setText(
-            sentence("the case contradicts itself: " + problems.front().key + " " + problems.front().message));
-        remarks_->show();
+        refusal_ = sentence("the case contradicts itself: " + problems.front().key + " " + problems.front().message);
+        showNotes();
         return;
     }
+    refusal_.clear();
     asked_ = case_;
     Case wanted = case_;
     wanted.steady.stiffness = wanted.steady.sensitivities = wanted.steady.allEquilibria = false;
@@ -284,9 +285,9 @@ void ModesPage::showNotes()
     start_->setEnabled(controller_.state() != ModesController::State::Stopping);
     setTextColour(stale_, meaningColours(palette()).warning);
     stale_->setVisible(stale() && !active);
-    setTextColour(remarks_, result_ && result_->modes.empty() ? meaningColours(palette()).failure
-                                                              : meaningColours(palette()).muted);
-    remarks_->setText(result_ ? remarksOn(solved_, *result_) : QString());
+    const bool failed = !refusal_.isEmpty() || (result_ && result_->modes.empty());
+    setTextColour(remarks_, failed ? meaningColours(palette()).failure : meaningColours(palette()).muted);
+    remarks_->setText(!refusal_.isEmpty() ? refusal_ : result_ ? remarksOn(solved_, *result_) : QString());
     remarks_->setVisible(!remarks_->text().isEmpty());
     play_->setAccessibleName(picture_->playing() ? tr("Pause the motion") : tr("Play the motion"));
     play_->setIcon(icon(picture_->playing() ? QStringLiteral("pause") : QStringLiteral("run"), palette()));

@@ -65,6 +65,7 @@ private:
     QSlider* speed_;
     QTableWidget* table_;
     Case case_, asked_, solved_;
+    QString refusal_; // why the last search did not start
     std::optional<ModesResult> result_;
 };
 

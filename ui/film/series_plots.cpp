@@ -85,13 +85,14 @@ void SeriesPlots::setStates(const std::vector<SteadySeriesPoint>& points, const 
     for (PlotWidget* plot : plots_)
         plot->setXLabel({QString::fromStdString(quantity.longName), unitText(quantity.displayUnit),
                          unitFactor(quantity.displayUnit), AxisScale::Linear});
-    QStringList names;
+    QStringList names, ofStates;
     for (const SteadySeriesPoint& point : points)
         if (const QString name = curveName(point, points); !names.contains(name)) names << name;
+    for (const SeriesState& state : states) ofStates << curveName(state.point, points);
     for (int curve = 0; curve < names.size(); ++curve) {
         std::vector<const SeriesState*> own;
-        for (const SeriesState& state : states)
-            if (curveName(state.point, points) == names[curve]) own.push_back(&state);
+        for (std::size_t i = 0; i < states.size(); ++i)
+            if (ofStates[static_cast<qsizetype>(i)] == names[curve]) own.push_back(&states[i]);
         std::ranges::stable_sort(own, {}, [axis](const SeriesState* state) { return valueOf(state->point, axis); });
         for (std::size_t plot = 0; plot < plots_.size(); ++plot) addCurve(plot, curve, names[curve], own);
     }

@@ -37,7 +37,7 @@ Case ShapeFollower::coarse(const Case& c)
     for (int& nodes : preview.film.nodes) nodes = std::min(nodes, mostNodes);
     preview.film.accuracy = 0.0;
     preview.steady.stiffness = preview.steady.sensitivities = preview.steady.allEquilibria = false;
-    return caseAt(preview, seriesOf(preview).front());
+    return withoutSeries(std::move(preview));
 }
 
 void ShapeFollower::follow(const Case& c)

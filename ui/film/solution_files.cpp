@@ -13,18 +13,28 @@
 #include "ui/film/solutions_model.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
+#include "ui/style/translate.h"
 
 namespace touchdown {
 
+namespace {
+
+/// Why a solution cannot be saved; empty if it can.
+QString reasonNotToSave(const SolutionRecord& solution)
+{
+    if (!solution.fieldsDropped) return {};
+    return tr("The fields of solution %1 were given up to save memory; solve it again before saving it.")
+        .arg(solution.number);
+}
+
+} // namespace
+
 QString saveSolution(const SolutionRecord& solution, const QString& file)
 {
-    if (solution.fieldsDropped)
-        return QObject::tr("The fields of solution %1 were given up to save memory; solve it again before saving it.")
-            .arg(solution.number);
+    if (const QString reason = reasonNotToSave(solution); !reason.isEmpty()) return reason;
     const SteadyResult& state = solution.result;
     SteadyWriter writer;
-    Case c = solution.value;
-    c.steady.radii = c.steady.skews = c.steady.speeds = c.steady.altitudes = {}; // it is one state
+    const Case c = withoutSeries(solution.value);
     std::string problem = writer.open(std::filesystem::path(file.toStdString()), c, formatCase(c));
     if (problem.empty()) problem = writer.add(seriesOf(c).front(), state);
     if (problem.empty()) problem = writer.finish(state.status, state.message);
@@ -37,7 +47,12 @@ SolutionFiles::SolutionFiles(SolutionsModel& solutions, QWidget& window)
 
 void SolutionFiles::chooseSave(int number)
 {
-    if (!solutions_.find(number)) return;
+    const SolutionRecord* chosen = solutions_.find(number);
+    if (!chosen) return;
+    if (const QString reason = reasonNotToSave(*chosen); !reason.isEmpty()) {
+        emit failed(reason);
+        return;
+    }
     askAndSave(&window_, tr("Save solution %1").arg(number), {tr("HDF5, the static solution (*.h5)")},
                tr("solution%1.h5").arg(number), [this, number](const QString& file) {
                    const SolutionRecord* solution = solutions_.find(number);
@@ -68,9 +83,12 @@ void SolutionFiles::open(const QString& file)
     }
     const std::vector<SteadySeriesPoint> points = seriesOf(document.value);
     QStringList numbers;
+    std::vector<std::pair<Case, const SteadyResult*>> shown;
     for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
-        if (const SteadyResult& state = stored.states[i]; !state.pressure.empty())
-            numbers << QString::number(solutions_.add(caseAt(document.value, points[i]), state, file));
+        if (!stored.states[i].pressure.empty())
+            shown.emplace_back(caseAt(document.value, points[i]), &stored.states[i]);
+    for (const auto& [c, state] : shown) // the last one is chosen
+        numbers << QString::number(solutions_.add(c, *state, file, state == shown.back().second));
     if (!numbers.isEmpty()) emit opened(numbers.back().toInt());
     if (numbers.isEmpty())
         emit failed(tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file)));

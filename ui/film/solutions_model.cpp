@@ -1,14 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/solutions_model.h"
 
-#include <cmath>
-
 #include "ui/case/parameter_text.h"
 #include "ui/film/same_film.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
+
+namespace {
+
+std::size_t fieldSize(const SteadyResult& state)
+{
+    return state.pressure.size() + state.gap.size() + state.recess.size();
+}
+
+constexpr qsizetype mostChanges = 3; // in a name
+
+} // namespace
 
 int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown)
 {
@@ -18,12 +27,14 @@ int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QS
     record->value = solved;
     record->file = file;
     record->result = result;
-    record->shown = shown;
-    // A comparison of more than three is asked for, not made by a row of edits.
+    record->shown = record->comparedByItself = shown;
+    // A row of edits compares the last three; what the user checked stays.
     int others = 0;
-    for (int row = count() - 1; shown && row >= 0; --row)
-        if (listed(row).shown && listed(row).number != baseline() && ++others > 2)
+    for (int row = count() - 1; shown && row >= 0; --row) {
+        const SolutionRecord& each = this->record(row);
+        if (each.shown && each.comparedByItself && each.number != baseline() && ++others > 2)
             setData(index(row), Qt::Unchecked, Qt::CheckStateRole);
+    }
     const int number = addRecord(std::move(record)).number;
     dropFields();
     return number;
@@ -35,22 +46,34 @@ QString SolutionsModel::nameOf(const Case& solved) const
     if (count() == 0) return title;
     const ListedRecord& last = listed(count() - 1);
     if (last.value.title != solved.title) return title;
-    const QStringList changes = caseDifference(last.value, solved);
+    QStringList changes = caseDifference(last.value, solved);
+    if (changes.size() > mostChanges) {
+        const qsizetype more = changes.size() - mostChanges;
+        changes = changes.first(mostChanges) << tr("and %1 more").arg(more);
+    }
     return changes.isEmpty() ? tr("as solution %1").arg(last.number) : changes.join(QStringLiteral(", "));
+}
+
+bool SolutionsModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (role == Qt::CheckStateRole && index.isValid())
+        static_cast<SolutionRecord&>(changeable(index.row())).comparedByItself = false;
+    return RecordList::setData(index, value, role);
 }
 
 void SolutionsModel::dropFields()
 {
     std::size_t held = 0;
-    for (int row = count() - 1; row >= 0; --row) {
-        auto& each = static_cast<SolutionRecord&>(changeable(row));
-        SteadyResult& state = each.result;
-        held += state.pressure.size() + state.gap.size() + state.recess.size();
-        if (held <= fieldCapacity || row == count() - 1 || each.number == baseline() || state.pressure.empty())
-            continue;
-        for (std::vector<double>* field : {&state.pressure, &state.gap, &state.recess}) *field = {};
-        each.fieldsDropped = true;
-    }
+    for (int row = 0; row < count(); ++row) held += fieldSize(record(row).result);
+    for (const bool compared : {false, true}) // these last
+        for (int row = 0; row + 1 < count() && held > fieldCapacity; ++row) {
+            auto& each = static_cast<SolutionRecord&>(changeable(row));
+            if (each.shown != compared || each.number == baseline() || each.fieldsDropped) continue;
+            held -= fieldSize(each.result);
+            for (std::vector<double>* field : {&each.result.pressure, &each.result.gap, &each.result.recess})
+                *field = {};
+            each.fieldsDropped = true;
+        }
 }
 
 void SolutionsModel::setFile(int number, const QString& file)

@@ -10,7 +10,8 @@ namespace touchdown {
 
 struct SolutionRecord : ListedRecord {
     SteadyResult result;
-    bool fieldsDropped = false; // see SolutionsModel::fieldCapacity
+    bool fieldsDropped = false;   // see SolutionsModel::fieldCapacity
+    bool comparedByItself = true; // nobody checked or unchecked its box
 };
 
 class SolutionsModel : public RecordList {
@@ -19,9 +20,11 @@ class SolutionsModel : public RecordList {
 public:
     using RecordList::RecordList;
 
-    /// Values of all fields of all solutions: 256 MB. Beyond it the oldest ones lose their fields, not their numbers.
+    /// Values of all fields of all solutions: 256 MB. Beyond it the oldest ones lose their
+    /// fields, not their numbers: first those that are not compared.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     /// A solution with a field; `shown`: its box is checked, and the list chooses it. Returns its number.
     int add(const Case& solved, const SteadyResult& result, const QString& file = {}, bool shown = true);
     /// It was written to a file.

@@ -22,11 +22,7 @@ QString part(const QString& name, double value, std::optional<double> before, do
              const QString& unitName, int decimals)
 {
     QString text = QStringLiteral("%1 <b>%2</b> %3").arg(name, typeset(value / unit, decimals), unitName);
-    if (before) {
-        const double change = (value - *before) / unit;
-        const QString number = typeset(change, decimals);
-        text += QStringLiteral("  ") + (change > 0.0 ? QStringLiteral("+") : QString()) + number;
-    }
+    if (before) text += QStringLiteral("  ") + typesetChange((value - *before) / unit, decimals);
     if (std::isfinite(error) && error > 0.0) text += QStringLiteral(" (±%1)").arg(typeset(error / unit, decimals));
     return text;
 }
@@ -178,8 +174,8 @@ void SurfacePage::setCase(const Case& c)
 
 void SurfacePage::open(const Case& c)
 {
-    editor_->select({});
-    editor_->setGhost(c.surface);
+    setCase(c);
+    editor_->open();
     clearFlight();
 }
 

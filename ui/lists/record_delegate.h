@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A run in the list of runs: check box, a piece of its curve, name and result; below, what changed and the note.
+// A record in its list: check box, a piece of its curve, name and result; below, what changed and the note.
 #pragma once
 
 #include <QStyledItemDelegate>

@@ -106,8 +106,7 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
 int RecordPanel::chosen() const
 {
     const QModelIndex current = list_->currentIndex();
-    if (current.isValid()) return model_.listed(current.row()).number;
-    return model_.count() > 0 ? model_.listed(model_.count() - 1).number : -1;
+    return current.isValid() ? model_.listed(current.row()).number : -1;
 }
 
 void RecordPanel::choose(int number)

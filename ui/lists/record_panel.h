@@ -40,7 +40,7 @@ public:
     /// Whether earlier records stay shown when a new one comes.
     bool overlay() const { return overlay_->isChecked(); }
     void setOverlay(bool on) { overlay_->setChecked(on); }
-    /// Number of the chosen record, or of the newest; -1 when there is none.
+    /// Number of the chosen record; -1 when there is none.
     int chosen() const;
     void choose(int number);
     /// One that is still calculated cannot be deleted or saved; -1: none is.

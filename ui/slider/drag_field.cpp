@@ -2,6 +2,7 @@
 #include "ui/slider/drag_field.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -20,7 +21,8 @@ std::optional<double> lengthOf(QString text)
     for (const char16_t micro : {u'\u00B5', u'\u03BC'}) text.replace(QChar(micro), QLatin1Char('u'));
     text.replace(QLocale().decimalPoint(), QLatin1String("."));
     bool isNumber = false;
-    if (const double number = text.toDouble(&isNumber); isNumber) return number * unitFactor("um");
+    if (const double number = text.toDouble(&isNumber); isNumber && std::isfinite(number))
+        return number * unitFactor("um");
     const auto quantity = parseQuantity(text.toStdString(), "m");
     if (const double* length = std::get_if<double>(&quantity)) return *length;
     return {};

@@ -43,6 +43,7 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), field_(new 
 void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, double width)
 {
     gesture_ = Gesture::None;
+    snap_.reset();
     stopTyping();
     single_ = sameRails(committed_, surface, single_);
     committed_ = surface;
@@ -54,6 +55,17 @@ void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, dou
     select(kept);
     findLinks();
     updateCursor();
+}
+
+void SurfaceEditor::open()
+{
+    single_.clear();
+    measured_.clear();
+    polygon_.clear();
+    snap_.reset();
+    select({});
+    findLinks();
+    setGhost(committed_);
 }
 
 void SurfaceEditor::setGhost(const AirBearingSurface& surface)

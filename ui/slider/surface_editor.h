@@ -42,6 +42,8 @@ public:
     /// The grid of the case with a surface; edges shorter than its cells are marked.
     using GridOf = std::function<CellGrid(const AirBearingSurface&)>;
     void setGridOf(GridOf gridOf) { gridOf_ = std::move(gridOf); }
+    /// The surface is that of another case: what was begun and broken on the one before is forgotten.
+    void open();
     /// Drawn behind, as it was last saved.
     void setGhost(const AirBearingSurface& surface);
 

@@ -72,6 +72,12 @@ QString typeset(double value, int decimals, QLocale locale)
     return trueMinus(locale.toString(value, 'f', decimals));
 }
 
+QString typesetChange(double value, int decimals, QLocale locale)
+{
+    const bool rises = value >= 0.5 * std::pow(10.0, -decimals);
+    return (rises ? QStringLiteral("+") : QString()) + typeset(value, decimals, std::move(locale));
+}
+
 QString sentence(std::string_view reason)
 {
     QString text = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size())).trimmed();

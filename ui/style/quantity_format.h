@@ -21,6 +21,8 @@ QString symbolText(std::string_view symbol);
 
 /// -0.5 as "−0.5" with a true minus sign, ungrouped, in the notation of the locale.
 QString typeset(double value, int decimals, QLocale locale = QLocale());
+/// A change: the same with its sign, "+0.5"; "0.0" where it rounds to nothing.
+QString typesetChange(double value, int decimals, QLocale locale = QLocale());
 /// The number with a true minus sign instead of a hyphen.
 QString trueMinus(QString number);
 

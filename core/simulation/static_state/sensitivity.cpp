@@ -174,7 +174,7 @@ std::optional<Sensitivity> edgeInfluence(const Case& c, const SteadyResult& stat
         with.surface = moved(c.surface, {edge}, {by * out.x, by * out.y});
         if (!surfaceProblems(with.surface).empty()) return std::nullopt;
         SteadyResult& found = states[static_cast<std::size_t>(side)];
-        found = steadyNear(with, c, state, [&goOn](const SteadyProgress&) { return !goOn || goOn(); });
+        found = steadyNear(with, c, state, [&goOn](const SteadyProgress&) { return goOn(); });
         if (found.status != SteadyStatus::Converged) return std::nullopt;
     }
     const auto slope = [&](auto value) { return (value(states[1]) - value(states[0])) / (2.0 * step); };
@@ -189,18 +189,23 @@ std::optional<Sensitivity> edgeInfluence(const Case& c, const SteadyResult& stat
 } // namespace
 
 std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& state, const PartSelection& parts,
-                                          const std::function<bool()>& goOn)
+                                          const InfluenceCallback& callback)
 {
     constexpr double recessStep = 1e-12, smallShift = 0.5e-6; // [m]
     std::unique_ptr<StaticFilm> film;
     std::unique_ptr<AttitudeSensitivity> attitude;
     std::vector<PartInfluence> result;
+    const auto goOn = [&callback] { return !callback || callback(nullptr); };
+    const auto add = [&](const SurfacePart& part, const Sensitivity& per) {
+        result.push_back({part, per});
+        return !callback || callback(&result.back());
+    };
     for (const SurfacePart& part : parts) {
         if (!has(c.surface, part)) continue;
-        if (goOn && !goOn()) break;
+        if (!goOn()) break;
         const bool edge = part.kind == PartKind::Edge;
         if (edge && !squareAt(c.surface.rails[part.item], part.index)) {
-            if (const auto per = edgeInfluence(c, state, part, goOn)) result.push_back({part, *per});
+            if (const auto per = edgeInfluence(c, state, part, goOn); per && !add(part, *per)) break;
             continue;
         }
         if (!edge && part.kind != PartKind::Rail) continue;
@@ -215,7 +220,7 @@ std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& sta
         const auto outer = [&](Case& moved, double by) {
             moved.surface = touchdown::moved(std::move(moved.surface), {part}, {by * out.x, by * out.y});
         };
-        result.push_back({part, edge ? attitude->to(outer, smallShift, true) : attitude->to(deeper, recessStep, true)});
+        if (!add(part, edge ? attitude->to(outer, smallShift, true) : attitude->to(deeper, recessStep, true))) break;
     }
     return result;
 }

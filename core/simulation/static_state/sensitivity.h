@@ -41,11 +41,13 @@ struct PartInfluence {
     SurfacePart part; // a rail: per metre of recess; an edge: per metre of its shift away from the rail
     Sensitivity per;  // of height [m/m], pitch and roll [rad/m] and minimum spacing [m/m]
 };
+using InfluenceCallback = std::function<bool(const PartInfluence*)>;
 /// Of these rails and edges, on the grid of a converged state, whose lines move with the edges (steady_near.h); as far
-/// as it gets until `goOn` returns false. Rails, and edges between edges parallel to x or y: from the adjoint. A
-/// slanted edge changes the film by jumps from cell to cell: from two states with the edge moved by 4 um, or a tenth of
-/// a narrow rail, to either side; nothing where such a state is not found.
+/// as it gets until `callback` returns false, which is called with each part that is found and, with nullptr,
+/// meanwhile. Rails, and edges between edges parallel to x or y: from the adjoint. A slanted edge changes the film by
+/// jumps from cell to cell: from two states with the edge moved by 4 um, or a tenth of a narrow rail, to either side;
+/// nothing where such a state is not found.
 std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& state, const PartSelection& parts,
-                                          const std::function<bool()>& goOn = {});
+                                          const InfluenceCallback& callback = {});
 
 } // namespace touchdown

@@ -106,6 +106,8 @@ struct SteadySeriesPoint {
 };
 /// All combinations that the case lists: altitudes outermost, then speeds, then radii. One entry if it lists none.
 std::vector<SteadySeriesPoint> seriesOf(const Case& c);
+/// The case as it is, with empty lists: one state at disk.radius, disk.skew, disk.speed and the air as given.
+Case withoutSeries(Case c);
 /// The case at one of them, with empty lists.
 Case caseAt(const Case& c, const SteadySeriesPoint& point);
 

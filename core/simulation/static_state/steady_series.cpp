@@ -24,9 +24,18 @@ std::vector<SteadySeriesPoint> seriesOf(const Case& c)
     return series;
 }
 
+Case withoutSeries(Case c)
+{
+    c.steady.radii.clear();
+    c.steady.skews.clear();
+    c.steady.speeds.clear();
+    c.steady.altitudes.clear();
+    return c;
+}
+
 Case caseAt(const Case& c, const SteadySeriesPoint& point)
 {
-    Case at = c;
+    Case at = withoutSeries(c);
     at.disk.radius = point.radius;
     at.disk.skew = point.skew;
     at.disk.speed = point.speed;
@@ -34,10 +43,6 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point)
         at.air.source = AirSource::Atmosphere;
         at.air.altitude = *point.altitude;
     }
-    at.steady.radii.clear();
-    at.steady.skews.clear();
-    at.steady.speeds.clear();
-    at.steady.altitudes.clear();
     return at;
 }
 

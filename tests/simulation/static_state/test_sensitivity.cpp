@@ -127,10 +127,17 @@ private slots:
     {
         const Case c = test::smallSlider();
         const SteadyResult state = steady(c);
-        int asked = 0;
-        const auto found = shapeInfluence(c, state, {{PartKind::Rail, 0}, {PartKind::Rail, 1}, {PartKind::Rail, 2}},
-                                          [&] { return ++asked < 2; });
-        QCOMPARE(found.size(), std::size_t(1));
+        const PartSelection parts{{PartKind::Rail, 0}, {PartKind::Rail, 1}, {PartKind::Rail, 2}};
+        QCOMPARE(shapeInfluence(c, state, parts, [](const PartInfluence* found) { return !found; }).size(),
+                 std::size_t{1});
+        QVERIFY(shapeInfluence(c, state, parts, [](const PartInfluence*) { return false; }).empty());
+        std::vector<PartInfluence> told;
+        const auto all = shapeInfluence(c, state, parts, [&told](const PartInfluence* found) {
+            if (found) told.push_back(*found);
+            return true;
+        });
+        QCOMPARE(told.size(), all.size());
+        QCOMPARE(told.back().per.pitch, all.back().per.pitch);
     }
 };
 

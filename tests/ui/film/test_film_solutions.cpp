@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The solutions of the film's part of the window: kept, chosen, compared, found again by undo.
-#include <algorithm>
+#include <atomic>
 #include <memory>
+#include <thread>
 
 #include <QAction>
 #include <QSignalSpy>
@@ -37,10 +38,13 @@ private slots:
     void init()
     {
         solves_ = 0;
+        waiting_ = false;
         window_ = std::make_unique<QWidget>();
         film_ = new FilmWindow(
-            [this](const Case& c, const SteadyCallback&) {
+            [this](const Case& c, const SteadyCallback& callback) {
                 SteadyResult result = sampleResult(c);
+                while (waiting_ && callback({})) std::this_thread::yield();
+                if (waiting_) result.status = SteadyStatus::Cancelled;
                 result.minimumSpacing = (10.0 + ++solves_) * 1e-9;
                 return result;
             },
@@ -86,6 +90,46 @@ private slots:
         QCOMPARE(film_->result()->minimumSpacing, 11e-9);
     }
 
+    /// Of any parameter, also while the other case is being solved: what is known is not replaced.
+    void undoOfAParameterFindsItToo()
+    {
+        solve();
+        const Case first = case_;
+        case_.suspension.preload *= 2.0;
+        film_->edit(case_);
+        solve();
+        film_->edit(first);
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+        QVERIFY(!film_->stale());
+
+        case_.suspension.preload *= 2.0;
+        film_->edit(case_);
+        waiting_ = true;
+        const QSignalSpy solved(film_, &FilmWindow::solved);
+        film_->solve(case_, false);
+        film_->edit(first);
+        QTRY_COMPARE(solved.count(), 1);
+        QCOMPARE(film_->result()->minimumSpacing, 11e-9);
+        QVERIFY(!film_->stale());
+    }
+
+    void runsAndStartsMakeNothingStale()
+    {
+        solve();
+        case_.run.duration *= 2.0;
+        case_.initial.pitch += 1e-6;
+        film_->edit(case_);
+        QVERIFY(!film_->stale());
+        case_.steady.fixedAttitude = true;
+        film_->edit(case_);
+        const Case held = case_;
+        solve();
+        QVERIFY(!film_->stale());
+        case_.initial.pitch += 1e-6; // is the attitude
+        film_->edit(case_);
+        QVERIFY(film_->stale());
+    }
+
     void deletingTheShownOneShowsAnother()
     {
         solve();
@@ -105,6 +149,9 @@ private slots:
         film_->solutions().setBaseline(1);
         solve();
         QVERIFY2(film_->view()->shape()->flightText().contains(QStringLiteral("<b>12.00</b> nm  +1.00")),
+                 qPrintable(film_->view()->shape()->flightText()));
+        film_->solutions().setBaseline(-1);
+        QVERIFY2(!film_->view()->shape()->flightText().contains(QStringLiteral("+1.00")),
                  qPrintable(film_->view()->shape()->flightText()));
     }
 
@@ -174,6 +221,7 @@ private:
     FilmWindow* film_ = nullptr;
     Case case_;
     int solves_ = 0;
+    std::atomic<bool> waiting_ = false; // the solver goes on until it is stopped
 };
 
 TOUCHDOWN_TEST(TestFilmSolutions)

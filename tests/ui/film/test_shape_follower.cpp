@@ -75,7 +75,7 @@ private slots:
         QCOMPARE(coarse.film.nodes, (std::array{65, 49}));
         QVERIFY(!coarse.steady.stiffness && !coarse.steady.sensitivities);
         QVERIFY(coarse.steady.radii.empty());
-        QCOMPARE(coarse.disk.radius, 20e-3);
+        QCOMPARE(coarse.disk.radius, c.disk.radius); // as F9 solves it
     }
 
     /// Ten positions while one is solved: the first and the last are.

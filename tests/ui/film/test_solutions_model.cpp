@@ -88,6 +88,27 @@ private slots:
         QCOMPARE(model.baseline(), -1);
     }
 
+    /// What the user chose is not taken back by the next solution.
+    void comparesWhatIsChecked()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        for (int i = 0; i < 4; ++i) model.add(c, sampleResult(c));
+        for (int row = 0; row < 4; ++row) model.setData(model.index(row), Qt::Checked, Qt::CheckStateRole);
+        model.add(c, sampleResult(c));
+        QCOMPARE(model.compared().size(), std::size_t{5});
+    }
+
+    void longListsOfChangesAreCut()
+    {
+        SolutionsModel model;
+        Case c = sampleFilmCase();
+        model.add(c, sampleResult(c));
+        for (std::size_t i = 0; i < 5; ++i) c.surface.rails[3].points[i].x += 1e-6 * double(i + 1);
+        QCOMPARE(model.record(model.rowOf(model.add(c, sampleResult(c)))).name.count(QStringLiteral("moved by")), 3);
+        QVERIFY(model.record(1).name.endsWith(QStringLiteral("and 2 more")));
+    }
+
     /// Three fields of 5 million cells are 15 million values: three solutions are more than 33.5 million.
     void theOldestLosesItsFields()
     {
@@ -103,6 +124,19 @@ private slots:
         const QTemporaryDir folder;
         QVERIFY(saveSolution(model.record(0), folder.filePath(QStringLiteral("a.h5")))
                     .contains(QStringLiteral("given up to save memory")));
+    }
+
+    /// Fields of solutions that are not compared go first, also those that are newer.
+    void comparedFieldsAreKept()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        SteadyResult large = sampleResult(c);
+        for (std::vector<double>* field : {&large.pressure, &large.gap, &large.recess}) field->assign(5'000'000, 1.0);
+        model.add(c, large);
+        model.add(c, large, {}, false);
+        model.add(c, large, {}, false);
+        QVERIFY(!model.record(0).fieldsDropped && model.record(1).fieldsDropped && !model.record(2).fieldsDropped);
     }
 
     void tellsDifferences()
@@ -128,7 +162,7 @@ private slots:
         };
         const ComparedRow spacing = row(QStringLiteral("Minimum spacing"));
         QCOMPARE(spacing.values.front(), QStringLiteral("10.21\u00a0±\u00a00.10\u00a0nm"));
-        QCOMPARE(spacing.differences, (QStringList{QString(), QStringLiteral("\u22120.310")}));
+        QCOMPARE(spacing.differences, (QStringList{QString(), QStringLiteral("\u22120.31")}));
         QCOMPARE(row(QStringLiteral("Pitch")).differences.back(), QStringLiteral("+1.5"));
         QCOMPARE(row(QStringLiteral("Spacing at P1")).values.back(), QString());
         QCOMPARE(row(QStringLiteral("Spacing at P1")).differences.back(), QString());
@@ -138,6 +172,11 @@ private slots:
         const SolutionComparison other = comparisonOf(model.compared(), 2);
         QCOMPARE(other.base, 1);
         QCOMPARE(other.rows.front().differences, (QStringList{QStringLiteral("+0.31"), QString()}));
+        // No sign where the difference rounds to nothing.
+        second.attitude.height = first.attitude.height + 1e-15;
+        model.add(c, second);
+        QCOMPARE(comparisonOf({&model.record(0), &model.record(2)}, -1).rows[1].differences.back(),
+                 QStringLiteral("0.00"));
         QVERIFY(comparisonOf({}, -1).columns.isEmpty());
     }
 

@@ -224,6 +224,31 @@ private slots:
         QVERIFY(it_->editor->measureText().startsWith(QStringLiteral("580.00 µm")));
     }
 
+    /// What the pointer snaps to may be gone after an undo.
+    void undoUnderAMeasure()
+    {
+        it_->editor->setTool(SurfaceEditor::Tool::Rectangle);
+        it_->drag(it_->pixel(0.50e-3, 0.10e-3), it_->pixel(0.54e-3, 0.15e-3));
+        const std::size_t rails = it_->surface().rails.size();
+        it_->editor->setTool(SurfaceEditor::Tool::Measure);
+        it_->moveTo(it_->editor->toPixel({0.50e-3, 0.10e-3}), Qt::NoButton);
+        QVERIFY(!it_->editor->snapWords().isEmpty());
+        it_->edits->undoStack().undo();
+        QCOMPARE(it_->surface().rails.size(), rails - 1);
+        it_->editor->grab();
+        QVERIFY(it_->editor->snapWords().isEmpty());
+    }
+
+    void anotherCaseForgetsWhatWasBegun()
+    {
+        it_->editor->setTool(SurfaceEditor::Tool::Measure);
+        it_->click(it_->pixel(0.2e-3, 0.2e-3));
+        it_->click(it_->pixel(0.3e-3, 0.2e-3));
+        QVERIFY(!it_->editor->measureText().isEmpty());
+        it_->editor->open();
+        QVERIFY(it_->editor->measureText().isEmpty());
+    }
+
 private:
     static void type(QWidget* into, const char* text)
     {
