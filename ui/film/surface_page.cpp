@@ -145,7 +145,9 @@ void SurfacePage::showInfluence(const std::vector<PartInfluence>& influence)
     std::vector<std::pair<SurfacePart, double>> shown;
     for (const PartInfluence& each : influence) shown.emplace_back(each.part, each.per.minimumSpacing);
     editor_->setInfluence(shown);
-    influenceWords_->setText(shown.empty() ? tr("There is no flying attitude to change.") : editor_->influenceWords());
+    influenceWords_->setText(editor_->committed().rails.empty() ? tr("There are no rails.")
+                             : shown.empty()                    ? tr("There is no flying attitude to change.")
+                                                                : editor_->influenceWords());
 }
 
 PartSelection SurfacePage::influencingParts() const

@@ -109,13 +109,25 @@ void SurfaceEditor::paintSentence(QPainter& painter, const SurfaceProblem& probl
 }
 
 /// A warning that was at its place when the case was opened is told where the pointer is; a new one at once.
+namespace {
+
+/// The sentence without numbers: those of rails change with their order.
+std::string kindOf(const SurfaceProblem& problem)
+{
+    std::string words = problem.sentence;
+    std::erase_if(words, [](char each) { return each >= '0' && each <= '9'; });
+    return words;
+}
+
+} // namespace
+
 bool SurfaceEditor::isTold(const SurfaceProblem& warning) const
 {
     const auto known = [&](const SurfaceProblem& one) {
         if (one.places.empty() || warning.places.empty()) return one.sentence == warning.sentence;
         constexpr double same = 1e-9; // [m]
         const SurfacePoint &a = one.places.front(), &b = warning.places.front();
-        return std::hypot(b.x - a.x, b.y - a.y) < same;
+        return kindOf(one) == kindOf(warning) && std::hypot(b.x - a.x, b.y - a.y) < same;
     };
     if (std::ranges::none_of(ghostWarnings_, known)) return true;
     constexpr double near = 12.0; // [px]
