@@ -22,6 +22,12 @@ namespace {
 
 constexpr int restTime = 250; // after the last edit of the shape [ms]
 
+/// A baseline of another slider says nothing about an edit of this one.
+bool ofTheSameSize(const Case& a, const Case& b)
+{
+    return a.slider.length == b.slider.length && a.slider.width == b.slider.width;
+}
+
 } // namespace
 
 FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent, ShapeFollower::Solver near)
@@ -104,6 +110,7 @@ void FilmWindow::show(int number)
     }
     showComparison();
     updateStale();
+    emit shownChanged();
 }
 
 void FilmWindow::showComparison() { view_->compare(shown(), solutions_.compared(), solutions_.baseline()); }
@@ -111,7 +118,9 @@ void FilmWindow::showComparison() { view_->compare(shown(), solutions_.compared(
 std::optional<SteadyResult> FilmWindow::reference() const
 {
     for (const int number : {solutions_.baseline(), before_})
-        if (const SolutionRecord* record = solutions_.find(number); record && number != shown_) return record->result;
+        if (const SolutionRecord* record = solutions_.find(number);
+            record && number != shown_ && ofTheSameSize(record->value, edited_))
+            return record->result;
     return std::nullopt;
 }
 
@@ -138,6 +147,11 @@ void FilmWindow::edit(const Case& c)
         restTimer_.start(restTime);
     }
     updateStale();
+    // What kept the last shape from flying is gone, as after undo.
+    if (const SolutionRecord* record = shown(); record && !stale_)
+        view_->shape()->showFlight(record->result, reference(), false);
+    else if (checkCombinations(edited_).empty())
+        view_->shape()->clearObstacle();
 }
 
 void FilmWindow::solve(const Case& c, bool given)
@@ -236,7 +250,7 @@ void FilmWindow::updateStale()
     // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
     Case solved = record ? record->value : edited_;
     solved.steady.fixedAttitude = edited_.steady.fixedAttitude;
-    stale_ = record && !sameFilm(edited_, solved);
+    stale_ = record && !hasStaticState(edited_, solved, record->result.attitude);
     view_->setStale(stale_);
     view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);

@@ -52,6 +52,8 @@ public:
 signals:
     /// The surface was changed in the plan or in its list: the case is to have it. See SurfaceEditor::edited.
     void surfaceEdited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
+    /// Another solution is shown, or none: see `result`.
+    void shownChanged();
     /// Everything shows it by now.
     void solved(const touchdown::SteadyResult& result);
 
