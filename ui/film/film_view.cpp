@@ -64,8 +64,8 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       modes_(new ModesPage(touchdown::modes, this)),
       series_(new SeriesPage(steady, this))
 {
-    for (const QString& name : {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare"), tr("Modes"),
-                                tr("Series")})
+    for (const QString& name :
+         {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare"), tr("Modes"), tr("Series")})
         tabs_->addTab(name);
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
@@ -108,6 +108,10 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     layout->addWidget(pages_, 1);
 
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
+    // Its letters choose tools at once; by keys the focus stays on the tabs.
+    connect(tabs_, &QTabBar::tabBarClicked, this, [this](int page) {
+        if (page == static_cast<int>(Page::Surface)) shape_->editor()->setFocus();
+    });
     connect(difference_, &QCheckBox::toggled, this, [this] {
         showFields();
         showPage();

@@ -189,6 +189,7 @@ void MainWindow::updateRunActions()
         messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show it"));
     else if (messages_->text().startsWith(tr("The case cannot be run.")))
         messages_->clear();
+    actions_->surface->setEnabled(pages_->model() == ModelKind::Film);
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);

@@ -144,6 +144,11 @@ void MainWindow::connectFilm()
     });
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
+    connect(actions_->surface, &QAction::triggered, this, [this] {
+        setPage(Page::StaticState);
+        film_->view()->setPage(FilmView::Page::Surface);
+        film_->view()->shape()->editor()->setFocus();
+    });
     RecordPanel* panel = film_->panel();
     panel->offer(tr("Use"), tr("Take the parameters of this solution, also its shape, into the case that is edited"),
                  [this](int number) { useSolution(number); });

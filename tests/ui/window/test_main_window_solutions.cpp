@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include <QAccessible>
+#include <QAction>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -19,6 +21,7 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
+#include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
@@ -166,6 +169,30 @@ private slots:
         f.window.edits().setSurface(crossing, QStringLiteral("cross"), 0);
         for (auto* button : f.window.findChild<MessageStrip*>()->findChildren<QPushButton*>()) button->click();
         QCOMPARE(f.window.film().view()->page(), FilmView::Page::Surface);
+    }
+
+    /// The letters of the tools work at once, without a walk through all parameters.
+    void oneKeyGoesToThePlan()
+    {
+        Solved f;
+        SurfaceEditor* plan = f.window.film().view()->shape()->editor();
+        f.window.film().view()->setPage(FilmView::Page::Gap);
+        QVERIFY(f.window.focusWidget() != plan);
+        QAction* go = nullptr;
+        for (QAction* action : f.window.findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_G)) go = action;
+        QVERIFY(go && go->isEnabled());
+        f.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&f.window));
+        go->trigger();
+        QCOMPARE(f.window.film().view()->page(), FilmView::Page::Surface);
+        QCOMPARE(f.window.focusWidget(), plan);
+        auto* tabs = f.window.film().view()->findChild<QTabBar*>();
+        tabs->setFocus();
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(0).center());
+        QCOMPARE(f.window.focusWidget(), plan);
+        f.window.files().openNow(QStringLiteral("fig10a"));
+        QVERIFY(!go->isEnabled());
     }
 
     /// On all pages of the static state, and in the panes beside them; parts of a control have none.
