@@ -290,6 +290,20 @@ private slots:
         panel_->typeRecess();
         QVERIFY(list_->findChild<QLineEdit*>() != nullptr); // being typed
     }
+    /// A rail has no name of its own: F2 and a double click on it edit the recess.
+    void aNameIsNotEdited()
+    {
+        QTreeWidgetItem* rail = list_->topLevelItem(0)->child(2);
+        list_->setCurrentItem(rail, 0);
+        QTest::keyClick(list_, Qt::Key_F2);
+        auto* editor = list_->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QCOMPARE(editor->text(), rail->text(1));
+        QTest::keyClicks(editor, QStringLiteral("0.2"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(edits_->value().surface.rails[2].recess[0], 0.2e-6);
+        QCOMPARE(list_->topLevelItem(0)->child(2)->text(0), QStringLiteral("Rail 3"));
+    }
     void everyControlHasAName()
     {
         for (const QToolButton* button : panel_->findChildren<QToolButton*>())
