@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace touchdown {
 
@@ -140,6 +142,53 @@ private:
     std::vector<CaseChange>& changes_;
 };
 
+constexpr double sameLength = 1e-12; // [m]
+
+bool same(double a, double b) { return std::abs(a - b) < sameLength; }
+
+/// One item for each shift; the rail is left open.
+std::vector<MovedPoints> shifts(const std::vector<RailPoint>& then, const std::vector<RailPoint>& now)
+{
+    std::vector<MovedPoints> all;
+    for (std::size_t k = 0; k < now.size(); ++k) {
+        const auto shift = [](double from, double to) { return same(from, to) ? 0.0 : to - from; };
+        const double x = shift(then[k].x, now[k].x), y = shift(then[k].y, now[k].y);
+        if (x == 0.0 && y == 0.0) continue;
+        const auto together =
+            std::ranges::find_if(all, [x, y](const MovedPoints& each) { return same(each.x, x) && same(each.y, y); });
+        if (together == all.end())
+            all.push_back({0, {k}, MovedPoints::How::Points, x, y});
+        else
+            together->points.push_back(k);
+    }
+    if (all.size() == 1 && all.front().points.size() == now.size()) all.front().how = MovedPoints::How::Rail;
+    return all;
+}
+
+bool isMirrored(const std::vector<RailPoint>& then, const std::vector<RailPoint>& now)
+{
+    for (std::size_t k = 0; k < now.size(); ++k)
+        if (!same(now[k].x, then[k].x) || !same(now[k].y + then[k].y, now[0].y + then[0].y)) return false;
+    return true;
+}
+
+/// The edge whose two ends are all that moved, by different shifts, with the edge parallel to itself.
+std::optional<MovedPoints> movedEdge(const std::vector<MovedPoints>& moved, const std::vector<RailPoint>& then,
+                                     const std::vector<RailPoint>& now)
+{
+    if (moved.size() != 2 || moved[0].points.size() != 1 || moved[1].points.size() != 1) return {};
+    std::size_t first = moved[0].points[0], second = moved[1].points[0];
+    if ((second + 1) % now.size() == first) std::swap(first, second);
+    if ((first + 1) % now.size() != second) return {};
+    const double x = then[second].x - then[first].x, y = then[second].y - then[first].y, length = std::hypot(x, y);
+    const auto ahead = [&](std::size_t point) { // of the old edge's line [m]
+        return ((now[point].y - then[first].y) * x - (now[point].x - then[first].x) * y) / length;
+    };
+    if (!(length > 0.0) || !same(ahead(first), ahead(second))) return {};
+    return MovedPoints{
+        0, {first, second}, MovedPoints::How::Edge, -ahead(first) * y / length, ahead(first) * x / length};
+}
+
 } // namespace
 
 std::vector<CaseChange> caseChanges(const Case& before, const Case& after)
@@ -161,25 +210,18 @@ std::vector<MovedPoints> movedPoints(const AirBearingSurface& before, const AirB
 {
     std::vector<MovedPoints> all;
     if (before.rails.size() != after.rails.size()) return all;
-    constexpr double same = 1e-12; // [m]
     for (std::size_t i = 0; i < after.rails.size(); ++i) {
         const std::vector<RailPoint>&then = before.rails[i].points, &now = after.rails[i].points;
         if (then.size() != now.size()) continue;
-        std::vector<MovedPoints> ofRail;
-        for (std::size_t k = 0; k < now.size(); ++k) {
-            const auto shift = [](double from, double to) { return std::abs(to - from) < same ? 0.0 : to - from; };
-            const double x = shift(then[k].x, now[k].x), y = shift(then[k].y, now[k].y);
-            if (x == 0.0 && y == 0.0) continue;
-            const auto together = std::ranges::find_if(ofRail, [x, y](const MovedPoints& each) {
-                return std::abs(each.x - x) < same && std::abs(each.y - y) < same;
-            });
-            if (together == ofRail.end())
-                ofRail.push_back({i, {k}, false, x, y});
-            else
-                together->points.push_back(k);
+        std::vector<MovedPoints> ofRail = shifts(then, now);
+        if (!ofRail.empty() && isMirrored(then, now))
+            ofRail = {{i, ofRail.front().points, MovedPoints::How::Mirrored}};
+        else if (const auto edge = movedEdge(ofRail, then, now))
+            ofRail = {*edge};
+        for (MovedPoints& each : ofRail) {
+            each.rail = i;
+            all.push_back(each);
         }
-        for (MovedPoints& each : ofRail) each.whole = each.points.size() == now.size();
-        all.insert(all.end(), ofRail.begin(), ofRail.end());
     }
     return all;
 }

@@ -27,11 +27,17 @@ std::vector<CaseChange> caseChanges(const Case& before, const Case& after);
 
 /// Points of a rail that were moved together. All count from 0.
 struct MovedPoints {
+    enum class How : std::uint8_t {
+        Points,
+        Edge,    // from the first to the second of its two points, parallel to itself: its ends by different shifts
+        Rail,    // all points of the rail
+        Mirrored // the rail about a line along x; `x` and `y` are not used
+    };
     std::size_t rail = 0;
     std::vector<std::size_t> points;
-    bool whole = false; // all points of the rail
-    double x = 0.0;     // [m]
-    double y = 0.0;     // [m]
+    How how = How::Points;
+    double x = 0.0; // [m]; of an edge: normal to it
+    double y = 0.0; // [m]
 };
 /// Of rails that have as many points before as after, in surfaces with as many rails; a shift of less than 1 pm is
 /// none, and shifts that differ by less are the same.

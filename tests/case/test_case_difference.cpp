@@ -129,14 +129,50 @@ private slots:
         const std::vector<MovedPoints> moved = movedPoints(before.surface, after);
         QCOMPARE(moved.size(), std::size_t{3});
         QCOMPARE(moved[0].rail, std::size_t{1});
-        QVERIFY(moved[0].whole);
+        QCOMPARE(moved[0].how, MovedPoints::How::Rail);
         QVERIFY(std::abs(moved[0].x - 2e-6) < 1e-15 && moved[0].y == 0.0);
         QCOMPARE(moved[1].points, (std::vector<std::size_t>{0, 1}));
-        QVERIFY(!moved[1].whole);
+        QCOMPARE(moved[1].how, MovedPoints::How::Points);
         QVERIFY(std::abs(moved[1].y + 1e-6) < 1e-15);
         QCOMPARE(moved[2].points, std::vector<std::size_t>{2});
         after.rails.pop_back(); // rails cannot be told apart by their number
         QVERIFY(movedPoints(before.surface, after).empty());
+    }
+
+    /// A trapezium whose slanted sides meet the upper edge: as the edge moves up by h, its ends follow the sides.
+    void anEdgeThatMovesParallel()
+    {
+        AirBearingSurface before;
+        before.rails = {{RailKind::Step, {{0.0, 0.0}, {4e-4, 0.0}, {3e-4, 1e-4}, {1e-4, 1e-4}}, {}}};
+        AirBearingSurface after = before;
+        constexpr double h = 2e-5; // both sides rise by 1 in 1
+        after.rails[0].points[2] = {3e-4 - h, 1e-4 + h, 0};
+        after.rails[0].points[3] = {1e-4 + h, 1e-4 + h, 0};
+        std::vector<MovedPoints> moved = movedPoints(before, after);
+        QCOMPARE(moved.size(), std::size_t{1});
+        QCOMPARE(moved[0].how, MovedPoints::How::Edge);
+        QCOMPARE(moved[0].points, (std::vector<std::size_t>{2, 3}));
+        QVERIFY(std::abs(moved[0].x) < 1e-15 && std::abs(moved[0].y - h) < 1e-15);
+        after.rails[0].points[3].y += 1e-6; // no longer parallel
+        QCOMPARE(movedPoints(before, after).size(), std::size_t{2});
+        after = before;
+        after.rails[0].points[0].x -= h; // the edge from the last point to the first: along (1, 1), moved to the left
+        after.rails[0].points[3].x -= h;
+        after.rails[0].points[3].x -= 5e-6, after.rails[0].points[3].y -= 5e-6; // and along itself
+        moved = movedPoints(before, after);
+        QCOMPARE(moved[0].points, (std::vector<std::size_t>{3, 0}));
+        QVERIFY(std::abs(moved[0].x + 0.5 * h) < 1e-15 && std::abs(moved[0].y - 0.5 * h) < 1e-15);
+    }
+
+    void aMirroredRail()
+    {
+        AirBearingSurface before;
+        before.rails = {{RailKind::Step, {{0.0, 0.0}, {4e-4, 0.0}, {3e-4, 1e-4}}, {}}};
+        AirBearingSurface after = before;
+        for (RailPoint& point : after.rails[0].points) point.y = 1e-4 - point.y;
+        const std::vector<MovedPoints> moved = movedPoints(before, after);
+        QCOMPARE(moved.size(), std::size_t{1});
+        QCOMPARE(moved[0].how, MovedPoints::How::Mirrored);
     }
 
     void leavesOutASurfaceThatIsNotUsed()

@@ -191,7 +191,7 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
                                 tr("The case \"%1\" has changed.").arg(shortName()),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
     box->setObjectName(QStringLiteral("unsavedChanges"));
-    box->setInformativeText(tr("Do you want to save them?"));
+    box->setInformativeText(tr("Do you want to save the changes?"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
     connect(box, &QMessageBox::buttonClicked, this, [this, box, next](QAbstractButton* button) {

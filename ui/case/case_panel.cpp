@@ -183,6 +183,7 @@ void CasePanel::alignUnits()
 void CasePanel::setPreset(const QString& sampleName)
 {
     presetName_ = sampleName;
+    search_->clear();
     refresh();
 }
 
@@ -193,17 +194,18 @@ ParameterEditor* CasePanel::editor(std::string_view key) const
     return found == editors_.end() ? nullptr : *found;
 }
 
-void CasePanel::showFirstProblem()
+bool CasePanel::showFirstProblem()
 {
     const auto bad = std::ranges::find_if(editors_, [this](const ParameterEditor* editor) {
         return editor->wrong() && editor->parameter().used(edits_.value());
     });
-    if (bad == editors_.end()) return;
+    if (bad == editors_.end()) return false;
     search_->clear();
     std::ranges::find(groups_, (*bad)->parameter().group(), &Group::name)->open = true;
     refreshVisibility();
     scroll_->ensureWidgetVisible(*bad);
     (*bad)->setFocus();
+    return true;
 }
 
 void CasePanel::refresh()

@@ -21,14 +21,15 @@ public:
     explicit CasePanel(CaseEdits& edits, QWidget* parent = nullptr);
     ~CasePanel() override;
 
-    /// The sample case that was opened, or an empty name for another one; edits turn it to "Custom".
+    /// The sample case that was opened, or an empty name for another one; edits turn it to "Custom". All of
+    /// its parameters are shown: a search ends.
     void setPreset(const QString& sampleName);
 
     /// nullptr for an unknown key.
     ParameterEditor* editor(std::string_view key) const;
     QLineEdit* search() const { return search_; }
-    /// Brings the first parameter that prevents a run into view.
-    void showFirstProblem();
+    /// Brings the first parameter that prevents a run into view; false: none has a field here.
+    bool showFirstProblem();
 
 signals:
     void presetChosen(const QString& sampleName);

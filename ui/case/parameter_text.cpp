@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <QRegularExpression>
@@ -71,15 +72,25 @@ bool isMove(const CaseChange& change, const std::vector<MovedPoints>& moved)
     });
 }
 
-/// "rail 3 moved by 2, −0.5 µm", "rail 3, points 1, 2 moved by 2, 0 µm".
+/// "rail 3 moved by 2, −0.5 µm", "rail 3, points 1, 2 moved by 2, 0 µm", "rail 3, edge 2 moved by ...", "rail 3
+/// mirrored".
 QString moveText(const MovedPoints& moved)
 {
+    using How = MovedPoints::How;
     QString what = tr("rail %1").arg(moved.rail + 1);
+    if (moved.how == How::Mirrored) return tr("%1 mirrored").arg(what);
     QStringList points;
     for (const std::size_t point : moved.points) points << QString::number(point + 1);
-    if (!moved.whole)
+    if (moved.how == How::Edge) what += tr(", edge %1").arg(points.front());
+    if (moved.how == How::Points)
         what += (points.size() == 1 ? tr(", point %1") : tr(", points %1")).arg(points.join(QStringLiteral(", ")));
-    const auto number = [](double length) { return trueMinus(QLocale().toString(length / 1e-6, 'g', 5)); };
+    // A part of a length that is 1e-5 of it is one of rounding.
+    const double least = 1e-5 * std::hypot(moved.x, moved.y);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const auto number = [&](double length) {
+        return trueMinus(locale.toString(std::abs(length) < least ? 0.0 : length / 1e-6, 'g', 5));
+    };
     const QString separator = separatesByComma(QLocale()) ? QStringLiteral(", ") : QStringLiteral("; ");
     return tr("%1 moved by %2\u00A0µm").arg(what, number(moved.x) + separator + number(moved.y));
 }

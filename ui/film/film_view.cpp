@@ -108,6 +108,10 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     layout->addWidget(pages_, 1);
 
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
+    // Its letters choose tools at once; by keys the focus stays on the tabs.
+    connect(tabs_, &QTabBar::tabBarClicked, this, [this](int page) {
+        if (page == static_cast<int>(Page::Surface)) shape_->editor()->setFocus();
+    });
     connect(difference_, &QCheckBox::toggled, this, [this] {
         showFields();
         showPage();

@@ -22,6 +22,12 @@ namespace {
 
 constexpr int restTime = 250; // after the last edit of the shape [ms]
 
+/// A baseline of another slider says nothing about an edit of this one.
+bool ofTheSameSize(const Case& a, const Case& b)
+{
+    return a.slider.length == b.slider.length && a.slider.width == b.slider.width;
+}
+
 } // namespace
 
 FilmWindow::FilmWindow(SteadyController::Solver solver, QAction* solve, QWidget* parent, ShapeFollower::Solver near)
@@ -103,6 +109,7 @@ void FilmWindow::show(int number)
     }
     showComparison();
     updateStale();
+    emit shownChanged();
 }
 
 void FilmWindow::showComparison()
@@ -117,7 +124,9 @@ void FilmWindow::showComparison()
 std::optional<SteadyResult> FilmWindow::reference() const
 {
     for (const int number : {solutions_.baseline(), before_})
-        if (const SolutionRecord* record = solutions_.find(number); record && number != shown_) return record->result;
+        if (const SolutionRecord* record = solutions_.find(number);
+            record && number != shown_ && ofTheSameSize(record->value, edited_))
+            return record->result;
     return std::nullopt;
 }
 
@@ -138,7 +147,7 @@ void FilmWindow::edit(const Case& c)
     // Undo and redo are followed, too.
     updateStale();
     const SolutionRecord* known = stale_ || !shown() ? solutions_.of(c) : nullptr;
-    if ((known || (shown() && !stale_)) && controller_.active() && !isEdited(asked_))
+    if ((known || (shown() && !stale_)) && controller_.active() && !isEdited(asked_, {}))
         controller_.stop(); // of a case that was left for one that is solved
     if (known) {
         restTimer_.stop();
@@ -146,6 +155,11 @@ void FilmWindow::edit(const Case& c)
     } else if (shaped && shown_ >= 0 && view_->shape()->follows()) {
         restTimer_.start(restTime);
     }
+    // What kept the last shape from flying is gone, as after undo.
+    if (const SolutionRecord* record = shown(); record && !stale_)
+        view_->shape()->showFlight(record->result, reference(), false);
+    else if (checkCombinations(edited_).empty())
+        view_->shape()->clearObstacle();
 }
 
 void FilmWindow::solve(const Case& c, bool given)
@@ -238,17 +252,17 @@ void FilmWindow::followEdit()
         solve(edited_, false);
 }
 
-bool FilmWindow::isEdited(Case solved) const
+bool FilmWindow::isEdited(Case solved, const Attitude& found) const
 {
     // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
     solved.steady.fixedAttitude = edited_.steady.fixedAttitude;
-    return sameFilm(edited_, solved);
+    return hasStaticState(edited_, solved, found);
 }
 
 void FilmWindow::updateStale()
 {
     const SolutionRecord* record = shown();
-    stale_ = record && !isEdited(record->value);
+    stale_ = record && !isEdited(record->value, record->result.attitude);
     view_->setStale(stale_);
     view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);

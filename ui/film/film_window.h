@@ -52,6 +52,8 @@ public:
 signals:
     /// The surface was changed in the plan or in its list: the case is to have it. See SurfaceEditor::edited.
     void surfaceEdited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
+    /// Another solution is shown, or none: see `result`.
+    void shownChanged();
     /// Everything shows it by now.
     void solved(const touchdown::SteadyResult& result);
 
@@ -68,8 +70,8 @@ private:
     void onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge);
     /// Solves on the case's own grid once the hand rests.
     void followEdit();
-    /// What was solved is the case as it is edited.
-    bool isEdited(Case solved) const;
+    /// What was solved, with this attitude, is the case as it is edited.
+    bool isEdited(Case solved, const Attitude& found) const;
     void updateStale();
 
     SteadyController controller_;

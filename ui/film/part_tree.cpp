@@ -28,6 +28,11 @@ int PartTree::placeAt(const QPoint& at) const
     return std::clamp(to, 0, group->childCount() - 1);
 }
 
+bool PartTree::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event)
+{
+    return QTreeWidget::edit(index.siblingAtColumn(1), trigger, event);
+}
+
 void PartTree::dragMoveEvent(QDragMoveEvent* event)
 {
     QTreeWidget::dragMoveEvent(event); // scrolls, and draws where the item would go

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A list of parts in groups. The items of the first group can be dragged to another place in it.
+// A list of parts in groups. The items of the first group can be dragged to another place in it. Of a part the number
+// in column 1 is edited, also where its name has the focus.
 #pragma once
 
 #include <QTreeWidget>
@@ -21,6 +22,7 @@ signals:
     void reordered(int from, int to);
 
 protected:
+    bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;
     void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 };

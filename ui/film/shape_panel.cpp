@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include "core/case/case_key.h"
@@ -23,6 +24,35 @@ namespace touchdown {
 namespace {
 
 std::string wallKey(std::size_t wall) { return "abs.wall[" + std::to_string(wall + 1) + "]"; }
+
+/// "rail 3, point 2, x" of "abs.rail[3].point[2].x".
+std::string words(const Parameter& parameter)
+{
+    std::string text;
+    for (const char letter : parameter.label) switch (letter) {
+        case '[':
+        case '_': text += ' '; break;
+        case ']': break;
+        case '.': text += ", "; break;
+        default: text += letter;
+        }
+    return text;
+}
+
+/// Shows a number of many digits, as an edge's move makes it, with seven; the editor has all of them.
+class RoundingDelegate : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QString displayText(const QVariant& value, const QLocale&) const override
+    {
+        const QString text = value.toString();
+        QLocale locale;
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        bool isNumber = false;
+        const double number = locale.toDouble(text, &isNumber);
+        return isNumber && text.size() > 9 ? locale.toString(number, 'g', 7) : text;
+    }
+};
 
 } // namespace
 
@@ -48,6 +78,7 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->setSelectionBehavior(QAbstractItemView::SelectItems);
     table_->setTabKeyNavigation(false);
     table_->setMinimumWidth(120);
+    table_->setItemDelegate(new RoundingDelegate(table_));
     list_->setMinimumWidth(
         list_->fontMetrics().horizontalAdvance(tr("Rail 10, ramp") + tr("Recess [µm]") + tr("Points")) + 90);
 
@@ -262,7 +293,7 @@ void ShapePanel::take(const std::string& key, const QString& typed)
     if (parameter == nullptr) return;
     Case changed = case_;
     if (const auto reason = setFromText(changed, *parameter, entryText(typed, *parameter))) {
-        say(tr("%1: %2").arg(QString::fromStdString(key), sentence(*reason)));
+        say(tr("%1: %2").arg(sentence(words(*parameter)).chopped(1), sentence(*reason)));
         fillList(); // as it was
         fillTable();
         return;
@@ -273,7 +304,7 @@ void ShapePanel::take(const std::string& key, const QString& typed)
         fillTable();
         return;
     }
-    emit edited(changed.surface, tr("change %1").arg(QString::fromStdString(parameter->label)), 0);
+    emit edited(changed.surface, tr("change %1").arg(QString::fromStdString(words(*parameter))), 0);
 }
 
 void ShapePanel::updateButtons()

@@ -91,7 +91,8 @@ const SolutionRecord* SolutionsModel::of(const Case& c) const
 {
     for (int row = count() - 1; row >= 0; --row) {
         const SolutionRecord& each = record(row);
-        if (each.result.status == SteadyStatus::Converged && !each.fieldsDropped && sameFilm(each.value, c))
+        if (each.result.status == SteadyStatus::Converged && !each.fieldsDropped &&
+            hasStaticState(c, each.value, each.result.attitude))
             return &each;
     }
     return nullptr;
@@ -119,7 +120,7 @@ QString SolutionsModel::result(int row) const
 {
     const SteadyResult& state = record(row).result;
     if (state.status != SteadyStatus::Converged) return statusText(touchdown::name(state.status));
-    return withError(state.minimumSpacing, 0.0, "nm");
+    return roundedToError(state.minimumSpacing, state.discretisationError.minimumSpacing, "nm");
 }
 
 bool SolutionsModel::failed(int row) const

@@ -32,8 +32,7 @@ public:
 
     const SolutionRecord& record(int row) const { return static_cast<const SolutionRecord&>(listed(row)); }
     const SolutionRecord* find(int number) const; // nullptr: it is gone
-    /// The newest that converged, with its fields, of the same film with the attitude held or not as `c` has it;
-    /// nullptr: none.
+    /// The newest that converged, with its fields, and is the static state of `c`; nullptr: none.
     const SolutionRecord* of(const Case& c) const;
     /// Those whose box is checked, and the baseline, in their order.
     std::vector<const SolutionRecord*> compared() const;

@@ -127,14 +127,18 @@ QWidget* SurfacePage::buildTools()
         box->setChecked(on);
         connect(box, &QCheckBox::toggled, editor_, perform);
         layout->addWidget(box);
+        return box;
     };
     layout->addSpacing(10);
     toggle(tr("S&nap"), tr("Snap to corners of other rails, to the centre line, the border and 1 µm; Ctrl lets go"),
            true, [this](bool on) { editor_->setSnapping(on); });
-    toggle(tr("&Pairs"), tr("Rails that are mirror images move together; a click on the link of a pair breaks it (L)"),
-           false, [this](bool on) { editor_->setPairs(on); });
+    auto* pairs = toggle(tr("&Pairs"),
+                         tr("Rails that are mirror images move together; a click on the link of a pair breaks it (L)"),
+                         false, [this](bool on) { editor_->setPairs(on); });
     layout->addWidget(follow_);
     layout->addWidget(influence_);
+    setTabOrder(pairs, follow_);
+    setTabOrder(follow_, influence_);
     layout->addStretch(1);
     return row;
 }
@@ -184,7 +188,9 @@ void SurfacePage::open(const Case& c)
 void SurfacePage::showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview)
 {
     if (state.status != SteadyStatus::Converged) {
-        showObstacle(tr("does not fly so: %1").arg(QString::fromStdString(state.message)));
+        const QString reason = QString::fromStdString(state.message);
+        showObstacle(tr("It does not fly so: %1.").arg(reason.section(QStringLiteral("; "), 0, 0)));
+        flight_->setToolTip(sentence(state.message));
         return;
     }
     const bool compared = reference && reference->status == SteadyStatus::Converged;
@@ -209,6 +215,8 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         (preview ? tr(", preview") : QString());
     setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());
     flight_->setText(flightParts_);
+    flight_->setToolTip({});
+    obstacle_ = false;
 }
 
 void SurfacePage::showObstacle(const QString& reason)
@@ -217,6 +225,19 @@ void SurfacePage::showObstacle(const QString& reason)
     const QString problem = QStringLiteral("<span style='color:%1'>%2</span>")
                                 .arg(meaningColours(palette()).failure.name(), reason.toHtmlEscaped());
     flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + flightParts_);
+    flight_->setToolTip({});
+    obstacle_ = true;
+}
+
+void SurfacePage::clearObstacle()
+{
+    if (!obstacle_) return;
+    if (flightParts_.isEmpty())
+        clearFlight();
+    else
+        flight_->setText(flightParts_);
+    flight_->setToolTip({});
+    obstacle_ = false;
 }
 
 void SurfacePage::setStale(bool stale)
@@ -229,6 +250,8 @@ void SurfacePage::clearFlight()
     flightParts_.clear();
     setTextColour(flight_, meaningColours(palette()).muted);
     flight_->setText(tr("Not solved yet: F9 finds how it flies."));
+    flight_->setToolTip({});
+    obstacle_ = false;
 }
 
 } // namespace touchdown

@@ -42,6 +42,8 @@ public:
     void showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview);
     /// Why there is none; the state before stays, pale.
     void showObstacle(const QString& reason);
+    /// The shape flies, or may: the reason is taken away.
+    void clearObstacle();
     /// What is shown is of the case before.
     void setStale(bool stale);
     /// Nothing is known of how it flies.
@@ -62,6 +64,7 @@ private:
     QCheckBox *follow_, *influence_;
     QLabel *flight_, *influenceWords_;
     QString flightParts_;
+    bool obstacle_ = false; // stands before flightParts_
 };
 
 } // namespace touchdown

@@ -137,23 +137,35 @@ AttitudeSection solution(const SteadyResult& r, const QLocale& locale)
              {tr("Time"), timeText(r.wallSeconds, locale)}}};
 }
 
+bool known(double error) { return error > 0.0 && std::isfinite(error); }
+
+/// One digit of the error, two of one that begins with 1; the next power of ten when rounding gets there.
+int decimalsOfError(double error)
+{
+    const double lead = error / std::pow(10.0, std::floor(std::log10(error)));
+    return decimalsOf(error, lead < 1.95 ? 2 : 1);
+}
+
 } // namespace
 
 QString withError(double value, double error, std::string_view displayUnit, const QLocale& locale)
 {
+    if (!known(error) || !std::isfinite(value)) return roundedToError(value, error, displayUnit, locale);
+    const double factor = unitFactor(displayUnit);
+    const int decimals = decimalsOfError(error / factor);
+    return typeset(value / factor, decimals, locale) + QStringLiteral("\u00A0±\u00A0") +
+           typeset(error / factor, decimals, locale) + QChar(0x00A0) + unitText(displayUnit);
+}
+
+QString roundedToError(double value, double error, std::string_view displayUnit, const QLocale& locale)
+{
     const double factor = unitFactor(displayUnit);
     const double shown = value / factor;
-    const QString unit = QChar(0x00A0) + unitText(displayUnit);
-    if (!std::isfinite(shown)) return tr("not known");
-    if (!(error > 0.0) || !std::isfinite(error)) {
-        const int decimals = std::abs(shown) < 1.0 ? 3 : decimalsOf(shown, 4);
-        return typeset(shown, decimals, locale) + unit;
-    }
-    // One digit of the error, two of one that begins with 1; the next power of ten when rounding gets there.
-    const double size = error / factor;
-    const double lead = size / std::pow(10.0, std::floor(std::log10(size)));
-    const int decimals = decimalsOf(size, lead < 1.95 ? 2 : 1);
-    return typeset(shown, decimals, locale) + QStringLiteral("\u00A0±\u00A0") + typeset(size, decimals, locale) + unit;
+    if (!std::isfinite(value)) return tr("not known");
+    const int decimals = known(error)            ? decimalsOfError(error / factor)
+                         : std::abs(shown) < 1.0 ? 3
+                                                 : decimalsOf(shown, 4);
+    return typeset(shown, decimals, locale) + QChar(0x00A0) + unitText(displayUnit);
 }
 
 std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result, const QLocale& locale)

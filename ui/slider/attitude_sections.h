@@ -30,6 +30,9 @@ QString sectionsAsText(const std::vector<AttitudeSection>& sections);
 /// A value with its error: the digits end where the error begins, "7.03 ± 0.02 nm"; without an error four digits.
 QString withError(double value, double error, std::string_view displayUnit, const QLocale& locale = QLocale());
 
+/// The value alone, with the same digits.
+QString roundedToError(double value, double error, std::string_view displayUnit, const QLocale& locale = QLocale());
+
 /// The outcome in a sentence or two: "Height 7.03 nm, pitch ...", or why there is none.
 QString steadyText(const SteadyResult& result, const QLocale& locale = QLocale());
 

@@ -15,16 +15,18 @@ namespace touchdown {
 namespace {
 
 constexpr double cornerReach = 8.0, edgeReach = 5.0; // [px]
+constexpr double sameDistance = 0.5;                 // [px]
 
 double apart(const QPointF& a, const QPointF& b) { return std::hypot(b.x() - a.x(), b.y() - a.y()); }
 
-/// The nearest of all that are offered within a reach.
+/// The nearest of all that are offered within a reach; the first of those that are about as near.
 class Nearest {
 public:
     explicit Nearest(double reach) : best_(reach) {}
     void offer(const SurfacePart& part, double distance, bool preferred)
     {
-        if (distance > reach_ || (distance >= best_ && preferred == preferred_) || (preferred_ && !preferred)) return;
+        const double least = part_ ? best_ - sameDistance : best_;
+        if (distance > reach_ || (distance >= least && preferred == preferred_) || (preferred_ && !preferred)) return;
         best_ = distance;
         preferred_ = preferred;
         part_ = part;

@@ -35,6 +35,11 @@ MessageStrip::MessageStrip(QWidget* parent)
     layout->addWidget(text_, 1);
     layout->addWidget(action_, 0, Qt::AlignVCenter);
     layout->addWidget(close, 0, Qt::AlignTop);
+    // The page above keeps its place when a message of one line comes or goes.
+    QSizePolicy keeping = sizePolicy();
+    keeping.setRetainSizeWhenHidden(true);
+    setSizePolicy(keeping);
+    action_->hide();
     hide();
 }
 
@@ -51,6 +56,7 @@ void MessageStrip::show(Kind kind, const QString& text, const QString& action)
 void MessageStrip::clear()
 {
     text_->clear();
+    action_->hide();
     setVisible(false);
 }
 

@@ -20,6 +20,7 @@
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/same_film.h"
 #include "ui/film/solution_files.h"
 #include "ui/lesson/lesson_pane.h"
 #include "ui/lists/record_panel.h"
@@ -185,9 +186,10 @@ void MainWindow::updateRunActions()
     for (QAction* action : {actions_->solve, actions_->solveGiven})
         action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
-        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show the parameter"));
+        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show it"));
     else if (messages_->text().startsWith(tr("The case cannot be run.")))
         messages_->clear();
+    actions_->surface->setEnabled(pages_->model() == ModelKind::Film);
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);
@@ -247,7 +249,7 @@ void MainWindow::runFromSolution(int number)
 {
     const SolutionRecord* solution = film_->solutions().find(number);
     if (!solution) return;
-    Case c = solution->value;
+    Case c = withRunOf(solution->value, edits_->value());
     const Attitude& attitude = solution->result.attitude;
     // At a balance the run finds it again on its own grid; elsewhere it starts where the slider was held.
     const bool atBalance = solution->result.status == SteadyStatus::Converged && !c.steady.fixedAttitude;

@@ -114,7 +114,11 @@ void MainWindow::connectRuns()
         messages_->clear();
     });
     connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
-    connect(messages_, &MessageStrip::actionRequested, casePanel_, &CasePanel::showFirstProblem);
+    connect(messages_, &MessageStrip::actionRequested, this, [this] {
+        if (casePanel_->showFirstProblem()) return;
+        setPage(Page::StaticState); // the surface has no field in the panel
+        film_->view()->setPage(FilmView::Page::Surface);
+    });
     connect(runs_->panel(), &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(runs_->panel(), &RecordPanel::saveRequested, this,
             [this](int number) { runFiles_->chooseSave(number, false); });
@@ -133,13 +137,25 @@ void MainWindow::connectFilm()
     connect(actions_->stop, &QAction::triggered, film_->view(), &FilmView::stop);
     connect(film_->view(), &FilmView::busyChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
+    connect(film_, &FilmWindow::shownChanged, this, [this] {
+        const SteadyResult* result = film_->result();
+        aboutCase_->setResult(result ? steadyText(*result) : QString());
+        if (messages_->kind() == MessageStrip::Kind::Success) messages_->clear(); // of another solution
+    });
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
+    connect(actions_->surface, &QAction::triggered, this, [this] {
+        setPage(Page::StaticState);
+        film_->view()->setPage(FilmView::Page::Surface);
+        film_->view()->shape()->editor()->setFocus();
+    });
     RecordPanel* panel = film_->panel();
     panel->offer(tr("Use"), tr("Take the parameters of this solution, also its shape, into the case that is edited"),
                  [this](int number) { useSolution(number); });
-    panel->offer(tr("Run from here"), tr("Run this solution's case in time, from its static state"),
-                 [this](int number) { runFromSolution(number); });
+    panel->offer(
+        tr("Run from here"),
+        tr("Run this solution's case in time, from its static state; disk surface and run as they are set now"),
+        [this](int number) { runFromSolution(number); });
     connect(panel, &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(panel, &RecordPanel::saveRequested, solutionFiles_, &SolutionFiles::chooseSave);
     connect(runFiles_, &RunFiles::solutionsChosen, solutionFiles_, &SolutionFiles::open);

@@ -122,6 +122,8 @@ void WindowActions::buildRun(QMainWindow& window)
 void WindowActions::buildView(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&View"));
+    surface = add(menu, tr("&Surface of the slider"), QKeySequence(Qt::CTRL | Qt::Key_G), {},
+                  tr("Go to the plan of the air bearing surface"));
     fit = add(menu, tr("&Fit plots"), QKeySequence(Qt::CTRL | Qt::Key_0), QStringLiteral("fit"),
               tr("Show all of the runs"));
     follow = add(menu, tr("F&ollow the run"), QKeySequence(Qt::CTRL | Qt::Key_L), QStringLiteral("follow"),

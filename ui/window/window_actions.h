@@ -29,7 +29,7 @@ public:
         *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
-    QAction *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
+    QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
     QAction *help, *lesson, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
     QActionGroup* theme;    // data: the name of the theme

@@ -365,6 +365,11 @@ void TestCasePanel::searches()
     QVERIFY(f.panel.editor("springs.rear_stiffness")->isVisible());
     f.panel.search()->clear();
     QVERIFY(f.panel.editor("springs.front_stiffness")->isVisible());
+    // Of another case all parameters are shown.
+    f.panel.search()->setText(QStringLiteral("mass"));
+    QVERIFY(!f.panel.editor("springs.front_stiffness")->isVisible());
+    f.panel.setPreset({});
+    QVERIFY(f.panel.editor("springs.front_stiffness")->isVisible());
 }
 
 void TestCasePanel::closesAndOpensGroups()

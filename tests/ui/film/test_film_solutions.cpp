@@ -113,21 +113,50 @@ private slots:
         QVERIFY(!film_->stale());
     }
 
-    void runsAndStartsMakeNothingStale()
+    /// What only a run uses, and a start at the state that was found.
+    void whatARunUsesDoesNotMakeItStale()
     {
         solve();
+        case_.diskSurface.kind = DiskSurfaceKind::Rough;
         case_.run.duration *= 2.0;
-        case_.initial.pitch += 1e-6;
+        case_.initial.state = InitialState::Static;
+        case_.initial.heightOffset = 1e-9;
         film_->edit(case_);
         QVERIFY(!film_->stale());
-        case_.steady.fixedAttitude = true;
-        film_->edit(case_);
-        const Case held = case_;
-        solve();
-        QVERIFY(!film_->stale());
-        case_.initial.pitch += 1e-6; // is the attitude
+        const Attitude found = film_->result()->attitude;
+        case_.initial.pitch = 2.0 * found.pitch; // another start may lead to another balance
         film_->edit(case_);
         QVERIFY(film_->stale());
+        case_.initial.nominalTrailingEdgeHeight = found.height;
+        case_.initial.pitch = found.pitch;
+        case_.initial.roll = found.roll;
+        film_->edit(case_);
+        QVERIFY(!film_->stale());
+    }
+
+    /// The reason stands before what is known of the shape before, until the shape is another one.
+    void undoTakesTheReasonAway()
+    {
+        SurfacePage* shape = film_->view()->shape();
+        const QString unsolved = shape->flightText();
+        const auto cross = [&] {
+            AirBearingSurface crossing = case_.surface;
+            std::swap(crossing.rails[1].points[0], crossing.rails[1].points[1]);
+            emit shape->previewed(crossing);
+            QVERIFY2(shape->flightText().contains(QStringLiteral("crosses itself")), qPrintable(shape->flightText()));
+            Case crossed = case_;
+            crossed.surface = crossing;
+            film_->edit(crossed);
+            QVERIFY(shape->flightText().contains(QStringLiteral("crosses itself")));
+            film_->edit(case_);
+        };
+        cross();
+        QCOMPARE(shape->flightText(), unsolved);
+        solve();
+        const QString solved = shape->flightText();
+        QVERIFY(solved.contains(QStringLiteral("<b>11.00</b>")));
+        cross();
+        QCOMPARE(shape->flightText(), solved);
     }
 
     void deletingTheShownOneShowsAnother()
@@ -150,8 +179,15 @@ private slots:
         solve();
         QVERIFY2(film_->view()->shape()->flightText().contains(QStringLiteral("<b>12.00</b> nm  +1.00")),
                  qPrintable(film_->view()->shape()->flightText()));
+        QVERIFY(film_->view()->shape()->flightText().contains(QStringLiteral("<b>100.0</b> µrad  0.0"))); // no sign
         film_->solutions().setBaseline(-1);
         QVERIFY2(!film_->view()->shape()->flightText().contains(QStringLiteral("+1.00")),
+                 qPrintable(film_->view()->shape()->flightText()));
+        film_->solutions().setBaseline(1);
+        case_.slider.length *= 1.1; // another slider
+        film_->open(case_);
+        solve();
+        QVERIFY2(film_->view()->shape()->flightText().contains(QStringLiteral("<b>13.00</b> nm (")),
                  qPrintable(film_->view()->shape()->flightText()));
     }
 

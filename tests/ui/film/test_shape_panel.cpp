@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QSignalSpy>
+#include <QStyledItemDelegate>
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -84,11 +85,21 @@ private slots:
         QVERIFY(edits_->value() == case_);
         QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
     }
+    /// An edge that slides along others leaves coordinates of many digits.
+    void showsSevenDigits()
+    {
+        panel_->setSelection({{PartKind::Rail, 1}});
+        table_->item(0, 0)->setText(QStringLiteral("0.123456789012"));
+        const auto* delegate = qobject_cast<QStyledItemDelegate*>(table_->itemDelegate());
+        QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.123456789012"));
+        QCOMPARE(delegate->displayText(table_->item(0, 0)->text(), QLocale()), QStringLiteral("0.1234568"));
+        QCOMPARE(delegate->displayText(QStringLiteral("0.15"), QLocale()), QStringLiteral("0.15"));
+    }
     void aWrongNumberIsRefused()
     {
         panel_->setSelection({{PartKind::Rail, 1}});
-        for (const auto& [column, text, reason] :
-             {std::tuple(0, "2 mN", "length"), std::tuple(0, "wide", "wide"), std::tuple(2, "7", "at most 2")}) {
+        for (const auto& [column, text, reason] : {std::tuple(0, "2 mN", "Rail 2, point 1, x: "),
+                                                   std::tuple(0, "wide", "wide"), std::tuple(2, "7", "at most 2")}) {
             table_->item(0, column)->setText(QString::fromUtf8(text));
             QVERIFY(edits_->value() == case_);
             QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
@@ -309,6 +320,20 @@ private slots:
         QCOMPARE(table_->currentRow(), 2);
         panel_->typeRecess();
         QVERIFY(list_->findChild<QLineEdit*>() != nullptr); // being typed
+    }
+    /// A rail has no name of its own: F2 and a double click on it edit the recess.
+    void aNameIsNotEdited()
+    {
+        QTreeWidgetItem* rail = list_->topLevelItem(0)->child(2);
+        list_->setCurrentItem(rail, 0);
+        QTest::keyClick(list_, Qt::Key_F2);
+        auto* editor = list_->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        QCOMPARE(editor->text(), rail->text(1));
+        QTest::keyClicks(editor, QStringLiteral("0.2"));
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(edits_->value().surface.rails[2].recess[0], 0.2e-6);
+        QCOMPARE(list_->topLevelItem(0)->child(2)->text(0), QStringLiteral("Rail 3"));
     }
     void everyControlHasAName()
     {

@@ -116,6 +116,13 @@ void TestRunsPanel::saysWhatChanged()
     QCOMPARE(caseDifference(before, after),
              (QStringList{QStringLiteral("rail 1, point 1 moved by 2, \u22120.5\u00a0µm"),
                           QStringLiteral("rail 1, points 2, 3 moved by 2, 0\u00a0µm")}));
+    // So are the ends of an edge, which slide along the edges beside it, and a mirrored rail.
+    after = before;
+    after.surface.rails[0].points = {{1e-6, 1e-6}, {1e-3, 1e-6}, {1e-3, 1e-3}}; // the first edge, 1 µm up
+    QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1, edge 1 moved by 0, 1\u00a0µm")});
+    after = before;
+    for (RailPoint& point : after.surface.rails[0].points) point.y = 2e-3 - point.y;
+    QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 mirrored")});
 }
 
 void TestRunsPanel::showsResults_data()

@@ -10,6 +10,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/slider/editor_under_test.h"
 #include "ui/slider/drag_field.h"
+#include "ui/slider/part_picking.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
@@ -47,6 +48,18 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(it_->editor.get()));
     }
     void cleanup() { it_.reset(); }
+
+    /// The rear pad ends with the shelf below it: of edges that look the same the upper one is taken.
+    void theUpperOfTwoEdgesIsTaken()
+    {
+        AirBearingSurface surface = it_->surface();
+        for (const std::size_t k : {1, 2}) surface.rails[2].points[k].x = 840.1 * um; // nearer by less than 0.1 px
+        const auto part = partAt(*it_->editor, surface, it_->editor->toPixel({840.1 * um, 320 * um}), {});
+        QVERIFY(part == std::optional(SurfacePart{PartKind::Edge, 3, 1}));
+        const PartSelection shelf{{PartKind::Rail, 2}};
+        const auto chosen = partAt(*it_->editor, surface, it_->editor->toPixel({840.1 * um, 320 * um}), shelf);
+        QVERIFY(chosen == std::optional(SurfacePart{PartKind::Edge, 2, 1}));
+    }
 
     /// The lower left corner of the front pad comes within 4 px of the centre line and of the front shelf's x = 50 um.
     void saysWhatItSnapsTo()

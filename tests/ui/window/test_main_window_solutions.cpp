@@ -3,9 +3,14 @@
 // Static solutions in the whole window: used, run from, saved and read again.
 #include <cmath>
 
+#include <QAccessible>
+#include <QAction>
+#include <QPushButton>
+#include <QScrollArea>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -16,9 +21,11 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
+#include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/message_strip.h"
 #include "ui/window/main_window.h"
 
 using namespace touchdown;
@@ -83,6 +90,133 @@ private slots:
         QVERIFY2(std::abs(*run.last("pitch") - pitch) < 1e-8, qPrintable(QString::number(*run.last("pitch") - pitch)));
         f.window.edits().undoStack().undo();
         QCOMPARE(f.window.edits().value().suspension.preload, f.solutions().record(1).value.suspension.preload);
+    }
+
+    /// The static state holds over any moving disk surface: no other is solved, and the run takes the surface that is
+    /// set.
+    void runsOverTheDiskThatIsSet()
+    {
+        Solved f;
+        f.edit("run.sample_interval", QStringLiteral("1 us"));
+        f.solve();
+        f.edit("suspension.preload", QStringLiteral("3 gf"));
+        f.solve();
+        f.edit("disk.surface.kind", QStringLiteral("rough"));
+        f.edit("run.duration", QStringLiteral("2 us"));
+        QVERIFY(!f.window.film().stale());
+        f.window.film().panel()->choose(1);
+        const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+        f.click(QStringLiteral("Run from here"));
+        QVERIFY(!f.window.film().stale());
+        QCOMPARE(f.window.edits().reasonNotToRun(), QString());
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
+        const Case& run = f.window.runs().record(0).value;
+        QCOMPARE(run.diskSurface.kind, DiskSurfaceKind::Rough);
+        QCOMPARE(run.run.duration, 2e-6);
+        QCOMPARE(run.suspension.preload, f.solutions().record(0).value.suspension.preload);
+        QCOMPARE(f.solutions().count(), 2);
+    }
+
+    /// On which `withRunOf` relies: the same bits over a rough disk, be it moving or still.
+    void aStaticStateIsOverAFlatDisk()
+    {
+        Solved f;
+        Case c = f.window.edits().value();
+        const SteadyResult flat = steady(c);
+        QCOMPARE(flat.status, SteadyStatus::Converged);
+        c.diskSurface.kind = DiskSurfaceKind::Rough;
+        for (const SurfaceMotion motion : {SurfaceMotion::Moving, SurfaceMotion::Still}) {
+            c.diskSurface.motion = motion;
+            const SteadyResult rough = steady(c);
+            QCOMPARE(rough.attitude.height, flat.attitude.height);
+            QCOMPARE(rough.pressure, flat.pressure);
+        }
+    }
+
+    /// No number stays that the plan does not show.
+    void theMessageIsOfTheShownSolution()
+    {
+        Solved f;
+        f.solve();
+        const auto* strip = f.window.findChild<MessageStrip*>();
+        f.edit("suspension.preload", QStringLiteral("3 gf"));
+        f.solve();
+        QVERIFY(!strip->text().isEmpty());
+        f.window.film().panel()->choose(1);
+        QVERIFY(strip->text().isEmpty());
+    }
+
+    void aMessageLeavesThePageInItsPlace()
+    {
+        Solved f;
+        f.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&f.window));
+        auto* strip = f.window.findChild<MessageStrip*>();
+        const QSize before = f.window.film().view()->size();
+        strip->show(MessageStrip::Kind::Success, QStringLiteral("One line"));
+        QTRY_VERIFY(strip->isVisible());
+        QCoreApplication::sendPostedEvents();
+        QCOMPARE(f.window.film().view()->size(), before);
+    }
+
+    /// A rail has no field in the panel of parameters.
+    void showsTheSurfaceThatPreventsARun()
+    {
+        Solved f;
+        f.window.film().view()->setPage(FilmView::Page::Gap);
+        AirBearingSurface crossing = f.window.edits().value().surface;
+        std::swap(crossing.rails[0].points[0], crossing.rails[0].points[1]);
+        f.window.edits().setSurface(crossing, QStringLiteral("cross"), 0);
+        for (auto* button : f.window.findChild<MessageStrip*>()->findChildren<QPushButton*>()) button->click();
+        QCOMPARE(f.window.film().view()->page(), FilmView::Page::Surface);
+    }
+
+    /// The letters of the tools work at once, without a walk through all parameters.
+    void oneKeyGoesToThePlan()
+    {
+        Solved f;
+        SurfaceEditor* plan = f.window.film().view()->shape()->editor();
+        f.window.film().view()->setPage(FilmView::Page::Gap);
+        QVERIFY(f.window.focusWidget() != plan);
+        QAction* go = nullptr;
+        for (QAction* action : f.window.findChildren<QAction*>())
+            if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_G)) go = action;
+        QVERIFY(go && go->isEnabled());
+        f.window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&f.window));
+        go->trigger();
+        QCOMPARE(f.window.film().view()->page(), FilmView::Page::Surface);
+        QCOMPARE(f.window.focusWidget(), plan);
+        auto* tabs = f.window.film().view()->findChild<QTabBar*>();
+        tabs->setFocus();
+        QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(0).center());
+        QCOMPARE(f.window.focusWidget(), plan);
+        f.window.files().openNow(QStringLiteral("fig10a"));
+        QVERIFY(!go->isEnabled());
+    }
+
+    /// On all pages of the static state, and in the panes beside them; parts of a control have none.
+    void everyControlHasAName()
+    {
+        Solved f;
+        f.solve();
+        QStringList nameless;
+        for (int page = 0; page <= static_cast<int>(FilmView::Page::Series); ++page) {
+            f.window.film().view()->setPage(static_cast<FilmView::Page>(page));
+            for (QWidget* control : f.window.findChildren<QWidget*>()) {
+                const QObject* parent = control->parent();
+                if (control->focusPolicy() == Qt::NoFocus || !control->isVisibleTo(&f.window) ||
+                    qobject_cast<QScrollArea*>(control) || parent->inherits("QAbstractSpinBox") ||
+                    parent->inherits("QComboBox") || parent->inherits("QAbstractScrollArea"))
+                    continue;
+                const QAccessibleInterface* known = QAccessible::queryAccessibleInterface(control);
+                if (control->accessibleName().isEmpty() && (!known || known->text(QAccessible::Name).isEmpty()))
+                    nameless << QStringLiteral("%1 in %2")
+                                    .arg(QLatin1String(control->metaObject()->className()),
+                                         QLatin1String(parent->metaObject()->className()));
+            }
+        }
+        QVERIFY2(nameless.isEmpty(), qPrintable(nameless.join(QStringLiteral(", "))));
     }
 
     /// Where the attitude was held there is no balance to start from.
