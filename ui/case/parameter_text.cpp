@@ -62,14 +62,16 @@ std::pair<QString, QString> changeTexts(const Case& before, const Case& after, c
     return {text(before, digits), text(after, digits)};
 }
 
-/// A coordinate of a point in `moved`.
+/// A coordinate of a point in `moved`, or the order of the points of a rail whose mirror image has the same outline.
 bool isMove(const CaseChange& change, const std::vector<MovedPoints>& moved)
 {
-    if (change.kind != CaseChangeKind::Value || !(change.key.ends_with(".x") || change.key.ends_with(".y")))
-        return false;
-    return std::ranges::any_of(moved, [&change](const MovedPoints& each) {
-        return change.key.starts_with("abs.rail[" + std::to_string(each.rail + 1) + "].points[");
-    });
+    const auto concerns = [&change](const MovedPoints& each) {
+        const std::string points = "abs.rail[" + std::to_string(each.rail + 1) + "].points";
+        if (change.kind == CaseChangeKind::Order) return change.key == points && each.how == MovedPoints::How::Mirrored;
+        return change.kind == CaseChangeKind::Value && change.key.starts_with(points + '[') &&
+               (change.key.ends_with(".x") || change.key.ends_with(".y"));
+    };
+    return std::ranges::any_of(moved, concerns);
 }
 
 /// "rail 3 moved by 2, −0.5 µm", "rail 3, points 1, 2 moved by 2, 0 µm", "rail 3, edge 2 moved by ...", "rail 3

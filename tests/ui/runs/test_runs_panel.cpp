@@ -123,6 +123,10 @@ void TestRunsPanel::saysWhatChanged()
     after = before;
     for (RailPoint& point : after.surface.rails[0].points) point.y = 2e-3 - point.y;
     QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 mirrored")});
+    before.surface.rails[0].points = {{0.0, 0.0}, {1e-3, 0.5e-3}, {0.0, 1e-3}}; // its own mirror image
+    after = before;
+    for (RailPoint& point : after.surface.rails[0].points) point.y = 1e-3 - point.y;
+    QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 mirrored")});
 }
 
 void TestRunsPanel::showsResults_data()
