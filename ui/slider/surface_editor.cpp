@@ -33,11 +33,12 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), field_(new 
     connect(field_, &DragField::givenBack, this, &SurfaceEditor::giveUp);
     previewTimer_.setSingleShot(true);
     connect(&previewTimer_, &QTimer::timeout, this, &SurfaceEditor::previewWaiting);
-    setAccessibleDescription(tr(
-        "Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
-        "rails, N and B the next and previous one, Del removes, Ctrl+D copies, Shift+M mirrors, L breaks or joins the "
-        "pair, Page Up and Page Down change the order of overlap, M measures between two selected corners, F shows "
-        "everything, the menu key has more."));
+    setAccessibleDescription(
+        tr("Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
+           "rails, N and B the next and previous one, E and C the next edge and corner of a rail, Del removes, Ctrl+D "
+           "copies, Shift+M mirrors, L breaks or joins the "
+           "pair, Page Up and Page Down change the order of overlap, M measures between two selected corners, F shows "
+           "everything, the menu key has more."));
 }
 
 void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, double width)

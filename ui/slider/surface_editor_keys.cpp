@@ -42,6 +42,15 @@ bool SurfaceEditor::actByKey(const QKeyEvent& event)
         const std::size_t from = rails.empty() ? count - step % count : rails.begin()->item;
         select({{PartKind::Rail, (from + step) % count}});
     };
+    const auto selectAround = [&](PartKind kind) {
+        const PartSelection rails = railsOf(selection_);
+        if (rails.empty()) return;
+        const std::size_t rail = rails.begin()->item, count = committed_.rails[rail].points.size();
+        const SurfacePart first = *selection_.begin();
+        const std::size_t step = event.modifiers().testFlag(Qt::ShiftModifier) ? count - 1 : 1;
+        const bool goesOn = selection_.size() == 1 && first.kind == kind;
+        select({{kind, rail, goesOn ? (first.index + step) % count : 0}});
+    };
     const bool control = event.modifiers().testFlag(Qt::ControlModifier);
     if (control && event.key() == Qt::Key_A) {
         PartSelection all;
@@ -84,6 +93,8 @@ bool SurfaceEditor::actByKey(const QKeyEvent& event)
         return true;
     case Qt::Key_N: selectRail(1); return true;
     case Qt::Key_B: selectRail(std::max<std::size_t>(committed_.rails.size(), 1) - 1); return true;
+    case Qt::Key_E: selectAround(PartKind::Edge); return true;
+    case Qt::Key_C: selectAround(PartKind::Corner); return true;
     case Qt::Key_F: fit(); return true;
     case Qt::Key_V: setTool(Tool::Select); return true;
     case Qt::Key_R: setTool(Tool::Rectangle); return true;

@@ -111,6 +111,17 @@ void TestSurfaceEditor::clickSelects()
     QCOMPARE(editor_->selection(), (PartSelection{{PartKind::Rail, 0}}));
     QTest::keyClick(editor_.get(), Qt::Key_B);
     QCOMPARE(editor_->selection(), (PartSelection{{PartKind::Rail, 3}}));
+    const auto press = [this](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(editor_.get(), key, modifiers);
+        return editor_->selection();
+    };
+    QCOMPARE(press(Qt::Key_E), (PartSelection{{PartKind::Edge, 3, 0}}));
+    QCOMPARE(press(Qt::Key_E), (PartSelection{{PartKind::Edge, 3, 1}}));
+    QCOMPARE(press(Qt::Key_C), (PartSelection{{PartKind::Corner, 3, 0}}));
+    QCOMPARE(press(Qt::Key_C, Qt::ShiftModifier), (PartSelection{{PartKind::Corner, 3, 4}}));
+    QCOMPARE(press(Qt::Key_C), (PartSelection{{PartKind::Corner, 3, 0}}));
+    editor_->select({});
+    QVERIFY(press(Qt::Key_E).empty());
     QVERIFY(edits_->value() == case_);
 }
 
