@@ -21,8 +21,8 @@ std::string entryText(const QString& typed, const Parameter& parameter, const QL
 QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 
 /// The changes of core/case/case_difference.h in words: "take-off height 5 nm → 8 nm",
-/// "rail 3: recess 0.1 µm → 0.2 µm", "rail 4 added"; points that were moved together are one change: "rail 3, points 1,
-/// 2 moved by 2, 0 µm".
+/// "rail 3: recess 0.1 µm → 0.2 µm", "rail 4 added"; points that were moved together are one change:
+/// "rail 3, points 1, 2 moved by 2, 0 µm".
 QStringList caseDifference(const Case& before, const Case& after);
 
 } // namespace touchdown

@@ -7,11 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include <QClipboard>
-#include <QEvent>
-#include <QGuiApplication>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
+#include <QTextDocument>
 
 #include "core/formats/units.h"
 #include "ui/case/parameter_text.h"
@@ -124,40 +120,24 @@ SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& soluti
     return all;
 }
 
-ComparePage::ComparePage(QWidget* parent) : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
+ComparePage::ComparePage(QWidget* parent) : CopiedText(tr("Solutions side by side"), tr("Copy the comparison"), parent)
 {
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
-    text_->setAccessibleName(tr("Solutions side by side"));
-    text_->setFrameShape(QFrame::NoFrame);
-    text_->setOpenLinks(false);
-    text_->document()->setDocumentMargin(12);
-    copy_->setText(tr("Copy"));
-    copy_->setToolTip(tr("Copy all numbers for a spreadsheet"));
-    copy_->setAccessibleName(tr("Copy the comparison"));
-    copy_->setAutoRaise(true);
-    copy_->setFocusPolicy(Qt::TabFocus);
-    connect(copy_, &QToolButton::clicked, this, &ComparePage::copy);
-    auto* tools = new QHBoxLayout;
-    tools->setContentsMargins(6, 0, 6, 0);
-    tools->addStretch(1);
-    tools->addWidget(copy_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 4);
-    layout->addWidget(text_, 1);
-    layout->addLayout(tools);
+    text()->document()->setDocumentMargin(12);
     write();
 }
 
-void ComparePage::show(const std::vector<const SolutionRecord*>& solutions, int baseline)
+void ComparePage::setSolutions(const std::vector<const SolutionRecord*>& solutions, int baseline)
 {
     comparison_ = comparisonOf(solutions, baseline);
     write();
 }
 
-void ComparePage::copy() const
+QString ComparePage::plainText() const
 {
     const SolutionComparison& all = comparison_;
+    if (all.columns.isEmpty()) return {};
     QStringList lines{QStringList(QStringList{QString()} + all.columns).join(QLatin1Char('\t'))};
     for (const ComparedRow& row : all.rows) {
         lines << QStringList(QStringList{row.name} + row.values).join(QLatin1Char('\t'));
@@ -167,20 +147,17 @@ void ComparePage::copy() const
     QStringList changes{tr("Changed")};
     for (const QStringList& each : all.changes) changes << each.join(QStringLiteral(", "));
     lines << changes.join(QLatin1Char('\t'));
-    QGuiApplication::clipboard()->setText(lines.join(QLatin1Char('\n')) + QLatin1Char('\n'));
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
-void ComparePage::write()
+QString ComparePage::html() const
 {
     const SolutionComparison& all = comparison_;
     const MeaningColours colours = meaningColours(palette());
     const QString muted = QStringLiteral("color:%1").arg(colours.muted.name());
-    copy_->setEnabled(!all.columns.isEmpty());
-    if (all.columns.isEmpty()) {
-        text_->setHtml(QStringLiteral("<p style='%1'>%2</p>")
-                           .arg(muted, tr("Check the boxes of solutions in the list to see them side by side.")));
-        return;
-    }
+    if (all.columns.isEmpty())
+        return QStringLiteral("<p style='%1'>%2</p>")
+            .arg(muted, tr("Check the boxes of solutions in the list to see them side by side."));
     QString html = QStringLiteral("<table cellspacing='0'><tr><td></td>");
     for (qsizetype i = 0; i < all.columns.size(); ++i)
         html += cell(QStringLiteral("<b>%1</b>").arg(all.columns[i].toHtmlEscaped()) +
@@ -205,13 +182,7 @@ void ComparePage::write()
     for (const QStringList& each : all.changes)
         html += cell(each.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")),
                      QStringLiteral("vertical-align:top; ") + muted);
-    text_->setHtml(html + QStringLiteral("</tr></table>"));
-}
-
-void ComparePage::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
+    return html + QStringLiteral("</tr></table>");
 }
 
 } // namespace touchdown

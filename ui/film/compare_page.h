@@ -7,11 +7,9 @@
 #include <vector>
 
 #include <QLocale>
-#include <QTextBrowser>
-#include <QToolButton>
-#include <QWidget>
 
 #include "ui/film/solutions_model.h"
+#include "ui/style/copied_text.h"
 
 namespace touchdown {
 
@@ -31,28 +29,21 @@ struct SolutionComparison {
 SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& solutions, int baseline,
                                 const QLocale& locale = QLocale());
 
-class ComparePage : public QWidget {
+class ComparePage : public CopiedText {
     Q_OBJECT
 
 public:
     explicit ComparePage(QWidget* parent = nullptr);
 
-    void show(const std::vector<const SolutionRecord*>& solutions, int baseline);
+    void setSolutions(const std::vector<const SolutionRecord*>& solutions, int baseline);
     const SolutionComparison& comparison() const { return comparison_; }
 
-public slots:
-    /// All of it, tab-separated, on the clipboard.
-    void copy() const;
-
 protected:
-    void changeEvent(QEvent* event) override;
+    QString html() const override;
+    QString plainText() const override;
 
 private:
-    void write();
-
     SolutionComparison comparison_;
-    QTextBrowser* text_;
-    QToolButton* copy_;
 };
 
 } // namespace touchdown

@@ -192,7 +192,7 @@ void FilmView::clearResult()
 
 void FilmView::compare(const SolutionRecord* shown, const std::vector<const SolutionRecord*>& compared, int baseline)
 {
-    compare_->show(compared, baseline);
+    compare_->setSolutions(compared, baseline);
     base_.reset();
     const auto title = [](const SolutionRecord& each) { return QString::number(each.number); };
     std::vector<FieldsView::OtherFields> others;

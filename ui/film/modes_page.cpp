@@ -17,6 +17,7 @@
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/mode_motion.h"
 #include "ui/film/mode_picture.h"
+#include "ui/film/result_pages.h"
 #include "ui/film/same_film.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
@@ -62,20 +63,7 @@ ModesPage::ModesPage(ModesController::Solver solver, QWidget* parent)
       speed_(new QSlider(Qt::Horizontal, this)),
       table_(new QTableWidget(this))
 {
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setMargin(60);
-    empty_->setAutoFillBackground(true);
-    empty_->setBackgroundRole(QPalette::Base);
-    auto* split = new QSplitter(Qt::Vertical, this);
-    split->addWidget(buildPicture());
-    split->addWidget(buildTable());
-    split->setStretchFactor(0, 1);
-    split->setStretchFactor(1, 0);
-    split->setSizes({460, 170});
-    split->setChildrenCollapsible(false);
-    pages_->addWidget(empty_);
-    pages_->addWidget(split);
+    addResultPages(*pages_, *empty_, buildPicture(), buildTable(), {460, 170});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -13,13 +13,13 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QShortcut>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
+#include "ui/film/result_pages.h"
 #include "ui/film/same_film.h"
 #include "ui/film/series_setup.h"
 #include "ui/style/quantity_format.h"
@@ -97,20 +97,7 @@ SeriesPage::SeriesPage(SteadyController::Solver solver, QWidget* parent)
       copy_(new QToolButton(this)),
       save_(new QToolButton(this))
 {
-    empty_->setWordWrap(true);
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setMargin(60);
-    empty_->setAutoFillBackground(true);
-    empty_->setBackgroundRole(QPalette::Base);
-    auto* split = new QSplitter(Qt::Vertical, this);
-    split->addWidget(plots_);
-    split->addWidget(buildTable());
-    split->setStretchFactor(0, 1);
-    split->setStretchFactor(1, 0);
-    split->setSizes({520, 160});
-    split->setChildrenCollapsible(false);
-    pages_->addWidget(empty_);
-    pages_->addWidget(split);
+    addResultPages(*pages_, *empty_, plots_, buildTable(), {520, 160});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

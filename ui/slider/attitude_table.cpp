@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slider/attitude_table.h"
 
-#include <QClipboard>
-#include <QEvent>
-#include <QGuiApplication>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -54,29 +48,9 @@ QString sectionHtml(const AttitudeSection& section, const MeaningColours& colour
 } // namespace
 
 AttitudeTable::AttitudeTable(QWidget* parent)
-    : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
+    : CopiedText(tr("Static attitude"), tr("Copy the static attitude"), parent)
 {
-    text_->setAccessibleName(tr("Static attitude"));
-    text_->setFrameShape(QFrame::NoFrame);
-    text_->setOpenLinks(false);
-    text_->document()->setDocumentMargin(8);
-    text_->setMinimumHeight(80);
-    copy_->setText(tr("Copy"));
-    copy_->setToolTip(tr("Copy all numbers for a spreadsheet"));
-    copy_->setAccessibleName(tr("Copy the static attitude"));
-    copy_->setAutoRaise(true);
-    copy_->setFocusPolicy(Qt::TabFocus);
-    connect(copy_, &QToolButton::clicked, this, &AttitudeTable::copy);
-
-    auto* tools = new QHBoxLayout;
-    tools->setContentsMargins(6, 0, 6, 0);
-    tools->addStretch(1);
-    tools->addWidget(copy_);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 4);
-    layout->setSpacing(2);
-    layout->addWidget(text_, 1);
-    layout->addLayout(tools);
+    text()->setMinimumHeight(80);
     write();
 }
 
@@ -101,9 +75,9 @@ void AttitudeTable::setStale(bool stale)
     write();
 }
 
-void AttitudeTable::copy() const { QGuiApplication::clipboard()->setText(sectionsAsText(sections_)); }
+QString AttitudeTable::plainText() const { return sections_.empty() ? QString() : sectionsAsText(sections_); }
 
-void AttitudeTable::write()
+QString AttitudeTable::html() const
 {
     const MeaningColours colours = meaningColours(palette());
     QString html;
@@ -113,14 +87,7 @@ void AttitudeTable::write()
         html = QStringLiteral("<p style='color:%1'>%2</p>")
                    .arg(colours.warning.name(), tr("The parameters have changed since."));
     for (const AttitudeSection& section : sections_) html += sectionHtml(section, colours);
-    text_->setHtml(html);
-    copy_->setEnabled(!sections_.empty());
-}
-
-void AttitudeTable::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
+    return html;
 }
 
 } // namespace touchdown

@@ -3,15 +3,12 @@
 // The static state as tables that can be read, selected and copied.
 #pragma once
 
-#include <QTextBrowser>
-#include <QToolButton>
-#include <QWidget>
-
 #include "ui/slider/attitude_sections.h"
+#include "ui/style/copied_text.h"
 
 namespace touchdown {
 
-class AttitudeTable : public QWidget {
+class AttitudeTable : public CopiedText {
     Q_OBJECT
 
 public:
@@ -24,20 +21,13 @@ public:
 
     const std::vector<AttitudeSection>& sections() const { return sections_; }
 
-public slots:
-    /// All of it, tab-separated, on the clipboard.
-    void copy() const;
-
 protected:
-    void changeEvent(QEvent* event) override;
+    QString html() const override;
+    QString plainText() const override;
 
 private:
-    void write();
-
     std::vector<AttitudeSection> sections_;
     bool stale_ = false;
-    QTextBrowser* text_;
-    QToolButton* copy_;
 };
 
 } // namespace touchdown

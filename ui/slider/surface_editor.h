@@ -8,8 +8,8 @@
 // click on an edge inserts a corner; click on the link of a pair breaks or joins it. The middle button or Space with
 // the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with Shift by 10 µm, with
 // Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirror), L (break or join the pair), Page Up and Down
-// (order of overlap), N and B (next and previous rail), E and C (next edge and corner of the rail, with Shift the previous
-// one), F (fit); V, R, P, M choose the tool.
+// (order of overlap), N and B (next and previous rail), E and C (next edge and corner of the rail, with Shift the
+// previous one), F (fit); V, R, P, M choose the tool.
 #pragma once
 
 #include <functional>

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "core/case/case_key.h"
+#include "core/physics/slider/rail_outline.h"
 #include "core/physics/slider/surface_check.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_near.h"
@@ -123,17 +124,11 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
 namespace {
 
 /// The shift of an edge by a metre away from its rail.
-SurfaceShift outwards(const Rail& rail, std::size_t edge)
+SurfaceShift outwards(const AirBearingSurface& surface, const SurfacePart& edge)
 {
-    const RailPoint &a = rail.points[edge], &b = rail.points[(edge + 1) % rail.points.size()];
-    double area = 0.0;
-    for (std::size_t k = 0; k < rail.points.size(); ++k) {
-        const RailPoint &p = rail.points[k], &q = rail.points[(k + 1) % rail.points.size()];
-        area += p.x * q.y - q.x * p.y;
-    }
-    const double length = std::hypot(b.x - a.x, b.y - a.y), side = area > 0.0 ? 1.0 : -1.0;
-    if (!(length > 0.0)) return {};
-    return {side * (b.y - a.y) / length, side * (a.x - b.x) / length};
+    const SurfaceShift right = edgeNormal(surface, edge);
+    const double side = signedArea(surface.rails[edge.item].points) < 0.0 ? -1.0 : 1.0;
+    return {side * right.x, side * right.y};
 }
 
 /// The edge and its neighbours are parallel to x or y: lines of a grid can go with them.
@@ -165,7 +160,7 @@ double edgeStep(const Rail& rail)
 std::optional<Sensitivity> edgeInfluence(const Case& c, const SteadyResult& state, const SurfacePart& edge,
                                          const std::function<bool()>& goOn)
 {
-    const SurfaceShift out = outwards(c.surface.rails[edge.item], edge.index);
+    const SurfaceShift out = outwards(c.surface, edge);
     const double step = edgeStep(c.surface.rails[edge.item]);
     std::array<SteadyResult, 2> states;
     for (const int side : {0, 1}) {
@@ -216,7 +211,7 @@ std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& sta
         const auto deeper = [&](Case& moved, double by) {
             for (double& recess : moved.surface.rails[part.item].recess) recess += by;
         };
-        const SurfaceShift out = edge ? outwards(c.surface.rails[part.item], part.index) : SurfaceShift{};
+        const SurfaceShift out = edge ? outwards(c.surface, part) : SurfaceShift{};
         const auto outer = [&](Case& moved, double by) {
             moved.surface = touchdown::moved(std::move(moved.surface), {part}, {by * out.x, by * out.y});
         };
