@@ -30,6 +30,7 @@ private slots:
     void marksTheMinimumSpacing();
     void aSurfaceThatCannotBeDrawnLeavesTheSliderEmpty();
     void staysStillWhenNothingChanged();
+    void aNarrowRailHasNoNumber();
     void drawsLightAndDark();
 
 private:
@@ -167,6 +168,32 @@ void TestSurfaceView::staysStillWhenNothingChanged()
     case_.surface.rails[1].recess[0] = 10e-9; // an edit keeps the view, too
     show(case_);
     QCOMPARE(view_->view(), seen);
+}
+
+// A rail of 2 um, a pixel or two, has no room for a number; of 60 um it has. The box of a number is lighter than the
+// base that lies 4 px above the middle of the narrow rail.
+void TestSurfaceView::aNarrowRailHasNoNumber()
+{
+    const auto boxOver = [this](double height) {
+        Case c = case_;
+        c.surface.pointsOfInterest.clear();
+        c.surface.rails = {{RailKind::Step,
+                            {{0.2e-3, 0.35e-3 - 0.5 * height, 0},
+                             {0.6e-3, 0.35e-3 - 0.5 * height, 0},
+                             {0.6e-3, 0.35e-3 + 0.5 * height, 0},
+                             {0.2e-3, 0.35e-3 + 0.5 * height, 0}},
+                            {150e-9, 0.0, 0.0}}};
+        view_->setSurface(c.surface, c.slider.length, c.slider.width);
+        const QImage image = view_->grab().toImage();
+        const int y = static_cast<int>(view_->toPixel({0.4e-3, 0.35e-3}).y()) - 4;
+        const int left = static_cast<int>(view_->toPixel({0.205e-3, 0.35e-3}).x());
+        const int right = static_cast<int>(view_->toPixel({0.595e-3, 0.35e-3}).x());
+        for (int x = left; x < right; ++x)
+            if (image.pixelColor(x, y) != image.pixelColor(left, y)) return true;
+        return false;
+    };
+    QVERIFY(boxOver(60e-6));
+    QTRY_VERIFY(!boxOver(2e-6)); // once the picture of the wider rail is gone
 }
 
 void TestSurfaceView::drawsLightAndDark()

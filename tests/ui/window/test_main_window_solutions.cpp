@@ -18,6 +18,7 @@
 #include "tests/support/test_program.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
+#include "ui/film/compare_page.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
@@ -231,6 +232,53 @@ private slots:
         f.click(QStringLiteral("Run from here"));
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 60'000);
         QCOMPARE(f.window.runs().record(0).value.initial.state, InitialState::Given);
+    }
+
+    /// From the plan by Tab to the list, along it, to its buttons and to the pages: compared and run without a pointer.
+    void byKeyboardAlone()
+    {
+        Solved f;
+        f.edit("run.duration", QStringLiteral("5 us"));
+        f.edit("run.sample_interval", QStringLiteral("1 us"));
+        f.solve();
+        f.edit("suspension.preload", QStringLiteral("3 gf"));
+        f.solve();
+        f.window.resize(1500, 940);
+        f.window.show();
+        f.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&f.window));
+        const auto focused = [&f] { return f.window.focusWidget(); };
+        const auto tabTo = [&](const auto& reached) {
+            for (int i = 0; i < 200 && !reached(); ++i) QTest::keyClick(focused(), Qt::Key_Tab);
+            return reached();
+        };
+        RecordPanel* panel = f.window.film().panel();
+        const auto button = [&](const QString& text) {
+            return [&, text] {
+                const auto* made = qobject_cast<QToolButton*>(focused());
+                return made && panel->isAncestorOf(made) && made->text() == text;
+            };
+        };
+        f.window.film().view()->shape()->editor()->setFocus();
+        QVERIFY(tabTo([&] { return focused() == panel->list(); }));
+        QTest::keyClick(focused(), Qt::Key_Up);
+        QCOMPARE(panel->chosen(), 1);
+        QVERIFY(tabTo(button(QStringLiteral("Baseline"))));
+        QTest::keyClick(focused(), Qt::Key_Space);
+        QCOMPARE(f.solutions().baseline(), 1);
+        auto* tabs = f.window.film().view()->findChild<QTabBar*>();
+        QVERIFY(tabTo([&] { return focused() == tabs; }));
+        while (f.window.film().view()->page() != FilmView::Page::Compare) {
+            const int before = tabs->currentIndex();
+            QTest::keyClick(focused(), Qt::Key_Right);
+            QVERIFY(tabs->currentIndex() > before);
+        }
+        QCOMPARE(f.window.film().view()->comparison()->comparison().columns.size(), 2);
+        const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+        QVERIFY(tabTo(button(QStringLiteral("Run from here"))));
+        QTest::keyClick(focused(), Qt::Key_Space);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
+        QCOMPARE(f.window.runs().record(0).value.suspension.preload, f.solutions().record(0).value.suspension.preload);
     }
 
     void useTakesTheParameters()
