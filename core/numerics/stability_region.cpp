@@ -53,7 +53,7 @@ public:
     using State = Eigen::Matrix<double, 6, 1>;
 
     CoupledStep(const CoupledRule& rule, double w, double zeta, double leak)
-        : rule_(rule), w_(w), zeta_(zeta), leak_(leak * w), film_(backwardDifference(rule.film, 1.0, 1.0, 1.0))
+        : rule_(rule), w_(w), zeta_(zeta), leak_(leak * w), film_(backwardDifference(rule.film, 1.0, 1.0, 1.0, w))
     {}
 
     State operator()(const State& y) const
@@ -218,9 +218,9 @@ double newmarkGrowth(double beta, double gamma, Complex z)
     return largestRoot(matrix);
 }
 
-double backwardGrowth(BackwardRule rule, Complex z)
+double backwardGrowth(BackwardRule rule, Complex z, double phase)
 {
-    const BackwardDifference d = backwardDifference(rule, 1.0, 1.0, 1.0);
+    const BackwardDifference d = backwardDifference(rule, 1.0, 1.0, 1.0, phase);
     // m = (share0 m1 + share1 m2 + share2 m3)/(perTime - z)
     const Complex weight = d.perTime - z;
     if (weight == 0.0) return std::numeric_limits<double>::infinity();

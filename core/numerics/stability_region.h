@@ -7,7 +7,7 @@
 //   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a
 //                       backward difference; with Newmark's rule, the oscillator whose eigenvalues are lambda and its
 //                       conjugate: omega h = |z|, zeta = -Re z/|z|
-//   coupledGrowth(w)    of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h:
+//   coupledGrowth(w)    by default with the fitted formula at omega = sqrt(k/M), as in runs; of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h:
 //
 //       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: compression of the film, m: leakage
 //
@@ -33,13 +33,14 @@ double rk4Growth(std::complex<double> z);
 /// The fifth-order result, with which the method continues.
 double dopri5Growth(std::complex<double> z);
 double newmarkGrowth(double beta, double gamma, std::complex<double> z);
-double backwardGrowth(BackwardRule rule, std::complex<double> z);
+/// `phase`: omega h of the fitted formula [-].
+double backwardGrowth(BackwardRule rule, std::complex<double> z, double phase = 0.0);
 
 enum class CouplingKind { Monolithic, Iterated, InTurns };
 
 struct CoupledRule {
     double beta = 0.25; // of Newmark's rule [-]
-    BackwardRule film = BackwardRule::Bdf2Opt;
+    BackwardRule film = BackwardRule::Fitted;
     CouplingKind coupling = CouplingKind::Monolithic;
     int turns = 1; // InTurns: number of times that the mass moves and the film follows
 };

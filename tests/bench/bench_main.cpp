@@ -12,6 +12,8 @@
 //
 //   touchdown-bench --coupled [CASE OR KEY=VALUE]...                        (tests/bench/coupled_bench.h)
 //
+//   touchdown-bench --damping [CASE OR KEY=VALUE]...                        (tests/bench/damping_bench.h)
+//
 //   touchdown-bench --family [KEY=VALUE]...                                 (tests/bench/family_bench.h)
 //
 // The error is that of the flying height every 2 us against a stored reference (tests/bench/reference_<case>.csv), up
@@ -37,6 +39,7 @@
 #include "core/simulation/run.h"
 #include "tests/bench/contact_bench.h"
 #include "tests/bench/coupled_bench.h"
+#include "tests/bench/damping_bench.h"
 #include "tests/bench/family_bench.h"
 #include "tests/bench/film_bench.h"
 #include "tests/bench/film_terms.h"
@@ -176,6 +179,8 @@ int main(int argc, char** argv)
             return benchmarkContact(repeats);
         else if (std::strcmp(argv[i], "--coupled") == 0)
             return benchmarkCoupled({argv + i + 1, argv + argc});
+        else if (std::strcmp(argv[i], "--damping") == 0)
+            return benchmarkDamping({argv + i + 1, argv + argc});
         else if (std::strcmp(argv[i], "--family") == 0)
             return benchmarkFamily({argv + i + 1, argv + argc});
         else if (std::strcmp(argv[i], "--film") == 0)
@@ -188,6 +193,7 @@ int main(int argc, char** argv)
                                  "       touchdown-bench --film-terms CASE-OR-FOLDER [KEY=VALUE]...\n"
                                  "       touchdown-bench [--repeats N] --contact\n"
                                  "       touchdown-bench --coupled [CASE OR KEY=VALUE]...\n"
+                                 "       touchdown-bench --damping [CASE OR KEY=VALUE]...\n"
                                  "       touchdown-bench --family [KEY=VALUE]...\n");
             return std::strcmp(argv[i], "--help") == 0 ? 0 : 2;
         }

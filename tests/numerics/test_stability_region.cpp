@@ -117,6 +117,24 @@ private slots:
         NEAR(share, 1.0 - 2.0 * 0.48, 2.0 * y * y);
     }
 
+    /// The fitted formula takes a wave of its own phase as it is, damps all whose damping ratio is above 0.07 and lets
+    /// the others grow by less than 4.5 % a step; those that it lets grow are faster than its own.
+    void fittedBackwardDifference()
+    {
+        for (double phase = 0.3; phase < 1.05; phase += 0.1) {
+            NEAR(backwardGrowth(BackwardRule::Fitted, {0.0, phase}, phase), 1.0, 1e-12);
+            for (double size = 0.01; size < 1e4; size *= 1.1) {
+                const double undamped = backwardGrowth(BackwardRule::Fitted, {0.0, size}, phase);
+                QVERIFY2(undamped < (size < phase ? 1.0 + 1e-12 : 1.045), qPrintable(QString::number(undamped)));
+                for (double damping = 0.07; damping <= 1.0; damping += 0.03)
+                    QVERIFY(backwardGrowth(BackwardRule::Fitted,
+                                           size * Complex(-damping, std::sqrt(1.0 - damping * damping)), phase) < 1.0);
+            }
+        }
+        QVERIFY(backwardGrowth(BackwardRule::Fitted, -1e8, 0.6) < 0.01);
+        QVERIFY(backwardGrowth(BackwardRule::Fitted, {0.0, 1.2}, 0.6) > 1.02);
+    }
+
     /// Without a leak the film is a spring: Newmark's own limits. With one, the monolithic step stays stable.
     void monolithicCoupling()
     {

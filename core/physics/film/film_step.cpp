@@ -92,7 +92,7 @@ void FilmStepper::remember()
 void FilmStepper::setHistory(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt;
-    const auto [perTime, share, taken] = backwardDifference(options_.method, dt, h1, h2);
+    const auto [perTime, share, taken] = backwardDifference(options_.method, dt, h1, h2, rate_);
     perTime_ = perTime;
     // Milne's device, for lengths that differ.
     const double error = (1.0 - taken) / ((dt + h1 + h2) * perTime_);
@@ -103,7 +103,8 @@ void FilmStepper::setHistory(double dt)
     film_.setStorage(perTime_, history_);
 }
 
-/// Lagrange's polynomial through the last contents, at most four, over the new volumes; at most doubled or halved.
+/// Lagrange's polynomial through the last contents, at most four, or the forecast fitted to the rate, over the new
+/// volumes; at most doubled or halved.
 void FilmStepper::guess(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt, h3 = past_[2].dt;
@@ -121,6 +122,9 @@ void FilmStepper::guess(double dt)
         third = {factor / (h1 * (h1 + h2) * (h1 + h2 + h3)), -factor / (h1 * h2 * (h2 + h3)),
                  factor / ((h1 + h2) * h2 * h3), -factor / ((h1 + h2 + h3) * (h2 + h3) * h3)};
     }
+    if (options_.method == FilmTimeMethod::Fitted)
+        if (const auto weights = fittedForecast(dt, h1, h2, h3, rate_))
+            for (std::size_t j = 0; j < 4; ++j) third[j] = (*weights)[j] - (j < 3 ? parabola[j] : 0.0);
     extrapolate(p_.size(), parabola, third,
                 {past_[0].content.data(), past_[1].content.data(), past_[2].content.data(), past_[3].content.data()},
                 past_[0].pressure.data(), film_.volumes().data(), p_.data(), foreseen_.data());

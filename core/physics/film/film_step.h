@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The film in time, step by step, implicitly: R(p) + d(V p)/dt = 0 with the new attitude's volumes V, and d(V p)/dt by
-// backward differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2 or BDF2OPT, which has half
-// the error and nine tenths of the damping of BDF2. The first step is Euler's, whose error is small enough for second
-// order. Newton's method with the Jacobian J of an earlier step starts from a cubic through the last four contents over
-// the new volumes, as fast motions keep the air in place. The difference of the step from a parabola gives the error of
-// its discretisation in time (2/11 of it for BDF2: Milne's device), which sets the tolerance of the solution.
+// backward differences of the contents m = V p (numerics/backward_difference.h): Euler, BDF2, BDF2OPT, or the formula
+// that is exact for oscillations at one rate. The first step is Euler's, whose error is small enough for second order.
+// Newton's method with the Jacobian J of an earlier step starts from a forecast by the last four contents, a cubic or
+// one that is exact at that rate, over the new volumes, as fast motions keep the air in place. The difference of the
+// step from a parabola gives the error of its discretisation in time (2/11 of it for BDF2: Milne's device), which sets
+// the tolerance of the solution.
 //
 // A step ends when the estimated remaining error is small enough (Hairer & Wanner 1996, IV.8): the residual of the
 // linear system, from the contraction of its iterations, and kappa times the change, kappa = |second change|/|first
@@ -32,7 +33,7 @@ namespace touchdown {
 using FilmTimeMethod = BackwardRule;
 
 struct FilmStepOptions {
-    FilmTimeMethod method = FilmTimeMethod::Bdf2Opt;
+    FilmTimeMethod method = FilmTimeMethod::Fitted;
     // Remaining error of a step, in pressure as root mean square over the cells against ambient [-]: the larger one of
     double tolerance = 1e-9;    // this
     double share = 0.3;         // and this share of the step's error of discretisation in time, up to 1e-3
@@ -55,6 +56,8 @@ public:
 
     /// Begins at the film's attitude with these pressures (padded).
     void start(std::span<const double> p);
+    /// Angular frequency to which the next steps are fitted; zero: none, they are by BDF2OPT [rad/s].
+    void setRate(double rate) { rate_ = rate; }
     /// Solves for the pressures `dt` [s] after the last accepted ones, the slider at `attitude`.
     FilmStepResult step(double dt, const Attitude& attitude);
     /// Moves the solution of the last step to a nearby attitude, where the film changes by `change` (padded) [Pa].
@@ -103,6 +106,7 @@ private:
     static constexpr std::size_t mostDirections = 8;
     std::array<std::vector<double>, mostDirections> directions_, images_;
     std::array<double, mostDirections> squares_{}; // of the images
+    double rate_ = 0.0;                            // [rad/s]
     double dt_ = 0.0;                              // of the last step [s]
     double perTime_ = 0.0;                         // of V p in the storage [1/s]
     double linearisedPerTime_ = 0.0;               // at the last linearisation; zero: none yet

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/backward_difference.h"
 #include "core/numerics/wall_clock.h"
 #include "core/physics/film/gas_film.h"
 
@@ -14,7 +15,8 @@ namespace {
 constexpr double slopeError = 0.02; // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;  // of a contraction once measured, per step [-]
 constexpr double longestForFourth =
-    1.4; // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
+    1.4;                          // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
+constexpr int stepsBeforeFit = 4; // after contact, whose forces have kinks
 constexpr double worthRenewing = 0.1; // contraction beyond which the film's responses have changed [-]
 constexpr double slowestRate = 1e6;   // 2 pi times a frequency below those of an air bearing [rad/s]
 
@@ -110,6 +112,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     contraction_ = 0.0;
     jerk_ = stiffJerk_ = Vector3::Zero();
     lastDt_ = 0.0;
+    lengths_ = {};
     setAcceleration();
 }
 
@@ -126,6 +129,7 @@ void CoupledStepper::restartAcceleration()
     setAcceleration();
     jerk_ = stiffJerk_ = stiffJerk(motion_.v);
     lastDt_ = 0.0;
+    lengths_ = {};
     acceptedRate_ = fastestRate();
 }
 
@@ -177,6 +181,7 @@ double CoupledStepper::follow(const Vector3& change)
 FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
 {
     const Stopwatch watch(cost_.filmSeconds);
+    stepper_.setRate(fittedRate());
     const FilmStepResult film = stepper_.step(dt, attitude);
     ++cost_.filmSolves;
     cost_.linearisations += film.linearisations;
@@ -197,6 +202,19 @@ CoupledStepResult CoupledStepper::step(double dt)
     return result;
 }
 
+double CoupledStepper::fittedRate() const { return sinceContact_ < stepsBeforeFit ? 0.0 : acceptedRate_; }
+
+/// At the end of the step. The film is solved at the attitude that follows from it: an error with a phase of its own
+/// would change the damping.
+Vector3 CoupledStepper::forecastAcceleration(double dt) const
+{
+    const auto [h1, h2, h3] = lengths_;
+    const auto weights = fittedForecast(dt, h1, h2, h3, fittedRate());
+    if (!fourth_ || !weights) return motion_.a + dt * jerk_;
+    const auto [w1, w2, w3, w4] = *weights;
+    return w1 * motion_.a + w2 * earlier_[0] + w3 * earlier_[1] + w4 * earlier_[2];
+}
+
 CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
 {
     CoupledStepResult result;
@@ -206,7 +224,7 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
     setRule(dt, fourth);
     const double perSquare = 1.0 / (later_ * dt * dt), perTime = 0.5 * dt * perSquare;
     rate_ = motion_.v + shift_ * stiffJerk_;
-    tried_.q = motion_.q + dt * (rate_ + dt * (0.5 * motion_.a + later_ * dt * jerk_));
+    tried_.q = motion_.q + dt * (rate_ + dt * ((0.5 - later_) * motion_.a + later_ * forecastAcceleration(dt)));
     contraction_ *= forgetting;
     double before = 0.0, measured = 0.0; // size of the last change; contraction
     const auto fail = [&](CoupledFailure failure) {
@@ -344,10 +362,13 @@ void CoupledStepper::accept()
     stiffJerk_ = triedStiffJerk_;
     slope_ = triedSlope_;
     lastDt_ = dt_;
+    earlier_ = {motion_.a, earlier_[0], earlier_[1]};
+    lengths_ = {dt_, lengths_[0], lengths_[1]};
     motion_ = tried_;
     time_ += dt_;
     response_.age();
     starting_ = false;
+    sinceContact_ = contactStiffness_.isZero(0.0) ? std::min(sinceContact_ + 1, stepsBeforeFit) : 0;
     acceptedRate_ = fastestRate();
     if (contact_) contact_->accept();
 }

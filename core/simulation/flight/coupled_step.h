@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One step of film, contact and slider together, all implicit. The film is integrated by BDF2 (film_step.h: second
-// order, L-stable), the slider by Newmark's method (1959) with gamma 1/2, which has no damping of its own:
+// One step of film, contact and slider together, all implicit. The film is integrated by a backward difference that is
+// exact for oscillations at the slider's fastest rate (film_step.h), so that a run has the damping of its film; in
+// contact, and where the rate is not known, by BDF2OPT. The slider is integrated by Newmark's method (1959) with gamma
+// 1/2, which has no damping of its own:
 //
 //   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
 //
@@ -114,6 +116,9 @@ private:
     Vector3 stiffJerk(const Vector3& v) const;
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
+    /// To which film and forecast are fitted; zero in contact: none [rad/s].
+    double fittedRate() const;
+    Vector3 forecastAcceleration(double dt) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
     /// Changes film and forces by their response; returns the possible error as FilmStepResult::error [-].
     double follow(const Vector3& change);
@@ -133,6 +138,9 @@ private:
     // a' at the accepted state, its mean over the last step, its part by stiffness; and of the tried state.
     Vector3 jerk_ = Vector3::Zero(), slope_ = Vector3::Zero(), stiffJerk_ = Vector3::Zero();
     Vector3 triedJerk_ = Vector3::Zero(), triedSlope_ = Vector3::Zero(), triedStiffJerk_ = Vector3::Zero();
+    // Before the accepted state: accelerations, the steps from them to the next; zero where forces have jumped [s].
+    std::array<Vector3, 3> earlier_{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
+    std::array<double, 3> lengths_{};
     double time_ = 0.0, dt_ = 0.0; // accepted; of the tried step [s]
     double lastDt_ = 0.0;          // of the last step; zero where forces have jumped [s]
     // The rule of the tried step: beta, and (u - v)/a' [s^2].
@@ -147,6 +155,7 @@ private:
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
     Matrix3 contactStiffness_ = Matrix3::Zero();
+    int sinceContact_ = 0;      // accepted steps, as far as it matters
     double acceptedRate_ = 0.0; // fastestRate() at the accepted state [rad/s]
     bool starting_ = true;      // no step has been accepted yet
     CoupledCost cost_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "core/formats/units.h"
 #include "core/numerics/small_matrix.h"
@@ -146,13 +147,18 @@ std::vector<CoupledMethod> coupledMethods(const Case& c)
         {"one-way", "film and slider staggered once", {.coupling = CouplingKind::InTurns, .turns = 1}, false}};
 }
 
-std::vector<LinearMethod> filmMethods()
+/// The fitted formula at this omega h; without it at that of each motion itself.
+std::vector<LinearMethod> filmMethods(std::optional<double> phase = {})
 {
+    const auto fitted = [phase](Complex z) {
+        return backwardGrowth(BackwardRule::Fitted, z, phase ? *phase : std::abs(z));
+    };
     const auto backward = [](BackwardRule rule) { return [rule](Complex z) { return backwardGrowth(rule, z); }; };
     const auto newmark = [](double beta) { return [beta](Complex z) { return newmarkGrowth(beta, 0.5, z); }; };
     return {{"Euler", "Euler for the air", backward(BackwardRule::Euler)},
             {"BDF2", "BDF2 for the air", backward(BackwardRule::Bdf2)},
             {"BDF2OPT", "BDF2OPT for the air", backward(BackwardRule::Bdf2Opt)},
+            {"fitted", "the fitted formula for the air", fitted},
             {"trapezoidal", "the trapezoidal rule for the slider", newmark(0.25)},
             {"Fox & Goodwin", "Fox and Goodwin's rule for the slider", newmark(1.0 / 12)}};
 }
@@ -209,12 +215,12 @@ bool makeFilmPicture(const Case& c, StudyReport& picture, const std::function<bo
     const std::vector<LinearMethod> methods = filmMethods();
     StudyChart regions;
     regions.title = "Where each method is stable";
-    regions.caption = "Euler, BDF2 and BDF2OPT, of the air, are stable outside of their lines; the trapezoidal rule, "
-                      "of the slider, left of its line, Fox & Goodwin's inside. "
+    regions.caption = "Euler, BDF2, BDF2OPT and the formula fitted to the fastest mode, of the air, are stable outside "
+                      "of their lines; the trapezoidal rule, of the slider, left of its line, Fox & Goodwin's inside. "
                       "Marks: the modes of the static state times its " +
                       step.text +
                       "; contact adds its stiffness to them. The lower half of the plane is its mirror image.";
-    regions.panels.push_back(regionPanel(methods, motions, step.length));
+    regions.panels.push_back(regionPanel(filmMethods(step.length * fastest.fastest()), motions, step.length));
 
     StudyChart growth;
     growth.title = "Growth in one step against the step";

@@ -16,7 +16,7 @@ namespace test_film_run_decay {
 
 using Complex = std::complex<double>;
 
-constexpr int samplesPerPeriod = 24, periods = 5;
+constexpr int samplesPerPeriod = 24;
 
 Complex exponent(const AirBearingMode& mode)
 {
@@ -25,8 +25,8 @@ Complex exponent(const AirBearingMode& mode)
 }
 
 /// s of the free motion after the slider was displaced and kicked as the mode moves; its air is that of the displaced
-/// slider at rest, which fades within the first period.
-Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, double amplitude, int stepsPerSample)
+/// slider at rest, which fades within the first period. Without a number of steps per sample they are those of a run.
+Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, double amplitude, int stepsPerSample = 0)
 {
     const Complex s = exponent(mode);
     std::array<Complex, 3> shape;
@@ -39,10 +39,12 @@ Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, doub
     c.initial.pitchVelocity = (s * shape[1]).real();
     c.initial.rollVelocity = (s * shape[2]).real();
     c.run.sampleInterval = 1.0 / (samplesPerPeriod * mode.frequency);
-    c.run.duration = periods / mode.frequency;
-    c.run.steps = StepControl::Fixed;
-    c.run.step = c.run.sampleInterval / stepsPerSample;
-    c.run.stepError = 1e-14; // for what is left of a step
+    c.run.duration = (stepsPerSample > 0 ? 5.0 : 16.0) / mode.frequency;
+    if (stepsPerSample > 0) {
+        c.run.steps = StepControl::Fixed;
+        c.run.step = c.run.sampleInterval / stepsPerSample;
+        c.run.stepError = 1e-14; // for what is left of a step
+    }
     const SliderBody body(c, rest.attitude);
     std::vector<Eigen::Vector3d> samples;
     std::array<std::size_t, 3> columns{};
@@ -61,7 +63,7 @@ Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, doub
         return true;
     });
     if (summary.status != RunStatus::Completed) return std::nan("");
-    return std::log(leadingFactor(samples, samplesPerPeriod, 1e-6)) / c.run.sampleInterval;
+    return std::log(leadingFactor(samples, samplesPerPeriod, stepsPerSample > 0 ? 1e-6 : 1e-2)) / c.run.sampleInterval;
 }
 
 class TestFilmRunDecay : public QObject {
@@ -104,6 +106,32 @@ private slots:
             const double scale = std::max(std::abs(mode.dampingRatio), 1e-3);
             QVERIFY2(std::abs(damping - mode.dampingRatio) < 1e-2 * scale, qPrintable(found));
         }
+    }
+
+    void keepsTheDampingAtItsOwnSteps_data()
+    {
+        QTest::addColumn<QString>("slider");
+        QTest::newRow("femto") << "film_femto";
+        QTest::newRow("pico") << "film_pico";
+        QTest::newRow("pico of Fig. 4") << "film_fig4_pico";
+    }
+    /// About a dozen steps a period of the fastest mode: its damping ratio to 5 % or 5e-5.
+    void keepsTheDampingAtItsOwnSteps()
+    {
+        QFETCH(QString, slider);
+        const Case c = coarseFlight(slider.toStdString());
+        const ModesResult known = modes(c);
+        const AirBearingMode& mode = known.modes.back();
+        const Complex s = decay(c, known.steady, mode, 0.02 * known.steady.minimumSpacing);
+        const double frequency = s.imag() / (2.0 * std::numbers::pi), damping = -s.real() / std::abs(s);
+        const QString found = QString("%1 Hz with damping ratio %2, in time %3 Hz with %4")
+                                  .arg(mode.frequency)
+                                  .arg(mode.dampingRatio)
+                                  .arg(frequency)
+                                  .arg(damping);
+        QVERIFY2(std::abs(frequency / mode.frequency - 1.0) < 2e-3, qPrintable(found));
+        QVERIFY2(std::abs(damping - mode.dampingRatio) < std::max(5e-5, 0.05 * std::abs(mode.dampingRatio)),
+                 qPrintable(found));
     }
 };
 

@@ -124,7 +124,7 @@ private slots:
         const auto& fastest = eigenvalues.back();
         const std::string where = std::get<std::string>(fastest[0]);
         const double omega = std::hypot(std::get<double>(fastest[1]), std::get<double>(fastest[2]));
-        for (const char* rule : {"Euler", "BDF2", "BDF2OPT", "trapezoidal", "monolithic, trapezoidal"})
+        for (const char* rule : {"Euler", "BDF2", "BDF2OPT", "fitted", "trapezoidal", "monolithic, trapezoidal"})
             QVERIFY(std::isnan(limitOf(picture, rule, where)));
         const double fox = omega * limitOf(picture, "Fox & Goodwin", where);
         QVERIFY2(std::abs(fox - std::sqrt(6.0)) < 0.02, qPrintable(QString::number(fox)));
