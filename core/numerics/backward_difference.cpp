@@ -63,7 +63,7 @@ BackwardDifference fitted(double dt, double h1, double h2, double rate)
         return newtonTerm(factor, std::span(times).first(order + 1), rate);
     };
     const std::array<double, 4> sum = fittedSum(term(1, 1.0), term(2, dt), term(3, dt * (dt + h1)), Complex(0.0, rate));
-    return {.perTime = sum[0], .share = {-sum[1], -sum[2], -sum[3]}, .taken = thirdShare};
+    return {.perTime = sum[0], .share = {-sum[1], -sum[2], -sum[3]}, .taken = thirdShare, .fitted = true};
 }
 
 } // namespace

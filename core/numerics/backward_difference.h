@@ -35,6 +35,7 @@ struct BackwardDifference {
     double perTime = 0.0;          // [1/s]
     std::array<double, 3> share{}; // [1/s]
     double taken = 0.0;            // of what BDF3 adds to BDF2; of the fitted formula what BDF2OPT takes [-]
+    bool fitted = false;           // it is exact for exp(i omega t)
 };
 
 /// `h1` and `h2` [s] are zero where there was no such step. `rate`: omega of the fitted formula; zero: none [rad/s].

@@ -92,8 +92,9 @@ void FilmStepper::remember()
 void FilmStepper::setHistory(double dt)
 {
     const double h1 = past_[0].dt, h2 = past_[1].dt;
-    const auto [perTime, share, taken] = backwardDifference(options_.method, dt, h1, h2, rate_);
+    const auto [perTime, share, taken, fitted] = backwardDifference(options_.method, dt, h1, h2, rate_);
     perTime_ = perTime;
+    fitted_ = fitted;
     // Milne's device, for lengths that differ.
     const double error = (1.0 - taken) / ((dt + h1 + h2) * perTime_);
     errorPerChange_ = error / (1.0 + error);

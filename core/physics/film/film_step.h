@@ -67,6 +67,8 @@ public:
 
     /// Of the last step; padded [Pa].
     std::span<const double> pressure() const { return p_; }
+    /// Whether the last step was exact at the rate of setRate().
+    bool isFitted() const { return fitted_; }
     /// How often a cell has closed since the start: its air is lost.
     long long closings() const { return closings_; }
     /// Allowed remaining error of the last step, as `tolerance` measures it [-].
@@ -122,6 +124,7 @@ private:
     Solver solver_ = Solver::Factors;
     double contraction_ = 0.0; // of its corrections, as far as known [-]
     long long closings_ = 0;
+    bool fitted_ = false;    // the last step
     bool converged_ = false; // the last step, and p_ solves it
 };
 

@@ -101,6 +101,8 @@ public:
     }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
+    /// Whether the last step was exact for oscillations at the fastest rate.
+    bool isFitted() const { return stepper_.isFitted(); }
     /// How often a cell of the film has closed: the energy balance lacks the air in it.
     long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }

@@ -9,6 +9,7 @@
 #include "core/formats/units.h"
 #include "core/numerics/events.h"
 #include "core/simulation/flight/coupled_step.h"
+#include "core/simulation/flight/damping_doubt.h"
 #include "core/simulation/flight/film_energy_balance.h"
 #include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/flight/film_scene.h"
@@ -67,7 +68,10 @@ public:
         if (const long long closings = stepper_ ? stepper_->closings() : 0; closings > 0)
             summary.warnings.push_back("cells of the film closed " + std::to_string(closings) +
                                        " times: the air that was left in them is lost from the energy balance");
-        if (std::string doubt = doubtOnDamping(summary); !doubt.empty()) summary.warnings.push_back(std::move(doubt));
+        if (scene_.level)
+            std::ranges::move(doubtsOnDamping(case_, summary.peaks, resolvedFrequency(case_, scene_.level->gaps.grid),
+                                              unfitted_, summary.endTime),
+                              std::back_inserter(summary.warnings));
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (recorder_) addCost(summary);
@@ -76,22 +80,6 @@ public:
     }
 
 private:
-    /// Where the grid does not resolve the damping of the fastest of the motion's larger peaks: a sentence.
-    std::string doubtOnDamping(const Summary& summary) const
-    {
-        constexpr double largeShare = 0.1; // of the largest peak
-        if (!scene_.level || summary.peaks.empty()) return {};
-        const double resolved = resolvedFrequency(case_, scene_.level->gaps.grid);
-        double fastest = 0.0;
-        for (const Peak& peak : summary.peaks)
-            if (peak.amplitude >= largeShare * summary.peaks.front().amplitude)
-                fastest = std::max(fastest, peak.frequency);
-        if (fastest <= resolved) return {};
-        const auto kilohertz = [](double frequency) { return std::to_string(std::lround(frequency / 1e3)) + " kHz"; };
-        return "the damping of the motion at " + kilohertz(fastest) + " is not known: above " + kilohertz(resolved) +
-               " the waves that the disk drags along span fewer than ten cells of this grid; more film.nodes resolve "
-               "them";
-    }
     void addCost(Summary& summary) const
     {
         const CoupledCost& cost = stepper_->cost();
@@ -221,6 +209,7 @@ private:
     {
         stepper_->accept();
         ++steps_;
+        if (!stepper_->isFitted()) ++unfitted_.count, unfitted_.time += dt;
         worstBalance_ = std::max(worstBalance_, tried_.forceBalance);
         worstLeft_ = std::max(worstLeft_, tried_.positionLeft);
         worstFilm_ = std::max(worstFilm_, tried_.filmError);
@@ -370,6 +359,7 @@ private:
     int snapshots_ = 0;                                             // taken
     ChatterWatch switches_;
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
+    UnfittedSteps unfitted_;
     RunEnd end_;
 };
 

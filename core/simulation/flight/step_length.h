@@ -13,7 +13,8 @@ class StepLength {
 public:
     static constexpr double mostGrowth = 2.0;   // BDF2 is stable up to 1 + sqrt 2 (Grigorieff 1983)
     static constexpr double worstFactor = 0.75; // below which a step is tried again
-    static constexpr double longestPhase = 0.5; // omega dt of the fastest motion, so that slower ones keep their damping, too
+    static constexpr double longestPhase =
+        0.5; // omega dt of the fastest motion, so that slower ones keep their damping, too
 
     /// Steps as long as the error allows, from a first one; with error zero all have its length [s], [m].
     StepLength(double first, double allowedError) : allowed_(allowedError), first_(first), wanted_(first) {}
