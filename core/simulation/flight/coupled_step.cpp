@@ -16,7 +16,8 @@ constexpr double slopeError = 0.02; // of the stiffness of film and contact, as 
 constexpr double forgetting = 0.9;  // of a contraction once measured, per step [-]
 constexpr double longestForFourth =
     1.4;                          // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
-constexpr int stepsBeforeFit = 4; // after contact, whose forces have kinks
+constexpr int stepsBeforeFit = 4; // after a kink of the contact's force,
+constexpr double kink = 0.2;      // where the change of its stiffness alone has this share of the fastest rate
 constexpr double worthRenewing = 0.1; // contraction beyond which the film's responses have changed [-]
 constexpr double slowestRate = 1e6;   // 2 pi times a frequency below those of an air bearing [rad/s]
 
@@ -202,7 +203,7 @@ CoupledStepResult CoupledStepper::step(double dt)
     return result;
 }
 
-double CoupledStepper::fittedRate() const { return sinceContact_ < stepsBeforeFit ? 0.0 : acceptedRate_; }
+double CoupledStepper::fittedRate() const { return sinceKink_ < stepsBeforeFit ? 0.0 : acceptedRate_; }
 
 /// At the end of the step. The film is solved at the attitude that follows from it: an error with a phase of its own
 /// would change the damping.
@@ -292,19 +293,21 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
     return fail(CoupledFailure::Iteration);
 }
 
+double CoupledStepper::rateOf(const Matrix3& stiffness) const
+{
+    const Vector3 length(1.0, film_.gaps().length, film_.gaps().width);
+    Matrix3 perMass = length.cwiseQuotient(body_.inertia()).asDiagonal() * stiffness;
+    perMass = perMass * length.cwiseInverse().asDiagonal();
+    if (body_.holdsRoll()) perMass.row(2).setZero();
+    return std::sqrt(spectralRadius(perMass));
+}
+
 double CoupledStepper::fastestRate() const
 {
     if (!response_.known()) return 0.0;
-    Matrix3 perMass;
-    for (int k = 0; k < 3; ++k) {
-        for (int m = 0; m < 3; ++m) {
-            const double scale = (m == 0 ? 1.0 : 1.0 / film_.gaps().length) * (k == 0 ? 1.0 : film_.gaps().length);
-            perMass(k, m) = scale * (response_.stiffness()(k, m) + contactStiffness_(k, m)) / body_.inertia()[k];
-        }
-        perMass(k, k) += body_.springs()[k] / body_.inertia()[k];
-    }
-    if (body_.holdsRoll()) perMass.row(2).setZero();
-    return std::sqrt(spectralRadius(perMass));
+    Matrix3 stiffness = response_.stiffness() + contactStiffness_;
+    stiffness.diagonal() += body_.springs();
+    return rateOf(stiffness);
 }
 
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first
@@ -368,8 +371,10 @@ void CoupledStepper::accept()
     time_ += dt_;
     response_.age();
     starting_ = false;
-    sinceContact_ = contactStiffness_.isZero(0.0) ? std::min(sinceContact_ + 1, stepsBeforeFit) : 0;
     acceptedRate_ = fastestRate();
+    const bool smooth = rateOf(contactStiffness_ - acceptedContact_) <= kink * acceptedRate_;
+    sinceKink_ = smooth ? std::min(sinceKink_ + 1, stepsBeforeFit) : 0;
+    acceptedContact_ = contactStiffness_;
     if (contact_) contact_->accept();
 }
 

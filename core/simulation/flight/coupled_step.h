@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One step of film, contact and slider together, all implicit. The film is integrated by a backward difference that is
-// exact for oscillations at the slider's fastest rate (film_step.h), so that a run has the damping of its film; in
-// contact, and where the rate is not known, by BDF2OPT. The slider is integrated by Newmark's method (1959) with gamma
-// 1/2, which has no damping of its own:
+// exact for oscillations at the slider's fastest rate (film_step.h), so that a run has the damping of its film; after
+// a change of the contact's stiffness, and where the rate is not known, by BDF2OPT. The slider is integrated by
+// Newmark's method (1959) with gamma 1/2, which has no damping of its own:
 //
 //   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
 //
@@ -118,7 +118,9 @@ private:
     Vector3 stiffJerk(const Vector3& v) const;
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
-    /// To which film and forecast are fitted; zero in contact: none [rad/s].
+    /// The largest angular frequency by a stiffness [rad/s].
+    double rateOf(const Matrix3& stiffness) const;
+    /// To which film and forecast are fitted; zero where the contact's stiffness changes: none [rad/s].
     double fittedRate() const;
     Vector3 forecastAcceleration(double dt) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
@@ -156,8 +158,8 @@ private:
     Vector3 filmForce_ = Vector3::Zero();
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
-    Matrix3 contactStiffness_ = Matrix3::Zero();
-    int sinceContact_ = 0;      // accepted steps, as far as it matters
+    Matrix3 contactStiffness_ = Matrix3::Zero(), acceptedContact_ = Matrix3::Zero();
+    int sinceKink_ = 0;         // accepted steps, as far as it matters
     double acceptedRate_ = 0.0; // fastestRate() at the accepted state [rad/s]
     bool starting_ = true;      // no step has been accepted yet
     CoupledCost cost_;
