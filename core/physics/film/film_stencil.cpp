@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/numerics/row_spread.h"
 #include "core/numerics/vector_clones.h"
 
 namespace touchdown {
@@ -89,7 +90,7 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
     for (auto* field : {&crossBelow, &crossAbove}) field->assign(pad.size(), 0.0f);
     rows.assign(12 * pad.stride(), 0.0);
     width.assign(pad.stride(), 0.0);
-    stored.assign(4 * pad.stride(), 0.0);
+    stored.assign(5 * pad.stride(), 0.0);
 }
 
 NinePoints FilmStencil::points() const
@@ -114,13 +115,18 @@ void FilmStencil::apply(std::span<const double> v, double rate, std::span<const 
     const auto row = [&](int j) { return &stored[static_cast<std::size_t>((j + 3) % 3) * up + PaddedGrid::rings]; };
     double* crossed = &stored[3 * up + PaddedGrid::rings];
     std::fill_n(row(-1), nx, 0.0);
-    multiplyRow(nx, &volume[pad.at(0, 0)], &v[pad.at(0, 0)], row(0));
+    const auto store = [&](int j) {
+        const std::size_t at = pad.at(0, j);
+        multiplyRow(nx, &volume[at], &v[at], row(j)); // zero in the ring
+        if (spread != nullptr && j < pad.ny) spread->spread(j, row(j), &stored[4 * up]);
+    };
+    store(0);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
         StencilRow coefficients{
             {}, &sum[at], {&storedBelow[0][at], &storedBelow[1][at]}, {&storedAbove[0][at], &storedAbove[1][at]}};
         for (std::size_t k = 0; k < beside.size(); ++k) coefficients.beside[k] = &beside[k][at];
-        multiplyRow(nx, &volume[at + up], &v[at + up], row(j + 1)); // zero in the ring
+        store(j + 1);
         const StoredRows around{row(j - 1), row(j), row(j + 1), crossed};
         crossRow(nx, up, &crossBelow[at], &crossAbove[at], around);
         applyRow(nx, up, coefficients, rate, around, &v[at], &out[at]);

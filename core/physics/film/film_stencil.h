@@ -6,7 +6,8 @@
 //
 //   (J v)_0 = sum_k c_k (v_k - v_0) + (sum_k c_k) v_0 + u_0 + storage passed on by faces,   u = rate V v,
 //
-// across y of u, across x of u with what faces across y pass on,
+// u spread along x (core/numerics/row_spread.h); passed on across y of u, across x of u with what faces across
+// y pass on,
 //
 // so that the relative error of the conductances is 1e-7, for smooth v too. The rate and the volumes may differ from
 // those of the linearisation.
@@ -20,6 +21,8 @@
 #include "core/numerics/padded_grid.h"
 
 namespace touchdown {
+
+class RowSpread;
 
 struct FilmStencil {
     explicit FilmStencil(const PaddedGrid& grid);
@@ -35,14 +38,16 @@ struct FilmStencil {
     void addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own,
                    std::span<double> effective, std::span<double> convection) const;
 
-    /// For multigrid: J = points() + rate storagePoints(); the latter as of the last setStorage(). reserve() allocates
-    /// what that needs; else its first call does.
+    /// For multigrid: J = points() + rate storagePoints(), but for the spreading of the storage, which would need cells
+    /// farther away; storagePoints() as of the last setStorage(). reserve() allocates what that needs; else its first
+    /// call does.
     NinePoints points() const;
     NinePoints storagePoints() const;
     void setStorage(std::span<const double> volume);
     void reserve();
 
     PaddedGrid pad;
+    const RowSpread* spread = nullptr;        // of the film; without: the storage is not spread
     std::array<std::vector<float>, 8> beside; // from south west to north east, row by row; padded [m^3/s]
     std::vector<float> sum;                   // of the nine [m^3/s]
     // Shares of the storage of the cells below and above a face that it passes on, by axis; padded [-].
@@ -53,9 +58,10 @@ struct FilmStencil {
     std::vector<float> storedSum;
 
     // Work space of GasFilm::setStencil.
-    std::vector<double> rows;   // slopes of four rows, by three cells each [m^2/s]
-    std::vector<double> width;  // of a row [1/m]
-    std::vector<double> stored; // of apply: V v of three rows, and of one with what faces across y pass on [Pa m^3]
+    std::vector<double> rows;  // slopes of four rows, by three cells each [m^2/s]
+    std::vector<double> width; // of a row [1/m]
+    // Of apply: V v of three rows, of one with what faces across y pass on, and flows of a row that spread it [Pa m^3].
+    std::vector<double> stored;
 };
 
 /// Flows through the faces across x and across y, with the slopes and the storage of each cell: padded work space.

@@ -12,15 +12,12 @@ namespace {
 
 constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
 
-/// Storage of a row of cells, and that per width along y.
+/// Storage of a row of cells.
 TOUCHDOWN_VECTOR_CLONES void setStored(std::size_t count, double perTime, const double* volume, const double* p,
-                                       const double* history, double perWidth, double* stored, double* source)
+                                       const double* history, double* stored)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        stored[k] = perTime * volume[k] * p[k] - history[k];
-        source[k] = perWidth * stored[k];
-    }
+    for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * p[k] - history[k];
 }
 
 /// The flows of a row of faces less the limited corrections, and the derivatives of the corrections.
@@ -54,6 +51,15 @@ TOUCHDOWN_VECTOR_CLONES void limitRow(std::size_t first, std::size_t count, cons
     }
 }
 
+/// Faces across x where the storage jumps: cut ones, and those of stepped cells, which pass nothing on.
+std::vector<std::size_t> facesThatSpreadNothing(const FilmGaps& gaps)
+{
+    std::vector<std::size_t> faces;
+    for (const CutPlace& face : gaps.faces[0].cut) faces.push_back(face.at);
+    for (const std::size_t cell : gaps.steppedCells) faces.insert(faces.end(), {cell, cell + 1});
+    return faces;
+}
+
 } // namespace
 
 FaceWork::FaceWork(const FilmGaps& gaps) : cut(gaps)
@@ -66,6 +72,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     : FilmGeometry(gaps, setting.disk, setting.leastGap),
       setting_(setting),
       table_(setting.slip, setting.air),
+      spread_(gaps.pad, gaps.grid.x, facesThatSpreadNothing(gaps)),
       row_(gaps)
 {
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -82,7 +89,7 @@ GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
     }
     rows_.stored.assign(3 * pad().stride(), 0.0);
     for (auto* rows : {&rows_.source, &rows_.crossing}) rows->assign(2 * pad().stride(), 0.0);
-    noStorage_.assign(pad().stride(), 0.0);
+    for (auto* row : {&noStorage_, &rows_.spread}) row->assign(pad().stride(), 0.0);
     for (int j = 0; j <= pad().ny + 1; ++j) {
         const std::size_t row = pad().at(-PaddedGrid::rings, j);
         const std::vector<std::size_t>& stepped = gaps.steppedCells;
@@ -131,15 +138,12 @@ void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
     };
     const auto store = [&](int j) {
         if (!stores) return;
-        double* source = row(rows_.source, j);
-        if (j == pad.ny) {
-            std::fill_n(source, nx, 0.0);
-            return;
+        if (j < pad.ny) {
+            const std::size_t first = pad.at(0, j);
+            setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first], stored(j));
+            if (isComplete()) spread_.spread(j, stored(j), rows_.spread.data());
         }
-        const std::size_t first = pad.at(0, j);
-        setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first],
-                  axes()[1].perWidth[static_cast<std::size_t>(j)], stored(j), source);
-        clearStepped(j, source);
+        if (isComplete()) setSource(j, stored(j), row(rows_.source, j));
     };
     // Flows along y through the faces before row j, with what they pass on of the storage.
     const auto cross = [&](int j) {
@@ -253,6 +257,7 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
         else
             flows.stored.clear();
         if (isComplete()) {
+            spreadStorage(flows);
             setSlopes(flows);
             completeChanges(flows);
             for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -288,6 +293,7 @@ void GasFilm::attitudeStorageColumns(std::span<const double> p, std::array<std::
         for (auto& flow : flows.flow) std::fill(flow.begin(), flow.end(), 0.0);
         setVolumeSlopes(k, 1.0, p, flows.stored);
         if (isComplete()) {
+            spreadStorage(flows);
             setSlopes(flows);
             completeChanges(flows);
         }

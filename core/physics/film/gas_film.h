@@ -12,17 +12,20 @@
 // of third order where the pressure is smooth, and no cell is emptied below zero.
 //
 // In time, cells also store R = V dp/dt + p dV/dt, by a formula alpha V p - history; in the complete flux scheme
-// storage is a source of the flow along a path. The faces across y pass it on first, those across x then what is left
-// and what was passed on: with a = 1 - exp(-i kx), b = 1 - exp(-i ky) of a wave and flows A and B through thin films,
-// cells store S = (1 - a/2)(1 - b/2), and as the net outflow is J = A a (1 - b/2) + B b (1 - a/2), -J/S = -A a/(1 -
-// a/2) - B b/(1 - b/2) is imaginary: the disk carries each wave along, and none grows. Without the product in S
-// oblique ones grow. The limiter leaves the first passing as it is. A cell without an open face keeps its pressure.
+// storage is a source of the flow along a path. It is first spread along x (core/numerics/row_spread.h), which
+// makes the speed of waves along x fourth order in thin films. The faces across y pass it on first, those across x then
+// what is left and what was passed on: with a = 1 - exp(-i kx), b = 1 - exp(-i ky) of a wave, d = 2 - 2 cos kx and
+// flows A and B through thin films, cells store S = (1 - a/2)(1 - b/2)(1 + d/12), and as the net outflow is J = A a (1
+// - b/2) + B b (1 - a/2), -J/S = -(A a/(1 - a/2) + B b/(1 - b/2))/(1 + d/12) is imaginary: the disk carries each wave
+// along, and none grows. Without the product in S oblique ones grow. The limiter leaves the first passing as it is. A
+// cell without an open face keeps its pressure.
 #pragma once
 
 #include <array>
 #include <span>
 #include <vector>
 
+#include "core/numerics/row_spread.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/film/film_faces.h"
 #include "core/physics/film/film_geometry.h"
@@ -73,7 +76,7 @@ public:
     const std::array<FilmFaces, 2>& faces() const { return faces_; }
     /// Flow into the film through its outline at the last residual [Pa m^3/s].
     double massFlow() const { return massFlow_; }
-    /// The linearisation without storage, and the shares of the storage that the faces pass on.
+    /// The linearisation without storage, the shares of the storage that the faces pass on, and its spreading.
     void setStencil(FilmStencil& out) const;
     /// out = dR/dp v (v zero in its rings); the cells store perTime V v, by default that of setStorage. Exactly, but
     /// for how much more or less of the storage a face across y passes on, as for the attitude's columns.
@@ -136,6 +139,8 @@ private:
     template <typename T>
     void addPassed(const double* below, const double* above, const T* sourceBelow, const T* sourceAbove, const T* flow,
                    T* out) const;
+    /// Spreads what the cells store along x, where they store.
+    void spreadStorage(FaceFlows<double>& flows) const;
     void setSlopes(FaceFlows<double>& flows) const;
     /// Subtracts the limited corrections from the flows, for small changes.
     void completeChanges(FaceFlows<double>& flows) const;
@@ -146,6 +151,7 @@ private:
 
     FilmSetting setting_;
     FlowTable table_;
+    RowSpread spread_;                                // complete flux scheme alone
     double storagePerTime_ = 0.0;                     // [1/s]
     std::span<const double> history_;                 // [Pa m^3/s]
     std::vector<double> noStorage_;                   // of a row
@@ -166,6 +172,7 @@ private:
         std::array<std::vector<double>, 2> flow, slope;    // complete flows
         std::vector<double> stored;                        // of three rows, without rings
         std::vector<double> source, crossing;              // see setSource, addPassed
+        std::vector<double> spread;                        // flows of a row, see RowSpread
     };
     RowWork rows_;
 };

@@ -125,6 +125,13 @@ void GasFilm::addPassed(const double* below, const double* above, const T* sourc
     addPassedRow(static_cast<std::size_t>(gaps().pad.nx), below, above, sourceBelow, sourceAbove, flow, out);
 }
 
+void GasFilm::spreadStorage(FaceFlows<double>& flows) const
+{
+    if (flows.stored.empty()) return;
+    flows.passing.assign(gaps().pad.stride(), 0.0);
+    for (int j = 0; j < gaps().pad.ny; ++j) spread_.spread(j, &flows.stored[gaps().pad.at(0, j)], flows.passing.data());
+}
+
 void GasFilm::setSlopes(FaceFlows<double>& flows) const
 {
     const PaddedGrid& pad = gaps().pad;
@@ -180,6 +187,7 @@ void GasFilm::divergence(const FaceFlows<double>& flows, std::span<double> out) 
 template void GasFilm::setSlopes(int, const double*, const double*, const double*, const double*, double*,
                                  double*) const;
 template void GasFilm::clearStepped(int, double*) const;
+template void GasFilm::setSource(int, const double*, double*) const;
 template void GasFilm::addPassed(const double*, const double*, const double*, const double*, const double*,
                                  double*) const;
 template void GasFilm::divergence(int, const double*, const double*, const double*, const double*,
@@ -196,7 +204,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
         return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
     };
     work.stored.resize(3 * up);
-    work.passing.resize(6 * up);
+    work.passing.resize(7 * up);
     const auto source = [&](int j) { return row(work.passing, j); };
     const auto crossing = [&](int j) { return row(work.passing, j) + 3 * up; };
     for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]})
@@ -218,6 +226,7 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
     const auto store = [&](int j) {
         if (j < pad.ny) setStoredRow(nx, perTime, &volumes()[pad.at(0, j)], &v[pad.at(0, j)], row(work.stored, j));
         if (!isComplete()) return;
+        if (j < pad.ny && perTime != T{}) spread_.spread(j, row(work.stored, j), &work.passing[6 * up]);
         const FilmFaces& f = faces_[1];
         const std::size_t at = pad.at(0, j);
         setSource(j, row(work.stored, j), source(j));
@@ -304,6 +313,8 @@ void GasFilm::applyTransposedJacobian(std::span<const double> v, std::span<doubl
             for (int i = 0; i < pad.nx; ++i)
                 work.stored[pad.at(i, j)] +=
                     work.passing[pad.at(i, j)] * axes()[1].perWidth[static_cast<std::size_t>(j)];
+        // What neighbours along x store of it; the slopes along y have been used.
+        for (int j = 0; j < pad.ny; ++j) spread_.spreadTransposed(j, &work.stored[pad.at(0, j)], work.slope[1].data());
     }
     forFaces([&](std::size_t axis, std::size_t at, std::size_t before) {
         const FilmFaces& f = faces_[axis];

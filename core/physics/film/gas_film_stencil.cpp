@@ -129,6 +129,7 @@ void GasFilm::setStencil(FilmStencil& out) const
             if (axis == 1) out.crossAbove[cell] = out.crossBelow[cell + step] = 0.0f;
         }
     };
+    out.spread = isComplete() ? &spread_ : nullptr;
     std::fill(out.rows.begin(), out.rows.end(), 0.0); // below the first row and beside all of them
     setSlopes(1, 0);
     for (int j = 0; j < pad.ny; ++j) {
