@@ -103,23 +103,28 @@ private slots:
         QVERIFY(statements >= 90);
     }
 
-    /// The card of a case has the share of its starts that the help shows.
+    /// The card of a case of the film ends as the help shows, and has the share of its starts where that has one.
     void cardsAgreeWithTheHelp()
     {
         const QString kept =
             QString::fromUtf8(contents(QStringLiteral(TOUCHDOWN_SOURCE_DIR "/resources/help/paper.csv")));
-        const QRegularExpression share(
-            QStringLiteral(",(\\d+ of )(\\d+) starts \\((\\d+) % to (\\d+ %)\\),[^\r\n]*,touchdown run (\\w+),"));
+        const QRegularExpression end(QStringLiteral(
+            "\nFig. [5678],\\w+,(?:flies at|ends in contact at|bounces about) ([\\d.]+ nm)[^,\r\n]*,[^,]*,"
+            "(?:(\\d+ of )(\\d+) starts \\((\\d+) % to (\\d+ %)\\))?,[^\r\n]*,touchdown run (\\w+),"));
         int cards = 0;
-        for (auto found = share.globalMatch(kept); found.hasNext(); ++cards) {
+        for (auto found = end.globalMatch(kept); found.hasNext(); ++cards) {
             const QRegularExpressionMatch each = found.next();
-            const QString card = QString::fromStdString(sample(each.captured(5).toStdString()).about.watch);
-            for (const QString& part :
-                 {QStringLiteral("Of %1 random starts").arg(each.captured(2)), each.captured(1) + each.captured(2),
-                  QStringLiteral("%1 to %2)").arg(each.captured(3), each.captured(4))})
-                QVERIFY2(card.contains(part), qPrintable(each.captured(5) + QLatin1String(": ") + part));
+            const QString card =
+                QString::fromStdString(sample(each.captured(6).toStdString()).about.watch).simplified();
+            QStringList parts{each.captured(1)};
+            if (!each.captured(2).isEmpty())
+                parts << QStringLiteral("Of %1 random starts").arg(each.captured(3))
+                      << each.captured(2) + each.captured(3)
+                      << QStringLiteral("%1 to %2)").arg(each.captured(4), each.captured(5));
+            for (const QString& part : parts)
+                QVERIFY2(card.contains(part), qPrintable(each.captured(6) + QLatin1String(": ") + part));
         }
-        QCOMPARE(cards, 9);
+        QVERIFY2(cards >= 15, qPrintable(QString::number(cards)));
     }
 
     /// A number that is not what the text says is told as such, with what was found.
