@@ -7,8 +7,8 @@
 // through the static attitude: partly of second order, partly by where lines meet edges, of either sign, so that two
 // grids may agree by chance. With the differences d2 of a mode from its finest grid to half of it, and d4 from that to
 // a quarter, x = max(d2, d4/4) and X the largest x of the slider's modes, its error is about F max(x, X/2): for damping
-// ratios, and for frequencies relative to themselves. F was chosen on half of some sliders drawn at random; how often
-// the errors hold on both halves is in tests/bench/README.md.
+// ratios, and for frequencies relative to themselves. F was chosen on some sliders drawn at random; how often the
+// errors hold on others is in tests/bench/README.md.
 #pragma once
 
 #include <complex>
