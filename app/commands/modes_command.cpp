@@ -25,9 +25,21 @@ Json modeJson(const AirBearingMode& mode)
     for (std::size_t i = 0; i < 3; ++i)
         shape[motions[i]] = {jsonNumber(mode.shape[i][0]), jsonNumber(mode.shape[i][1])};
     return {{"frequency", jsonNumber(mode.frequency)},
+            {"frequency_error", jsonNumber(mode.frequencyError)},
             {"damping_ratio", jsonNumber(mode.dampingRatio)},
+            {"damping_ratio_error", jsonNumber(mode.dampingError)},
             {"kind", mode.kind},
             {"shape", shape}};
+}
+
+/// "200.1 kHz within 0.9, damping ratio 1.87 % within 0.2": the errors that the cells leave.
+std::string ratesText(const AirBearingMode& mode)
+{
+    const bool known = !std::isnan(mode.dampingError);
+    return displayed(mode.frequency, "kHz", 5) +
+           (known ? " within " + displayed(mode.frequencyError, "kHz", 2) : std::string()) + ", damping ratio " +
+           displayed(100.0 * mode.dampingRatio, "", 4) + " %" +
+           (known ? " within " + displayed(100.0 * mode.dampingError, "", 2) + " %" : std::string());
 }
 
 /// The displacement of the slider's edge by each motion, relative to the largest one: "height 1, pitch 0.8 at 175 deg".
@@ -84,10 +96,11 @@ std::string modesText(const Case& c, const ModesResult& result)
                                                  ", " + displayed(a.roll, "urad", 5) + ", minimum spacing " +
                                                  displayed(result.steady.minimumSpacing, "nm", 5));
     for (const AirBearingMode& mode : result.modes) {
-        text += reportRow(mode.kind, displayed(mode.frequency, "kHz", 5) + ", damping ratio " +
-                                         displayed(100.0 * mode.dampingRatio, "", 4) + " %");
+        text += reportRow(mode.kind, ratesText(mode));
         text += reportRow("", shapeText(c, mode) + " (of the slider's edges)");
     }
+    if (!result.modes.empty() && !std::isnan(result.modes[0].dampingError))
+        text += reportRow("errors", "of the cells, from the modes on grids of half and of a quarter as many");
     return text;
 }
 

@@ -19,6 +19,7 @@ private slots:
     void init() { folder_ = std::make_unique<CommandFolder>(); }
     void json();
     void text();
+    void errors();
     void saysWhatIsLeftOut();
     void wrongInput_data();
     void wrongInput();
@@ -44,6 +45,7 @@ void TestModesCommand::json()
         QVERIFY(mode["frequency"].toDouble() > last);
         last = mode["frequency"].toDouble();
         QVERIFY(mode["damping_ratio"].isDouble());
+        QVERIFY(mode["damping_ratio_error"].isNull() && mode["frequency_error"].isNull()); // 32 cells have no half
         QVERIFY((QStringList{"vertical", "pitch", "roll"}).contains(mode["kind"].toString()));
         for (const char* motion : {"height", "pitch", "roll"})
             QCOMPARE(mode["shape"].toObject()[motion].toArray().size(), 2);
@@ -60,6 +62,19 @@ void TestModesCommand::text()
     QVERIFY2(o.out.startsWith("Film: a pico slider"), o.out);
     for (const char* part : {"converged", "static attitude", " kHz, damping ratio ", "roll 1", "pitch 1"})
         QVERIFY2(o.out.contains(part), o.out);
+}
+
+// The errors that the cells leave, where a coarser grid has the modes.
+void TestModesCommand::errors()
+{
+    const QStringList settings{"--set", "film.nodes=65,65", "film.grid=uniform"};
+    const Outcome o = folder_->touchdown(QStringList{"modes", "film_pico", "--json"} + settings);
+    QCOMPARE(o.code, 0);
+    for (const auto& each : o.json()["modes"].toArray())
+        for (const char* error : {"damping_ratio_error", "frequency_error"})
+            QVERIFY2(each.toObject()[error].toDouble() > 0.0, o.out);
+    const Outcome text = folder_->touchdown(QStringList{"modes", "film_pico"} + settings);
+    QVERIFY2(text.out.contains(" within ") && text.out.contains("grids of half and of a quarter"), text.out);
 }
 
 // Modes are of the film alone, and say so where the case has more.

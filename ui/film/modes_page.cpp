@@ -2,6 +2,7 @@
 #include "ui/film/modes_page.h"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <QClipboard>
@@ -13,7 +14,6 @@
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
-#include "core/simulation/static_state/film_setup.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/mode_motion.h"
 #include "ui/film/mode_picture.h"
@@ -214,15 +214,17 @@ void ModesPage::onFinished(const ModesResult& result)
 void ModesPage::fillTable()
 {
     const std::vector<AirBearingMode>& all = result_->modes;
-    const double resolved = all.empty() ? 0.0 : resolvedFrequency(solved_, result_->steady.grid);
     table_->setRowCount(0);
     table_->setRowCount(static_cast<int>(all.size()));
     for (int row = 0; row < table_->rowCount(); ++row) {
         const AirBearingMode& mode = all[static_cast<std::size_t>(row)];
-        const bool coarse = resolved > 0.0 && mode.frequency > resolved;
-        const QStringList cells{QString::number(row + 1),          kindWord(mode),
-                                typeset(mode.frequency / 1e3, 1),  typeset(100.0 * mode.dampingRatio, 2),
-                                motionWords(mode, solved_.slider), coarse ? tr("grid too coarse") : QString()};
+        const bool known = !std::isnan(mode.dampingError);
+        const QStringList cells{QString::number(row + 1),
+                                kindWord(mode),
+                                typeset(mode.frequency / 1e3, 1),
+                                typeset(100.0 * mode.dampingRatio, 2),
+                                motionWords(mode, solved_.slider),
+                                known ? tr("damping ± %1 %").arg(typeset(100.0 * mode.dampingError, 2)) : QString()};
         for (int column = 0; column < cells.size(); ++column) {
             auto* item = new QTableWidgetItem(cells[column]);
             if (column == Frequency || column == Damping) item->setTextAlignment(Qt::AlignCenter);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/numerics/wall_clock.h"
+#include "core/simulation/small_motions/mode_errors.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
@@ -40,14 +41,18 @@ AirBearingMode describe(const Case& c, Complex s, const ComplexVector3& shape)
     return mode;
 }
 
-/// A sentence where the grid is too coarse for the modes.
-std::string coarseGrid(const Case& c, const ModesResult& result)
+/// A sentence where the grid leaves the sign of a damping ratio open, or its error is not known.
+std::string doubtfulModes(const ModesResult& result)
 {
-    const double highest = resolvedFrequency(c, result.steady.grid);
-    if (highest == 0.0 || result.modes.empty() || result.modes.back().frequency <= highest) return {};
-    return "above " + std::to_string(std::lround(highest / 1e3)) +
-           " kHz the waves that the disk drags along span fewer than ten cells: damping ratios, and beside steep walls "
-           "frequencies, need a finer grid there";
+    std::size_t doubtful = 0, unknown = 0;
+    for (const AirBearingMode& mode : result.modes) {
+        if (std::isnan(mode.dampingError)) ++unknown;
+        if (mode.dampingError >= std::abs(mode.dampingRatio)) ++doubtful;
+    }
+    if (unknown > 0) return "the errors of the modes are not known: no coarser grid has them all";
+    if (doubtful == 0) return {};
+    return std::to_string(doubtful) + (doubtful == 1 ? " mode has a damping ratio" : " modes have damping ratios") +
+           " below the error that the grid leaves: more film.nodes are needed";
 }
 
 } // namespace
@@ -93,6 +98,12 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
         filmSolved = filmSolved && solver.converged();
         result.stiffness.push_back({frequency, answer.stiffness, answer.damping});
     }
+    std::vector<Complex> rates;
+    for (const SmallMotions::Mode& mode : found) rates.push_back(mode.rate);
+    const std::vector<Complex> half = coarserRates(c, result.steady, 0.5, rates, report);
+    const std::vector<Complex> quarter = half.empty() ? half : coarserRates(c, result.steady, 0.25, rates, report);
+    if (result.status == SteadyStatus::Cancelled) return result;
+    setErrors(result.modes, rates, half, quarter);
     const auto add = [&result](const std::string& sentence) {
         if (!result.message.empty() && !sentence.empty()) result.message += "; ";
         result.message += sentence;
@@ -100,7 +111,7 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
     if (lost > 0)
         add(std::to_string(lost) + (lost == 1 ? " mode is" : " modes are") +
             " so strongly damped that it does not oscillate, or could not be followed");
-    add(coarseGrid(c, result));
+    add(doubtfulModes(result));
     if (!filmSolved) {
         result.status = SteadyStatus::NotConverged;
         result.message = "a linear system of the oscillating film was not solved to 1e-8";

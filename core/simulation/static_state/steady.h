@@ -115,6 +115,9 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point);
 struct AirBearingMode {
     double frequency = 0.0;    // [Hz]
     double dampingRatio = 0.0; // [-]
+    /// Estimated distances from infinitely many cells (small_motions/mode_errors.h), as magnitudes; NaN: not known.
+    double frequencyError = DiscretisationError::unknown; // [Hz]
+    double dampingError = DiscretisationError::unknown;   // of the damping ratio [-]
     /// Amplitudes (real, imaginary) of mass centre height [m], pitch, roll [rad]; largest motion of the corners 1.
     std::array<std::array<double, 2>, 3> shape{};
     std::string kind; // the motion that leads: "vertical", "pitch", "roll"

@@ -121,6 +121,8 @@ private slots:
     void wavesAreOfFourthOrder();
     void noWaveGrows_data();
     void noWaveGrows();
+    void storageStaysOnItsSideOfAStep_data();
+    void storageStaysOnItsSideOfAStep();
 };
 
 void TestGasFilmWaves::wavesUnderALongPlate_data()
@@ -222,6 +224,49 @@ void TestGasFilmWaves::noWaveGrows()
     double largest = -INFINITY;
     for (const Complex s : rates) largest = std::max(largest, s.real());
     QVERIFY2(largest < 0.0, qPrintable(QString("%1 of %2").arg(largest).arg(rates.cwiseAbs().maxCoeff())));
+}
+
+void TestGasFilmWaves::storageStaysOnItsSideOfAStep_data()
+{
+    QTest::addColumn<double>("step"); // place in cells
+    QTest::addColumn<double>("wall"); // its width in cells
+    QTest::newRow("a step behind the centre of a cell") << 5.7 << 0.0;
+    QTest::newRow("a step before the centre of a cell") << 5.3 << 0.0;
+    QTest::newRow("a wall between two centres") << 6.3 << 0.4;
+}
+
+/// Storage reaches the next cell through their face, and the one after it by spreading: not across a step or a wall. A
+/// cell in which a step stands keeps its own.
+void TestGasFilmWaves::storageStaysOnItsSideOfAStep()
+{
+    QFETCH(double, step);
+    QFETCH(double, wall);
+    constexpr int n = 12;
+    constexpr double cell = 5e-6, end = n * cell;
+    AirBearingSurface surface;
+    surface.baseRecess = 100e-9;
+    surface.rails = {{.points = {{step * cell, 0.0}, {end, 0.0}, {end, 1.0}, {step * cell, 1.0, wall > 0.0 ? 1 : 0}},
+                      .recess = {0.0}}};
+    surface.walls = {{.distance = {0.0, wall * cell}, .recess = {0.0, surface.baseRecess}}};
+    if (wall == 0.0) surface.walls.clear();
+    FilmSetting setting;
+    setting.disk = uniformMotion(15.0);
+    FilmProblem problem(surface, end, 1.0, uniformGrid(end, 1.0, n, 1), setting, {20e-9, 0.0, 0.0});
+    std::vector<double> residual(problem.p.size());
+    problem.film.linearise(problem.p, residual);
+    const Eigen::MatrixXd storage = (jacobian(problem.film, 1.0) - jacobian(problem.film, 0.0)).real();
+    const auto reaches = [&](int from, int to) {
+        return std::abs(storage(to, from)) > 1e-9 * std::abs(storage(from, from));
+    };
+    QVERIFY(reaches(2, 4) && reaches(9, 7)); // far from the step
+    if (wall > 0.0) {
+        QVERIFY(problem.gaps.steppedCells.empty());
+        QVERIFY(reaches(5, 6) && !reaches(5, 7) && reaches(6, 5) && !reaches(6, 4));
+        return;
+    }
+    QCOMPARE(problem.gaps.steppedCells, std::vector<std::size_t>{problem.gaps.pad.at(5, 0)});
+    QVERIFY(reaches(4, 5) && !reaches(4, 6) && reaches(6, 5) && !reaches(6, 4));
+    for (int to = 0; to < n; ++to) QCOMPARE(reaches(5, to), to == 5);
 }
 
 TOUCHDOWN_TEST(TestGasFilmWaves)

@@ -15,6 +15,7 @@ inline ModesResult sampleModes(const Case& c)
     AirBearingMode roll;
     roll.frequency = 100e3;
     roll.dampingRatio = 0.05;
+    roll.dampingError = 0.003;
     roll.kind = "roll";
     roll.shape[2] = {2.0 / c.slider.width, 0.0}; // 1 at the inner edge
     AirBearingMode pitch;
