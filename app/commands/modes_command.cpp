@@ -32,14 +32,14 @@ Json modeJson(const AirBearingMode& mode)
             {"shape", shape}};
 }
 
-/// "200.1 kHz within 0.9, damping ratio 1.87 % within 0.2": the errors that the cells leave.
+/// "200.1 kHz +- 0.9 kHz, damping ratio 1.87 % +- 0.2 %": with the errors that the cells leave.
 std::string ratesText(const AirBearingMode& mode)
 {
     const bool known = !std::isnan(mode.dampingError);
     return displayed(mode.frequency, "kHz", 5) +
-           (known ? " within " + displayed(mode.frequencyError, "kHz", 2) : std::string()) + ", damping ratio " +
+           (known ? " +- " + displayed(mode.frequencyError, "kHz", 2) : std::string()) + ", damping ratio " +
            displayed(100.0 * mode.dampingRatio, "", 4) + " %" +
-           (known ? " within " + displayed(100.0 * mode.dampingError, "", 2) + " %" : std::string());
+           (known ? " +- " + displayed(100.0 * mode.dampingError, "", 2) + " %" : std::string());
 }
 
 /// The displacement of the slider's edge by each motion, relative to the largest one: "height 1, pitch 0.8 at 175 deg".

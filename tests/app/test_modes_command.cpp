@@ -74,7 +74,7 @@ void TestModesCommand::errors()
         for (const char* error : {"damping_ratio_error", "frequency_error"})
             QVERIFY2(each.toObject()[error].toDouble() > 0.0, o.out);
     const Outcome text = folder_->touchdown(QStringList{"modes", "film_pico"} + settings);
-    QVERIFY2(text.out.contains(" within ") && text.out.contains("grids of half and of a quarter"), text.out);
+    QVERIFY2(text.out.contains(" +- ") && text.out.contains("grids of half and of a quarter"), text.out);
 }
 
 // Modes are of the film alone, and say so where the case has more.

@@ -6,7 +6,7 @@
 
 #include "core/case/case.h"
 #include "core/formats/units.h"
-#include "core/results/results_summary.h"
+#include "core/numerics/spectrum.h"
 
 namespace touchdown {
 

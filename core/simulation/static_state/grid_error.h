@@ -18,6 +18,7 @@
 #include <span>
 
 #include "core/numerics/small_matrix.h"
+#include "core/physics/slider/air_bearing_surface.h"
 #include "core/physics/slider/attitude.h"
 
 namespace touchdown {
