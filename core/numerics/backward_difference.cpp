@@ -14,7 +14,6 @@ using Complex = std::complex<double>;
 
 constexpr double thirdShare = 0.48;                  // of what BDF3 adds to BDF2 (Vatsa, Carpenter & Lockard 2010)
 constexpr double mostGrowthForThird = 1.5;           // of a step against the last one
-constexpr double mostChangeForFit = 1.25;            // of a step against the last one, either way
 constexpr double leastPhase = 0.02, mostPhase = 1.3; // omega dt
 
 bool canFit(double dt, double h1, double h2, double rate)
@@ -67,6 +66,12 @@ BackwardDifference fitted(double dt, double h1, double h2, double rate)
 }
 
 } // namespace
+
+std::optional<BackwardDifference> fittedDifference(double dt, double h1, double h2, double rate)
+{
+    if (!canFit(dt, h1, h2, rate)) return std::nullopt;
+    return fitted(dt, h1, h2, rate);
+}
 
 BackwardDifference backwardDifference(BackwardRule rule, double dt, double h1, double h2, double rate)
 {

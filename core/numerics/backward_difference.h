@@ -28,6 +28,8 @@
 
 namespace touchdown {
 
+constexpr double mostChangeForFit = 1.25; // of a step against the last one, either way
+
 enum class BackwardRule : std::uint8_t { Euler, Bdf2, Bdf2Opt, Fitted };
 
 /// dm/dt = perTime m - share[0] m1 - share[1] m2 - share[2] m3.
@@ -40,6 +42,9 @@ struct BackwardDifference {
 
 /// `h1` and `h2` [s] are zero where there was no such step. `rate`: omega of the fitted formula; zero: none [rad/s].
 BackwardDifference backwardDifference(BackwardRule rule, double dt, double h1, double h2, double rate = 0.0);
+
+/// The fitted formula; none where the steps or omega dt do not allow it.
+std::optional<BackwardDifference> fittedDifference(double dt, double h1, double h2, double rate);
 
 /// Weights of the last four values, from m1 back, for the one at the end of a step: exact for 1, t, cos and sin omega
 /// t, the cubic as omega dt -> 0. `h3` led to m3. None where the steps or omega dt do not allow the fitted formula.

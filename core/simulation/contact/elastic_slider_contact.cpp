@@ -18,8 +18,9 @@ namespace {
 constexpr double leastPull = 1e-5;
 /// Nothing reaches farther [m].
 constexpr double farthestAway = 1e-6;
-/// Displacement of the surface per step over the length in which it changes by its RMS height [-]: 4 pi steps a wave.
-constexpr double movedPerStep = 0.5;
+/// Displacement of the surface per step over the length in which it changes by its RMS height [-]: pi steps a wave, the
+/// fewest with which the error of a step sees the wave.
+constexpr double movedPerStep = 2.0;
 
 /// The gap at which the attraction is below a pressure [m].
 double reachOf(const AdhesionLaw& law, double pressure)

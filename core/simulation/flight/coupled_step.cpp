@@ -15,9 +15,7 @@ namespace {
 constexpr double slopeError = 0.02; // of the stiffness of film and contact, as long as none is measured [-]
 constexpr double forgetting = 0.9;  // of a contraction once measured, per step [-]
 constexpr double longestForFourth =
-    1.4;                          // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
-constexpr int stepsBeforeFit = 4; // after a kink of the contact's force,
-constexpr double kink = 0.2;      // where the change of its stiffness alone has this share of the fastest rate
+    1.4; // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
 constexpr double worthRenewing = 0.1; // contraction beyond which the film's responses have changed [-]
 constexpr double slowestRate = 1e6;   // 2 pi times a frequency below those of an air bearing [rad/s]
 
@@ -111,7 +109,7 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     starting_ = true;
     response_.forget();
     contraction_ = 0.0;
-    jerk_ = stiffJerk_ = Vector3::Zero();
+    jerk_ = shiftJerk_ = Vector3::Zero();
     lastDt_ = 0.0;
     lengths_ = {};
     setAcceleration();
@@ -128,7 +126,7 @@ void CoupledStepper::restartAcceleration()
 {
     askContact(body_.attitude(motion_.q), time_);
     setAcceleration();
-    jerk_ = stiffJerk_ = stiffJerk(motion_.v);
+    jerk_ = shiftJerk_ = stiffJerk(motion_.v);
     lastDt_ = 0.0;
     lengths_ = {};
     acceptedRate_ = fastestRate();
@@ -182,7 +180,7 @@ double CoupledStepper::follow(const Vector3& change)
 FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
 {
     const Stopwatch watch(cost_.filmSeconds);
-    stepper_.setRate(fittedRate());
+    stepper_.setRate(acceptedRate_);
     const FilmStepResult film = stepper_.step(dt, attitude);
     ++cost_.filmSolves;
     cost_.linearisations += film.linearisations;
@@ -203,14 +201,12 @@ CoupledStepResult CoupledStepper::step(double dt)
     return result;
 }
 
-double CoupledStepper::fittedRate() const { return sinceKink_ < stepsBeforeFit ? 0.0 : acceptedRate_; }
-
 /// At the end of the step. The film is solved at the attitude that follows from it: an error with a phase of its own
 /// would change the damping.
 Vector3 CoupledStepper::forecastAcceleration(double dt) const
 {
     const auto [h1, h2, h3] = lengths_;
-    const auto weights = fittedForecast(dt, h1, h2, h3, fittedRate());
+    const auto weights = fittedForecast(dt, h1, h2, h3, acceptedRate_);
     if (!fourth_ || !weights) return motion_.a + dt * jerk_;
     const auto [w1, w2, w3, w4] = *weights;
     return w1 * motion_.a + w2 * earlier_[0] + w3 * earlier_[1] + w4 * earlier_[2];
@@ -224,7 +220,7 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
     const double time = time_ + dt;
     setRule(dt, fourth);
     const double perSquare = 1.0 / (later_ * dt * dt), perTime = 0.5 * dt * perSquare;
-    rate_ = motion_.v + shift_ * stiffJerk_;
+    rate_ = motion_.v + shift_ * shiftJerk_;
     tried_.q = motion_.q + dt * (rate_ + dt * ((0.5 - later_) * motion_.a + later_ * forecastAcceleration(dt)));
     contraction_ *= forgetting;
     double before = 0.0, measured = 0.0; // size of the last change; contraction
@@ -327,7 +323,8 @@ void CoupledStepper::setVelocity(double dt)
 }
 
 /// The acceleration is that of the forces at the solution, which `change` has just led to, so that what the iteration
-/// left in the position does not come back in it from step to step.
+/// left in the position does not come back in it from step to step. Where lengths change, the velocity is as good as
+/// a': that of the last accelerations, as the film's stiffness is not known well enough in large motions.
 void CoupledStepper::finishMotion(double dt, const Vector3& change)
 {
     setVelocity(dt);
@@ -339,11 +336,15 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
     triedJerk_ = triedSlope_ = (tried_.a - motion_.a) / dt;
     if (lastDt_ > 0.0) triedJerk_ += (triedSlope_ - slope_) * dt / (dt + lastDt_);
     tried_.v = rate_ + 0.5 * dt * (motion_.a + tried_.a);
-    if (fourth_) {
-        // v - shift stiffJerk(v) = u solved for v: steps of changing length then keep the energy.
-        tried_.v = solveBody(-body_.inertia().cwiseProduct(tried_.v) / shift_, -1.0 / shift_, 0.0, true);
+    if (const auto fitted = fittedDifference(dt, lengths_[0], lengths_[1], acceptedRate_)) {
+        const auto [s1, s2, s3] = fitted->share;
+        triedShiftJerk_ = fitted->perTime * tried_.a - s1 * motion_.a - s2 * earlier_[0] - s3 * earlier_[1];
+        tried_.v -= shift_ * triedShiftJerk_;
+        return;
     }
-    triedStiffJerk_ = stiffJerk(tried_.v);
+    // v - shift stiffJerk(v) = u solved for v.
+    if (fourth_) tried_.v = solveBody(-body_.inertia().cwiseProduct(tried_.v) / shift_, -1.0 / shift_, 0.0, true);
+    triedShiftJerk_ = stiffJerk(tried_.v);
 }
 
 /// Error of the slider: -dt^3/12 q''' for the trapezoidal rule (Hairer, Norsett & Wanner 1993, II.7); for the other
@@ -362,7 +363,7 @@ void CoupledStepper::accept()
 {
     if (!stepper_.accept()) return;
     jerk_ = triedJerk_;
-    stiffJerk_ = triedStiffJerk_;
+    shiftJerk_ = triedShiftJerk_;
     slope_ = triedSlope_;
     lastDt_ = dt_;
     earlier_ = {motion_.a, earlier_[0], earlier_[1]};

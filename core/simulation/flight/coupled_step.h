@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One step of film, contact and slider together, all implicit. The film is integrated by a backward difference that is
-// exact for oscillations at the slider's fastest rate (film_step.h), so that a run has the damping of its film; after
-// a change of the contact's stiffness, and where the rate is not known, by BDF2OPT. The slider is integrated by
-// Newmark's method (1959) with gamma 1/2, which has no damping of its own:
+// exact for oscillations at the fastest rate of the slider on film and contact (film_step.h), so that a run has the
+// damping of its film; where the rate is not known, by BDF2OPT. The slider is integrated by Newmark's method (1959)
+// with gamma 1/2, which has no damping of its own:
 //
 //   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
 //
@@ -118,10 +118,6 @@ private:
     Vector3 stiffJerk(const Vector3& v) const;
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
-    /// The largest angular frequency by a stiffness [rad/s].
-    double rateOf(const Matrix3& stiffness) const;
-    /// To which film and forecast are fitted; zero where the contact's stiffness changes: none [rad/s].
-    double fittedRate() const;
     Vector3 forecastAcceleration(double dt) const;
     FilmStepResult stepFilm(double dt, const Attitude& attitude);
     /// Changes film and forces by their response; returns the possible error as FilmStepResult::error [-].
@@ -139,9 +135,9 @@ private:
     CoupledStepOptions options_;
     FilmStepper stepper_;
     SliderMotion motion_, tried_; // accepted, tried
-    // a' at the accepted state, its mean over the last step, its part by stiffness; and of the tried state.
-    Vector3 jerk_ = Vector3::Zero(), slope_ = Vector3::Zero(), stiffJerk_ = Vector3::Zero();
-    Vector3 triedJerk_ = Vector3::Zero(), triedSlope_ = Vector3::Zero(), triedStiffJerk_ = Vector3::Zero();
+    // a' at the accepted state, its mean over the last step, and as it separates u from v; and of the tried state.
+    Vector3 jerk_ = Vector3::Zero(), slope_ = Vector3::Zero(), shiftJerk_ = Vector3::Zero();
+    Vector3 triedJerk_ = Vector3::Zero(), triedSlope_ = Vector3::Zero(), triedShiftJerk_ = Vector3::Zero();
     // Before the accepted state: accelerations, the steps from them to the next; zero where forces have jumped [s].
     std::array<Vector3, 3> earlier_{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
     std::array<double, 3> lengths_{};
@@ -158,9 +154,8 @@ private:
     Vector3 filmForce_ = Vector3::Zero();
     std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
-    Matrix3 contactStiffness_ = Matrix3::Zero(), acceptedContact_ = Matrix3::Zero();
-    int sinceKink_ = 0;         // accepted steps, as far as it matters
-    double acceptedRate_ = 0.0; // fastestRate() at the accepted state [rad/s]
+    Matrix3 contactStiffness_ = Matrix3::Zero();
+    double acceptedRate_ = 0.0; // fastestRate() at the accepted state, to which film and forecast are fitted [rad/s]
     bool starting_ = true;      // no step has been accepted yet
     CoupledCost cost_;
     double contraction_ = 0.0; // of the iteration, as last measured [-]

@@ -177,7 +177,7 @@ private:
     /// One accepted step, however many tries it takes. False when the run ends here.
     bool advanceOnce()
     {
-        double dt = length_.next(point_.dt, (switched_ && !length_.fixed() ? shareAfterSwitch : 1.0) * longestStep());
+        double dt = length_.next(point_.dt, (switched_ ? shareAfterSwitch : 1.0) * longestStep(), switched_);
         switched_ = false;
         while (true) {
             const CoupledStepResult result = tryStep(dt);

@@ -7,26 +7,13 @@
 #include "core/simulation/contact/ono_yamane_contact.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/flying_slider.h"
+#include "tests/support/mass_on_a_spring.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
 using namespace touchdown::test;
 
 namespace test_coupled_step {
-
-/// So tight that what is left of a step does not count beside its discretisation.
-CoupledStepOptions tight(FilmCoupling coupling)
-{
-    return {
-        .coupling = coupling, .film = {.tolerance = 1e-12, .share = 0.0, .maximumIterations = 30}, .tolerance = 1e-17};
-}
-
-CoupledStepOptions byDefault(FilmCoupling coupling)
-{
-    CoupledStepOptions options;
-    options.coupling = coupling;
-    return options;
-}
 
 const Case& pico()
 {
@@ -36,81 +23,6 @@ const Case& pico()
 const SteadyResult& picoAtRest()
 {
     static const SteadyResult rest = steady(pico());
-    return rest;
-}
-
-/// A spring under the mass centre and a force that jumps when the law is crossed.
-class SpringAndJump final : public SliderContact {
-public:
-    SpringAndJump(double stiffness, double middle, double jump) : stiffness_(stiffness), middle_(middle), jump_(jump) {}
-    const SliderContactForces& at(const Attitude& attitude, double) override
-    {
-        forces_.contact = -stiffness_ * (attitude.height + 0.5 * length * attitude.pitch - middle_) + force_;
-        return forces_;
-    }
-    Matrix3 stiffness() const override
-    {
-        Matrix3 result = Matrix3::Zero();
-        result(0, 0) = stiffness_;
-        return result;
-    }
-    bool outOfReach(const Attitude&) const override { return false; }
-    void accept() override {}
-    std::string cross(bool) override
-    {
-        force_ += jump_;
-        return "jump";
-    }
-    static constexpr double length = 1.25e-3; // of the slider [m]
-
-private:
-    double stiffness_, middle_, jump_, force_ = 0.0; // [N/m], [m], [N]
-    SliderContactForces forces_;
-};
-
-/// A spring that pushes where the mass centre is below it.
-class Wall final : public SliderContact {
-public:
-    Wall(double stiffness, double top) : stiffness_(stiffness), top_(top) {}
-    const SliderContactForces& at(const Attitude& attitude, double) override
-    {
-        depth_ = std::max(0.0, top_ - attitude.height - 0.5 * SpringAndJump::length * attitude.pitch);
-        forces_.contact = stiffness_ * depth_;
-        return forces_;
-    }
-    Matrix3 stiffness() const override
-    {
-        Matrix3 result = Matrix3::Zero();
-        if (depth_ > 0.0) result(0, 0) = stiffness_;
-        return result;
-    }
-    bool outOfReach(const Attitude&) const override { return false; }
-    void accept() override {}
-    double energy() const { return 0.5 * stiffness_ * depth_ * depth_; }
-
-private:
-    double stiffness_, top_, depth_ = 0.0; // [N/m], [m], [m]
-    SliderContactForces forces_;
-};
-
-/// Next to no air, a disk that stands still, no suspension: what moves is the mass on the contact's spring.
-Case almostVacuum()
-{
-    Case c = openCase("film_plane").value;
-    c.film.nodes = {17, 17};
-    c.film.grid = GridKind::Uniform;
-    c.air.given.pressure = 1e-6;
-    c.disk.speed = 0.0;
-    c.suspension.stiffness = c.suspension.pitchStiffness = c.suspension.rollStiffness = 0.0;
-    c.suspension.damping = c.suspension.pitchDamping = c.suspension.rollDamping = 0.0;
-    return c;
-}
-SteadyResult filmAtAmbient(const Case& c)
-{
-    SteadyResult rest;
-    rest.attitude = {1e-6, 0.0, 0.0};
-    rest.grid = uniformGrid(c.slider.length, c.slider.width, 16, 16);
-    rest.pressure.assign(16 * 16, c.air.given.pressure);
     return rest;
 }
 
@@ -187,91 +99,15 @@ private slots:
         }
     }
 
-    void massOnASpring_data()
+    /// A contact that is in reach and hardly acts changes nothing: film and forecast stay fitted to the slider's rate.
+    void contactKeepsTheFit()
     {
-        QTest::addColumn<int>("coupling");
-        QTest::addColumn<double>("w"); // omega dt
-        QTest::addColumn<double>("beta");
-        const int monolithic = int(FilmCoupling::Monolithic), staggered = int(FilmCoupling::Staggered);
-        QTest::newRow("monolithic, short: Fox and Goodwin") << monolithic << 0.1 << 1.0 / 12;
-        QTest::newRow("monolithic, near its end") << monolithic << 1.3 << 1.0 / 12;
-        QTest::newRow("monolithic, long: trapezoidal") << monolithic << 1.6 << 0.25;
-        QTest::newRow("monolithic, very long") << monolithic << 30.0 << 0.25;
-        QTest::newRow("staggered, short: trapezoidal") << staggered << 0.1 << 0.25;
-        QTest::newRow("staggered") << staggered << 0.8 << 0.25;
-    }
-    /// Newmark's exact discrete answer for M z'' = -k z - f0: about the equilibrium z_{n+1} + z_{n-1} = 2 cos(phi) z_n
-    /// with cos(phi) = 1 - w^2/2/(1 + beta w^2), so that phi/w - 1 is w^4/480 for Fox and Goodwin, -w^2/12 for the
-    /// trapezoidal rule.
-    void massOnASpring()
-    {
-        QFETCH(int, coupling);
-        QFETCH(double, w);
-        QFETCH(double, beta);
-        const Case c = almostVacuum();
-        const SteadyResult rest = filmAtAmbient(c);
-        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass), amplitude = 1e-9;
-        const double middle = rest.attitude.height;
-        SpringAndJump contact(stiffness, middle, 0.0);
-        FlyingSlider slider(c, rest, tight(FilmCoupling(coupling)), {amplitude, 0.0, 0.0}, &contact);
-        const double balanced = middle - c.suspension.preload / stiffness;
-        const double twice = 2.0 - w * w / (1.0 + beta * w * w);
-        QVERIFY(slider.take(w / omega).converged()); // the first step knows no stiffness yet
-        double z2 = slider.q()[0] - balanced;
-        QVERIFY(slider.take(w / omega).converged());
-        double z1 = slider.q()[0] - balanced;
-        for (int n = 0; n < 40; ++n) {
-            QVERIFY(slider.take(w / omega).converged());
-            const double z = slider.q()[0] - balanced;
-            QVERIFY2(std::abs(z - (twice * z1 - z2)) < 1e-7 * amplitude,
-                     qPrintable(QString("%1 instead of %2").arg(z / amplitude).arg((twice * z1 - z2) / amplitude)));
-            z2 = z1;
-            z1 = z;
-        }
-    }
-    /// Fox and Goodwin's discrete motion of a uniform step has a velocity of 1 - w^4/288 times omega z, with u = v (1 -
-    /// w^2/12): where lengths change the energy is off by twice the difference of two of these, and must not add up
-    /// from change to change.
-    void changingStepsKeepEnergy()
-    {
-        const Case c = almostVacuum();
-        const SteadyResult rest = filmAtAmbient(c);
-        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass);
-        const double middle = rest.attitude.height, balanced = middle - c.suspension.preload / stiffness;
-        SpringAndJump contact(stiffness, middle, 0.0);
-        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}, &contact);
-        const auto energy = [&] {
-            const double z = slider.q()[0] - balanced, v = slider.stepper.motion().v[0];
-            return 0.5 * stiffness * z * z + 0.5 * c.slider.mass * v * v;
-        };
-        const double first = energy();
-        for (int n = 0; n < 1000; ++n) {
-            QVERIFY(slider.take((n % 2 == 0 ? 0.6 : 0.3) / omega).converged());
-            const double off = std::abs(energy() / first - 1.0);
-            QVERIFY2(off < 4.0 * std::pow(0.6, 4) / 288, qPrintable(QString("%1 after %2 steps").arg(off).arg(n + 1)));
-        }
-    }
-    /// Falls on a wall in steps of omega dt = 2.2, too long for Fox and Goodwin's velocities, u = v (1 - w^2/12) at
-    /// best, and chosen before the wall was met. The trapezoidal rule then loses and gains what a step's penetration
-    /// stores: no more than there was.
-    void stiffnessMetWithinAStep()
-    {
-        const Case c = almostVacuum();
-        const SteadyResult rest = filmAtAmbient(c);
-        const double stiffness = 1e8, omega = std::sqrt(stiffness / c.slider.mass), top = rest.attitude.height - 3e-9;
-        Wall wall(stiffness, top);
-        FlyingSlider slider(c, rest, tight(FilmCoupling::Monolithic), Vector3::Zero(), &wall);
-        const double first = c.suspension.preload * (slider.q()[0] - top);
-        bool touched = false;
-        for (int n = 0; n < 60; ++n) {
-            QVERIFY(slider.take(2.2 / omega).converged());
-            const double v = slider.stepper.motion().v[0];
-            const double energy =
-                wall.energy() + 0.5 * c.slider.mass * v * v + c.suspension.preload * (slider.q()[0] - top);
-            QVERIFY2(energy < 2.0 * first, qPrintable(QString("%1 after %2 steps").arg(energy / first).arg(n + 1)));
-            touched = touched || wall.energy() > 0.0;
-        }
-        QVERIFY(touched);
+        SpringAndJump contact(1e-3, picoAtRest().attitude.height, 0.0);
+        FlyingSlider alone(pico(), picoAtRest(), tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}),
+            touching(pico(), picoAtRest(), tight(FilmCoupling::Monolithic), {1e-9, 0.0, 0.0}, &contact);
+        QVERIFY(alone.takeAll(4e-6, 40) && touching.takeAll(4e-6, 40));
+        QVERIFY(touching.stepper.contactInReach());
+        QVERIFY2(touching.from(alone.q()) < 1e-15, qPrintable(QString::number(touching.from(alone.q()))));
     }
     /// beta k dt^2 < M, thus omega dt < 2, is where the staggered iteration ends; monolithic has no such limit.
     void staggeredEndsAtLongSteps()

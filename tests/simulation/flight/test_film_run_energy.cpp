@@ -51,6 +51,10 @@ private slots:
         fine.film.nodes = {193, 193};
         fine.run.duration = 12e-6;
         QTest::newRow("the slider of Fig. 5, on the grid of its case") << fine;
+        Case rough = openCase("fig02_micro_pad_case_2_moving").value;
+        rough.run.fieldSnapshots = 0;
+        rough.run.duration = 12e-6;
+        QTest::newRow("a micro pad on a rough disk that moves") << rough;
     }
     /// What the disk gave, less what air, dampers, friction and menisci took, is the change of the stored energy, to 1
     /// % of the largest change of a part. On coarse grids that holds where no edge of a rail cuts a cell: the load of
@@ -60,7 +64,7 @@ private slots:
         QFETCH(Case, flown);
         const Flight flight = fly(flown);
         QVERIFY_STATUS(flight, RunStatus::Completed);
-        QVERIFY(count(flight, "touch-down") >= 1);
+        QVERIFY(count(flight, "touch-down") >= 1 || flown.contact == ContactKind::Elastic);
         QVERIFY2(flight.figure("energy_balance") < 0.01, qPrintable(QString::number(flight.figure("energy_balance"))));
     }
 };
