@@ -289,21 +289,16 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
     return fail(CoupledFailure::Iteration);
 }
 
-double CoupledStepper::rateOf(const Matrix3& stiffness) const
+double CoupledStepper::fastestRate() const
 {
+    if (!response_.known()) return 0.0;
     const Vector3 length(1.0, film_.gaps().length, film_.gaps().width);
+    Matrix3 stiffness = response_.stiffness() + contactStiffness_;
+    stiffness.diagonal() += body_.springs();
     Matrix3 perMass = length.cwiseQuotient(body_.inertia()).asDiagonal() * stiffness;
     perMass = perMass * length.cwiseInverse().asDiagonal();
     if (body_.holdsRoll()) perMass.row(2).setZero();
     return std::sqrt(spectralRadius(perMass));
-}
-
-double CoupledStepper::fastestRate() const
-{
-    if (!response_.known()) return 0.0;
-    Matrix3 stiffness = response_.stiffness() + contactStiffness_;
-    stiffness.diagonal() += body_.springs();
-    return rateOf(stiffness);
 }
 
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first
@@ -373,9 +368,6 @@ void CoupledStepper::accept()
     response_.age();
     starting_ = false;
     acceptedRate_ = fastestRate();
-    const bool smooth = rateOf(contactStiffness_ - acceptedContact_) <= kink * acceptedRate_;
-    sinceKink_ = smooth ? std::min(sinceKink_ + 1, stepsBeforeFit) : 0;
-    acceptedContact_ = contactStiffness_;
     if (contact_) contact_->accept();
 }
 

@@ -83,7 +83,7 @@ private slots:
         QVERIFY(slider.takeAll(2e-6, 20));
         QVERIFY(!slider.stepper.isFitted());
     }
-    /// On a spring that stays as it is, not when a stiffer one has just been met, and again some steps later.
+    /// On a spring that stays as it is, and where a stiffer one is met in between.
     void onSprings()
     {
         TwoSprings soft(1e5, 1e5, restingCentre()), stiff(1e5, 3e6, restingCentre() - 0.1e-9);
@@ -95,8 +95,7 @@ private slots:
             for (int n = 0; n < 200 && sinceMet < 3; ++n) {
                 QVERIFY(slider.take(5e-8).converged());
                 if (sinceMet >= 0 || slider.q()[0] < restingCentre() - 0.1e-9) ++sinceMet;
-                if (sinceMet < 0 || springs == &soft) QVERIFY(slider.stepper.isFitted());
-                if (sinceMet > 0 && springs == &stiff) QVERIFY(!slider.stepper.isFitted());
+                QVERIFY(slider.stepper.isFitted());
             }
             QCOMPARE(sinceMet, 3);
         }
