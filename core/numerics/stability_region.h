@@ -7,7 +7,8 @@
 //   growth(z)           of y' = lambda y, z = lambda h: |R(z)| of a Runge-Kutta method; the largest root of a
 //                       backward difference; with Newmark's rule, the oscillator whose eigenvalues are lambda and its
 //                       conjugate: omega h = |z|, zeta = -Re z/|z|
-//   coupledGrowth(w)    by default with the fitted formula at omega = sqrt(k/M), as in runs; of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h:
+//   coupledGrowth(w)    of a mass on a film that is a spring k with a leak (Maxwell), omega^2 = k/M, w = omega h; by
+//                       default with the formula fitted to omega, as in runs:
 //
 //       q'' = -2 zeta omega q' - omega^2 (q - m),   m' = s (q - m),   q - m: compression of the film, m: leakage
 //

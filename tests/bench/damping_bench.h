@@ -11,8 +11,8 @@
 namespace touchdown {
 
 /// Names of sample cases, of files or of folders of CML files; and settings: `drawn=N` adds sliders drawn at random,
-/// `seed=N` the first of them; `amplitude=` of the corner that moves most [nm]; `step_errors=A,B,...` run.step_error, as
-/// parts of its value in the case; `methods=`; all others change the cases. Without any name: film_pico, film_femto,
+/// `seed=N` the first of them; `amplitude=` of the corner that moves most [nm]; `step_errors=A,B,...` run.step_error,
+/// as parts of its value in the case; all others change the cases. Without any name: film_pico, film_femto,
 /// film_fig4_pico. Returns an exit code.
 int benchmarkDamping(const std::vector<std::string>& casesAndSettings);
 

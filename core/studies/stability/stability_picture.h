@@ -8,9 +8,9 @@
 // step and have no single region.
 //
 // Film: the modes of the static state, lambda = omega (-zeta +- i sqrt(1 - zeta^2)); Euler, BDF2, BDF2OPT and the
-// fitted formula for the air, the trapezoidal rule and Fox & Goodwin's for the slider, and both together. A slider on a film that is a spring
-// with a leak has the eigenvalues of its mode if s = 2 zeta omega, since lambda^2 + s lambda + omega^2 = 0; the coupled
-// charts are those of that mode.
+// fitted formula for the air, the trapezoidal rule and Fox & Goodwin's for the slider, and both together. A slider on a
+// film that is a spring with a leak has the eigenvalues of its mode if s = 2 zeta omega, since lambda^2 + s lambda +
+// omega^2 = 0; the coupled charts are those of that mode.
 #pragma once
 
 #include <functional>
