@@ -67,12 +67,6 @@ BackwardDifference fitted(double dt, double h1, double h2, double rate)
 
 } // namespace
 
-std::optional<BackwardDifference> fittedDifference(double dt, double h1, double h2, double rate)
-{
-    if (!canFit(dt, h1, h2, rate)) return std::nullopt;
-    return fitted(dt, h1, h2, rate);
-}
-
 BackwardDifference backwardDifference(BackwardRule rule, double dt, double h1, double h2, double rate)
 {
     if (rule == BackwardRule::Fitted && canFit(dt, h1, h2, rate)) return fitted(dt, h1, h2, rate);

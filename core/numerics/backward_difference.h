@@ -43,9 +43,6 @@ struct BackwardDifference {
 /// `h1` and `h2` [s] are zero where there was no such step. `rate`: omega of the fitted formula; zero: none [rad/s].
 BackwardDifference backwardDifference(BackwardRule rule, double dt, double h1, double h2, double rate = 0.0);
 
-/// The fitted formula; none where the steps or omega dt do not allow it.
-std::optional<BackwardDifference> fittedDifference(double dt, double h1, double h2, double rate);
-
 /// Weights of the last four values, from m1 back, for the one at the end of a step: exact for 1, t, cos and sin omega
 /// t, the cubic as omega dt -> 0. `h3` led to m3. None where the steps or omega dt do not allow the fitted formula.
 std::optional<std::array<double, 4>> fittedForecast(double dt, double h1, double h2, double h3, double rate);

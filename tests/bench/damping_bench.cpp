@@ -20,6 +20,7 @@
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/exponential_fit.h"
+#include "tests/support/free_oscillation.h"
 #include "tests/support/random_slider.h"
 
 namespace touchdown {
@@ -42,12 +43,6 @@ double processorSeconds()
     timespec time{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-Complex rateOf(const AirBearingMode& mode)
-{
-    const double omega = 2.0 * std::numbers::pi * mode.frequency;
-    return {-mode.dampingRatio * omega / std::sqrt(1.0 - mode.dampingRatio * mode.dampingRatio), omega};
 }
 
 struct Ringing {
@@ -89,20 +84,10 @@ Ringing ring(const Case& c, double skipped)
     return result;
 }
 
-/// The run of a mode: as long as its motion keeps between a tenth and four times its size, 8 to 60 periods.
+/// The run of a mode: as long as its motion keeps between a tenth and four times its size, 8 to 60 periods in all.
 Case runOf(const Case& c, const AirBearingMode& mode, double amplitude)
 {
-    const Complex s = rateOf(mode);
-    std::array<Complex, 3> shape;
-    for (std::size_t k = 0; k < 3; ++k) shape[k] = amplitude * Complex(mode.shape[k][0], mode.shape[k][1]);
-    Case moved = c;
-    moved.initial.state = InitialState::Static;
-    moved.initial.heightOffset = shape[0].real();
-    moved.initial.pitchOffset = shape[1].real();
-    moved.initial.rollOffset = shape[2].real();
-    moved.initial.verticalVelocity = (s * shape[0]).real();
-    moved.initial.pitchVelocity = (s * shape[1]).real();
-    moved.initial.rollVelocity = (s * shape[2]).real();
+    Case moved = test::released(c, mode, amplitude);
     const double perPeriod = 2.0 * std::numbers::pi * std::abs(mode.dampingRatio);
     const double periods = std::clamp((mode.dampingRatio > 0.0 ? 2.3 : 1.4) / std::max(perPeriod, 1e-9), 6.0, 58.0);
     const double period = 1.0 / mode.frequency;
@@ -119,7 +104,7 @@ void tell(const NamedCase& named, const std::vector<double>& shares, double ampl
         return;
     }
     std::vector<Complex> rates;
-    for (const AirBearingMode& mode : found.modes) rates.push_back(rateOf(mode));
+    for (const AirBearingMode& mode : found.modes) rates.push_back(test::rateOf(mode));
     for (std::size_t m = 0; m < found.modes.size(); ++m) {
         const AirBearingMode& mode = found.modes[m];
         if (mode.frequency > highest) continue;

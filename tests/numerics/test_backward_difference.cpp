@@ -111,9 +111,11 @@ private slots:
         QVERIFY(isBdf2Opt(h, h, h, 1.31 / h) && !isBdf2Opt(h, h, h, 1.29 / h));
         QVERIFY(!fittedForecast(h, h, h, 0.0, rate) && !fittedForecast(h, h, h, 1.4 * h, rate));
         QVERIFY(fittedForecast(h, h, h, h, rate));
-        QVERIFY(!fittedDifference(h, h, 1.4 * h, rate) && !fittedDifference(h, h, h, 1.31 / h));
-        const auto fitted = fittedDifference(h, h, h, rate);
-        QVERIFY(fitted && fitted->share == backwardDifference(BackwardRule::Fitted, h, h, h, rate).share);
+        const auto fitted = [](double dt, double h1, double h2, double omega) {
+            return backwardDifference(BackwardRule::Fitted, dt, h1, h2, omega).fitted;
+        };
+        QVERIFY(!fitted(h, h, 1.4 * h, rate) && !fitted(h, h, h, 1.31 / h));
+        QVERIFY(fitted(h, h, h, rate));
     }
     /// Steps that change at random within what is fitted, on y' = lambda y at 40 degrees and more from the imaginary
     /// axis, from the slowest to the fastest: what is there fades.

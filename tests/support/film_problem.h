@@ -66,4 +66,14 @@ inline AirBearingSurface planeSurface()
     return surface;
 }
 
+/// A step across and a shallow rail on a slider of 0.8 mm by 0.6 mm, so that all kinds of faces take part.
+inline AirBearingSurface steppedSurface()
+{
+    AirBearingSurface surface;
+    surface.baseRecess = 0.3e-6;
+    surface.rails = {
+        {.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
+    return surface;
+}
+
 } // namespace touchdown::test

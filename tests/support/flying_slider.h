@@ -24,6 +24,17 @@ inline Case coarseFlight(const std::string& name, int nodes = 33)
     return c;
 }
 
+inline const Case& pico()
+{
+    static const Case c = coarseFlight("film_pico");
+    return c;
+}
+inline const SteadyResult& picoAtRest()
+{
+    static const SteadyResult rest = steady(pico());
+    return rest;
+}
+
 /// Begins at rest with the film of its attitude, moved from the static one.
 struct FlyingSlider {
     Recess recess;

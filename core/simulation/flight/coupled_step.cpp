@@ -331,9 +331,11 @@ void CoupledStepper::finishMotion(double dt, const Vector3& change)
     triedJerk_ = triedSlope_ = (tried_.a - motion_.a) / dt;
     if (lastDt_ > 0.0) triedJerk_ += (triedSlope_ - slope_) * dt / (dt + lastDt_);
     tried_.v = rate_ + 0.5 * dt * (motion_.a + tried_.a);
-    if (const auto fitted = fittedDifference(dt, lengths_[0], lengths_[1], acceptedRate_)) {
-        const auto [s1, s2, s3] = fitted->share;
-        triedShiftJerk_ = fitted->perTime * tried_.a - s1 * motion_.a - s2 * earlier_[0] - s3 * earlier_[1];
+    const BackwardDifference rate =
+        backwardDifference(BackwardRule::Fitted, dt, lengths_[0], lengths_[1], acceptedRate_);
+    if (rate.fitted) {
+        const auto [s1, s2, s3] = rate.share;
+        triedShiftJerk_ = rate.perTime * tried_.a - s1 * motion_.a - s2 * earlier_[0] - s3 * earlier_[1];
         tried_.v -= shift_ * triedShiftJerk_;
         return;
     }

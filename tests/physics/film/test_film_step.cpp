@@ -20,16 +20,6 @@ namespace test_film_step {
 constexpr double L = 0.8e-3, W = 0.6e-3;
 constexpr Attitude rest{60e-9, 100e-6, 3e-6};
 
-/// A step across and a shallow rail, so that all kinds of faces take part.
-AirBearingSurface steppedSurface()
-{
-    AirBearingSurface surface;
-    surface.baseRecess = 0.3e-6;
-    surface.rails = {
-        {.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
-    return surface;
-}
-
 FilmSetting moving()
 {
     FilmSetting setting;

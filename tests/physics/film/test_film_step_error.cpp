@@ -24,15 +24,6 @@ using Complex = std::complex<double>;
 constexpr double L = 0.8e-3, W = 0.6e-3;
 constexpr Attitude rest{20e-9, 100e-6, 3e-6};
 
-AirBearingSurface steppedSurface()
-{
-    AirBearingSurface surface;
-    surface.baseRecess = 0.3e-6;
-    surface.rails = {
-        {.points = {{0.21e-3, 0.11e-3}, {0.8e-3, 0.17e-3}, {0.8e-3, 0.5e-3}, {0.21e-3, 0.5e-3}}, .recess = {0.0}}};
-    return surface;
-}
-
 struct Moving : FilmProblem {
     FilmStepper stepper;
 

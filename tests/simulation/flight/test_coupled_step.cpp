@@ -15,17 +15,6 @@ using namespace touchdown::test;
 
 namespace test_coupled_step {
 
-const Case& pico()
-{
-    static const Case c = coarseFlight("film_pico");
-    return c;
-}
-const SteadyResult& picoAtRest()
-{
-    static const SteadyResult rest = steady(pico());
-    return rest;
-}
-
 class TestCoupledStep : public QObject {
     Q_OBJECT
 

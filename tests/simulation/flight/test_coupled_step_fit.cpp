@@ -40,16 +40,6 @@ private:
     SliderContactForces forces_;
 };
 
-const Case& pico()
-{
-    static const Case c = coarseFlight("film_pico");
-    return c;
-}
-const SteadyResult& picoAtRest()
-{
-    static const SteadyResult rest = steady(pico());
-    return rest;
-}
 double restingCentre() { return picoAtRest().attitude.height + 0.5 * length * picoAtRest().attitude.pitch; }
 
 class TestCoupledStepFit : public QObject {

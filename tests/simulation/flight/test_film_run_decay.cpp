@@ -8,6 +8,7 @@
 #include "tests/simulation/matrix_pencil.h"
 #include "tests/support/exponential_fit.h"
 #include "tests/support/flying_slider.h"
+#include "tests/support/free_oscillation.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -19,29 +20,12 @@ using Complex = std::complex<double>;
 
 constexpr int samplesPerPeriod = 24;
 
-Complex exponent(const AirBearingMode& mode)
+Case released(const Case& c, const AirBearingMode& mode, double amplitude, double periods)
 {
-    const double omega = 2.0 * std::numbers::pi * mode.frequency;
-    return {-mode.dampingRatio * omega / std::sqrt(1.0 - mode.dampingRatio * mode.dampingRatio), omega};
-}
-
-/// A run of the slider displaced and kicked as the mode moves; its air is that of the displaced slider at rest, which
-/// fades within the first periods.
-Case released(Case c, const AirBearingMode& mode, double amplitude, double periods)
-{
-    const Complex s = exponent(mode);
-    std::array<Complex, 3> shape;
-    for (std::size_t k = 0; k < 3; ++k) shape[k] = amplitude * Complex(mode.shape[k][0], mode.shape[k][1]);
-    c.initial.state = InitialState::Static;
-    c.initial.heightOffset = shape[0].real();
-    c.initial.pitchOffset = shape[1].real();
-    c.initial.rollOffset = shape[2].real();
-    c.initial.verticalVelocity = (s * shape[0]).real();
-    c.initial.pitchVelocity = (s * shape[1]).real();
-    c.initial.rollVelocity = (s * shape[2]).real();
-    c.run.sampleInterval = 1.0 / (samplesPerPeriod * mode.frequency);
-    c.run.duration = periods / mode.frequency;
-    return c;
+    Case free = test::released(c, mode, amplitude);
+    free.run.sampleInterval = 1.0 / (samplesPerPeriod * mode.frequency);
+    free.run.duration = periods / mode.frequency;
+    return free;
 }
 
 /// Motions from rest, as lengths, without those of the first samples; none where the run fails.
@@ -72,7 +56,7 @@ std::vector<Eigen::Vector3d> motions(const Case& c, const SteadyResult& rest, st
 /// s of the free motion with fixed steps.
 Complex decay(Case c, const SteadyResult& rest, const AirBearingMode& mode, double amplitude, int stepsPerSample)
 {
-    c = released(std::move(c), mode, amplitude, 5.0);
+    c = released(c, mode, amplitude, 5.0);
     c.run.steps = StepControl::Fixed;
     c.run.step = c.run.sampleInterval / stepsPerSample;
     c.run.stepError = 1e-14; // for what is left of a step
@@ -151,7 +135,7 @@ private slots:
             lengths.row(n) = samples[std::size_t(n)];
         }
         std::vector<Complex> rates;
-        for (const AirBearingMode& each : known.modes) rates.push_back(exponent(each));
+        for (const AirBearingMode& each : known.modes) rates.push_back(rateOf(each));
         const Complex s = ExponentialFit(time, lengths).rates(rates).back();
         const double frequency = s.imag() / (2.0 * std::numbers::pi), damping = -s.real() / std::abs(s);
         const QString found = QString("%1 Hz with damping ratio %2, in time %3 Hz with %4")

@@ -14,6 +14,7 @@
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/simulation/matrix_pencil.h"
+#include "tests/support/free_oscillation.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -126,9 +127,7 @@ private:
 /// s of the free motion that follows when the slider has been led along a mode.
 Complex freeDecay(const Case& c, const ModesResult& modes, const AirBearingMode& mode, double amplitude)
 {
-    const double omega = 2.0 * std::numbers::pi * mode.frequency;
-    const double growth = -mode.dampingRatio * omega / std::sqrt(1.0 - mode.dampingRatio * mode.dampingRatio);
-    const Complex s(growth, omega);
+    const Complex s = rateOf(mode);
     ComplexVector3 shape;
     for (int k = 0; k < 3; ++k) shape[k] = {mode.shape[std::size_t(k)][0], mode.shape[std::size_t(k)][1]};
     shape *= amplitude;
