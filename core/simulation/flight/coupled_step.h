@@ -2,8 +2,8 @@
 //
 // One step of film, contact and slider together, all implicit. The film is integrated by a backward difference that is
 // exact for oscillations at the fastest rate of the slider on film and contact (film_step.h), so that a run has the
-// damping of its film; where the rate is not known, by BDF2OPT. The slider is integrated by Newmark's method (1959)
-// with gamma 1/2, which has no damping of its own:
+// damping of its film; where the rate is not known or steps change by more than a quarter, by BDF2OPT. The slider is
+// integrated by Newmark's method (1959) with gamma 1/2, which has no damping of its own:
 //
 //   q = q1 + dt u1 + dt^2 ((1/2 - beta) a1 + beta a),  u = u1 + dt (a1 + a)/2
 //

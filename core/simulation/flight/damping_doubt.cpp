@@ -28,8 +28,8 @@ std::string doubtOnSteps(const Case& c, double frequency, const UnfittedSteps& u
            std::to_string(std::lround(100.0 * unfitted.time / duration)) + " % of the run there were " +
            std::to_string(std::lround(perPeriod)) + " steps a period, not fitted to it; " +
            (staggered ? "film.coupling = \"monolithic\" fits them, or "
-            : fixed   ? "run.steps = \"adaptive\" fits them where the contact is smooth, or "
-                      : "where the contact's stiffness changes they cannot be; ") +
+            : fixed   ? "run.steps = \"adaptive\" fits them, or "
+                      : "those that differ from the last one by more than a quarter are not; ") +
            "fixed steps of " + shorter + " are short enough";
 }
 
