@@ -40,8 +40,8 @@ QString remarksOn(const Case& c, const ModesResult& result)
         sentences << ModesPage::tr("The attitude is held: the forces need not balance there.");
     if (!result.modes.empty())
         sentences << ModesPage::tr(
-            "Small motions on the film alone over a flat disk, without contact. The error of the "
-            "grid is not estimated: compare with more nodes.");
+            "Small motions on the film alone over a flat disk, without contact. Errors of the damping "
+            "are those of the grid, estimated from coarser ones.");
     return sentences.join(QLatin1Char(' '));
 }
 
