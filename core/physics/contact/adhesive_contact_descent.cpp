@@ -41,8 +41,8 @@ struct Law {
 /// Also sets the weights and the residuals of solveTangents().
 TOUCHDOWN_VECTOR_CLONES Deviation deviate(Cells cells, Present at, Law law, double* weight, double* residual)
 {
-    constexpr std::size_t lanes = 8;
-    double pressure[lanes] = {}, displacement[lanes] = {}, ofPressure[lanes] = {}, ofGap[lanes] = {}, all[lanes] = {};
+    constexpr std::size_t parts = 8;
+    double pressure[parts] = {}, displacement[parts] = {}, ofPressure[parts] = {}, ofGap[parts] = {}, all[parts] = {};
     const auto larger = [](double a, double b) { return a > b ? a : b; };
     const auto visit = [&](std::size_t i, std::size_t k) {
         const double stiffness = law.stiffness[i], gap = law.gap[i] - at.gap[i], change = law.pressure[i] - at.total[i];
@@ -59,12 +59,12 @@ TOUCHDOWN_VECTOR_CLONES Deviation deviate(Cells cells, Present at, Law law, doub
         all[k] += at.gap[i] + at.total[i];
     };
     std::size_t i = 0;
-    for (; i + lanes <= cells.count; i += lanes)
+    for (; i + parts <= cells.count; i += parts)
 #pragma GCC ivdep
-        for (std::size_t k = 0; k < lanes; ++k) visit(i + k, k);
+        for (std::size_t k = 0; k < parts; ++k) visit(i + k, k);
     for (; i < cells.count; ++i) visit(i, 0);
     Deviation result;
-    for (std::size_t k = 0; k < lanes; ++k) {
+    for (std::size_t k = 0; k < parts; ++k) {
         result.pressure = std::max(result.pressure, pressure[k]);
         result.displacement = std::max(result.displacement, displacement[k]);
         result.ofPressure = std::max(result.ofPressure, ofPressure[k]);
