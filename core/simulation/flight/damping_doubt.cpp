@@ -44,10 +44,10 @@ std::vector<std::string> doubtsOnDamping(const Case& c, const std::vector<Peak>&
     for (const Peak& peak : peaks)
         if (peak.amplitude >= largeShare * peaks.front().amplitude) fastest = std::max(fastest, peak.frequency);
     if (fastest > resolved)
-        doubts.push_back("the damping of the motion at " + kilohertz(fastest) + " is not known: above " +
+        doubts.push_back("the damping of the motion at " + kilohertz(fastest) + " depends on the grid: above " +
                          kilohertz(resolved) +
-                         " the waves that the disk drags along span fewer than ten cells of this grid; more film.nodes "
-                         "resolve them");
+                         " the waves that the disk drags along span fewer than six cells; the modes of the case state "
+                         "the error that this grid leaves, and more film.nodes along the slider make it smaller");
     if (std::string doubt = doubtOnSteps(c, fastest, unfitted, duration); !doubt.empty())
         doubts.push_back(std::move(doubt));
     return doubts;

@@ -28,8 +28,9 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells);
 
 /// The disk carries the pressure waves of a motion at half its speed U, with a length U/(2 f). Waves of a few cells
-/// decay or travel too fast, which changes the damping ratio: by 5 % at ten cells, its sign at three.
-inline constexpr double cellsForDamping = 10.0, cellsForItsSign = 3.0;
+/// decay or travel too fast, which changes the damping ratio: by up to 7 % at six cells, its sign at three (measured on
+/// the fastest modes of five sliders, tests/bench/README.md).
+inline constexpr double cellsForDamping = 6.0, cellsForItsSign = 3.0;
 /// Frequency up to which the grid resolves the damping of a motion [Hz].
 double resolvedFrequency(const Case& c, const CellGrid& grid);
 

@@ -62,8 +62,8 @@ class TestFilmRunLimits : public QObject {
 
 private slots:
     /// The pitch mode near 250 kHz drags waves of U/(2 f) along, about a cell long on 49 lines. The roll mode near 60
-    /// kHz has waves of more than ten cells on 145 lines.
-    void saysWhereItsDampingIsNotKnown()
+    /// kHz has waves of more than six cells on 145 lines.
+    void saysWhereItsDampingDependsOnTheGrid()
     {
         Case c = fromRest("film_pico", 40e-6);
         c.initial.pitchOffset = 5e-6;

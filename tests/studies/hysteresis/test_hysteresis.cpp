@@ -185,7 +185,7 @@ private slots:
         // so.
         QVERIFY(table(report, "equilibria").rows.size() >= 2);
         QVERIFY(std::ranges::any_of(report.warnings, [](const std::string& each) {
-            return each.find("fewer than ten cells") != std::string::npos;
+            return each.find("fewer than six cells") != std::string::npos;
         }));
     }
 

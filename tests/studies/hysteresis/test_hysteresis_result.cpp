@@ -190,7 +190,7 @@ private slots:
         mark.at = one;
         mark.at.parameter = 0.5;
         found.marks.push_back(mark);
-        found.resolved = 60e3; // ten cells a wave: the sign is known from three
+        found.resolved = 100e3; // six cells a wave: the sign is known from three
         HysteresisResult coarse;
         addFilmEquilibria(found, coarse);
         QVERIFY(coarse.marks.empty());
