@@ -51,9 +51,11 @@ std::vector<Parameter> airParameters()
         number("air.viscosity", "viscosity", "mu", {"Pa s", "Pa s"}, positive(1),
                at(&Case::air, &AirCase::given, &Air::viscosity), withGivenAir, "Dynamic viscosity of the air.",
                usualAir),
-        number("air.mean_free_path", "mean free path", "lambda", nanometres, notNegative(1e-3),
+        number("air.mean_free_path", "mean free path", "lambda", nanometres, between(1e-12, 1e-3),
                at(&Case::air, &AirCase::given, &Air::meanFreePath), withGivenAir,
-               "Mean free path of the air's molecules at the ambient pressure.", usualAir),
+               "Mean free path of the air's molecules at the ambient pressure. Air without slip has air.slip = "
+               "continuum.",
+               usualAir),
         number("air.altitude", "altitude", "", metres, between(-1000, 20000), at(&Case::air, &AirCase::altitude),
                withAltitude, "Height above sea level, which sets the pressure of the standard atmosphere.",
                "ours: sea level"),

@@ -80,7 +80,9 @@ public:
         if (scale) own_.emplace(name, *scale);
         return scale;
     }
-    /// Same dimension? (ut_are_convertible also takes reciprocals: MHz for us.)
+    /// Same dimension? UDUNITS takes the radian for 1, so that an angle may be a ratio of lengths. But 90 Hz are no
+    /// angular velocity, as turns may be meant, and 90 rad/s no frequency. (ut_are_convertible also takes reciprocals:
+    /// MHz for us.)
     bool sameDimension(std::string_view a, std::string_view b)
     {
         const Guard guard(mutex_);
@@ -88,7 +90,12 @@ public:
         const Unit second = parse(b);
         if (!first || !second) return false;
         const Unit ratio(ut_divide(first.get(), second.get()), ut_free);
-        return ratio && ut_is_dimensionless(ratio.get()) != 0;
+        std::array<char, 64> text{};
+        if (!ratio || ut_is_dimensionless(ratio.get()) == 0 ||
+            ut_format(ratio.get(), text.data(), text.size(), UT_ASCII | UT_DEFINITION) <= 0)
+            return false;
+        const std::string_view rest = text.data();
+        return rest.find("rad") == std::string_view::npos || (b != "rad/s" && b != "Hz");
     }
 
 private:

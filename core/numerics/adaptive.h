@@ -41,7 +41,6 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
                                     const AdaptiveOptions& options, Recorder& recorder)
 {
     using State = typename System::State;
-    constexpr const auto& tableau = dopri5Tableau;
     constexpr double roundOff = 4.0 * std::numeric_limits<double>::epsilon();
 
     State y = start.y;
@@ -53,16 +52,16 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     std::array<State, 7> k;
     const auto derivative = [&](const State& at) { return system.derivative(at, mode); };
     const auto stages = [&](double h) {
-        evaluateStages<tableau>(y, h, k, derivative);
+        evaluateStages<dopri5Tableau>(y, h, k, derivative);
         result.evaluations += 6;
-        return State(y + combine<tableau.b, 6>(h, k));
+        return State(y + combine<TableauRow<dopri5Tableau, &Tableau<7>::b>, 6>(h, k));
     };
     const auto segmentOf = [&](double t, double h, const State& y1) {
         // y0 + x (r1 + (1-x) (r2 + x (r3 + (1-x) r4))), as Bernstein coefficients.
         const State r1 = y1 - y;
         const State r2 = h * k[0] - r1;
         const State r3 = r1 - h * k[6] - r2;
-        const State r4 = combine<tableau.d, 7>(h, k);
+        const State r4 = combine<TableauRow<dopri5Tableau, &Tableau<7>::d>, 7>(h, k);
         return Segment<State>{t,
                               h,
                               {y, y + 0.25 * (r1 + r2), y + 0.5 * r1 + (1.0 / 3.0) * r2 + (1.0 / 6.0) * (r3 + r4),
@@ -86,7 +85,9 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
         const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * std::max(t, options.firstStep);
         h = std::min(h, until - t);
         State y1 = stages(h);
-        const double errorSquared = combine<tableau.e, 7>(h, k).cwiseProduct(inverseScale).squaredNorm() * weight;
+        const double errorSquared =
+            combine<TableauRow<dopri5Tableau, &Tableau<7>::e>, 7>(h, k).cwiseProduct(inverseScale).squaredNorm() *
+            weight;
 
         if (!(errorSquared <= 1.0)) { // also if it is NaN
             ++result.rejectedSteps;

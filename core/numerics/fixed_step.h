@@ -54,7 +54,7 @@ IntegrationResult integrateNaively(const System& system, Start<System> start, do
         const auto derivative = [&](const State& at) { return system.naiveDerivative(at, mode); };
         k[0] = derivative(y);
         evaluateStages<rk4Tableau>(y, h, k, derivative);
-        const State y1 = y + combine<rk4Tableau.b, 4>(h, k);
+        const State y1 = y + combine<TableauRow<rk4Tableau, &Tableau<4>::b>, 4>(h, k);
         result.evaluations += 4;
         if (!std::isfinite(y1.sum())) {
             result.end = IntegrationEnd::Diverged;
@@ -101,7 +101,7 @@ public:
         const auto derivative = [&](const typename System::State& at) { return system_.derivative(at, mode); };
         k_[0] = derivative(y);
         evaluateStages<rk4Tableau>(y, h, k_, derivative);
-        y1 = y + combine<rk4Tableau.b, 4>(h, k_);
+        y1 = y + combine<TableauRow<rk4Tableau, &Tableau<4>::b>, 4>(h, k_);
         evaluations += 4;
         return std::isfinite(y1.sum());
     }

@@ -47,11 +47,12 @@ int paddedSize(int n)
 
 struct PlaneConvolution::Plans {
     int nx, ny, mx, my;
-    std::size_t stride;            // of the rows of `lines`: mx/2 + 1, rounded up to whole blocks
-    std::vector<double> kernel;    // block after block
-    double* row = nullptr;         // of the domain
-    fftw_complex* lines = nullptr; // the ny rows' transforms along x
-    fftw_complex* columns = nullptr;
+    std::size_t stride;         // of the rows of `lines`: mx/2 + 1, rounded up to whole blocks
+    std::vector<double> kernel; // block after block
+    double* row = nullptr;      // of the domain
+    // Complex values, each as two numbers:
+    double* lines = nullptr; // the ny rows' transforms along x
+    double* columns = nullptr;
     fftw_plan rowForward = nullptr, rowInverse = nullptr, columnsForward = nullptr, columnsInverse = nullptr;
 
     Plans(int fieldX, int fieldY, int domainX, int domainY) : nx(fieldX), ny(fieldY), mx(domainX), my(domainY)
@@ -62,14 +63,14 @@ struct PlaneConvolution::Plans {
         const std::size_t lineValues = stride * static_cast<std::size_t>(ny);
         const std::lock_guard lock(fourierPlanner());
         row = fftw_alloc_real(static_cast<std::size_t>(mx) + 1);
-        lines = fftw_alloc_complex(lineValues);
-        columns = fftw_alloc_complex(static_cast<std::size_t>(my) * block);
+        lines = fftw_alloc_real(2 * lineValues);
+        columns = fftw_alloc_real(2 * static_cast<std::size_t>(my) * block);
         if (row && lines && columns) {
             std::fill_n(row, mx + 1, 0.0);
-            std::fill_n(lines[0], 2 * lineValues, 0.0);
+            std::fill_n(lines, 2 * lineValues, 0.0);
             // Estimated, not measured: a measured plan, and with it the last digits, would differ from run to run.
-            rowForward = fftw_plan_dft_r2c_1d(mx, row, lines, FFTW_ESTIMATE);
-            rowInverse = fftw_plan_dft_c2r_1d(mx, lines, row, FFTW_ESTIMATE);
+            rowForward = fftw_plan_dft_r2c_1d(mx, row, complex(lines), FFTW_ESTIMATE);
+            rowInverse = fftw_plan_dft_c2r_1d(mx, complex(lines), row, FFTW_ESTIMATE);
             columnsForward = columnPlan(FFTW_FORWARD);
             columnsInverse = columnPlan(FFTW_BACKWARD);
         }
@@ -88,8 +89,8 @@ struct PlaneConvolution::Plans {
 
     fftw_plan columnPlan(int direction) const
     {
-        return fftw_plan_many_dft(1, &my, block, columns, nullptr, block, 1, columns, nullptr, block, 1, direction,
-                                  FFTW_ESTIMATE);
+        return fftw_plan_many_dft(1, &my, block, complex(columns), nullptr, block, 1, complex(columns), nullptr, block,
+                                  1, direction, FFTW_ESTIMATE);
     }
     void release()
     {
@@ -99,18 +100,20 @@ struct PlaneConvolution::Plans {
         fftw_free(lines);
         fftw_free(columns);
     }
-    fftw_complex* line(int j) const { return lines + static_cast<std::size_t>(j) * stride; }
+    static fftw_complex* complex(double* values) { return reinterpret_cast<fftw_complex*>(values); }
+    double* line(int j) const { return lines + 2 * static_cast<std::size_t>(j) * stride; }
     void convolveColumns(std::size_t first);
 };
 
 void PlaneConvolution::Plans::convolveColumns(std::size_t first)
 {
-    for (int j = 0; j < ny; ++j) std::copy_n(line(j)[first], 2 * block, columns[j * block]);
-    std::fill(columns[ny * block], columns[ny * block] + 2 * static_cast<std::ptrdiff_t>(my - ny) * block, 0.0);
+    constexpr std::ptrdiff_t width = 2 * block;
+    for (int j = 0; j < ny; ++j) std::copy_n(line(j) + 2 * first, width, columns + j * width);
+    std::fill(columns + ny * width, columns + my * width, 0.0);
     fftw_execute(columnsForward);
-    multiply(my, kernel.data() + first * static_cast<std::size_t>(my / 2 + 1), columns[0]);
+    multiply(my, kernel.data() + first * static_cast<std::size_t>(my / 2 + 1), columns);
     fftw_execute(columnsInverse);
-    for (int j = 0; j < ny; ++j) std::copy_n(columns[j * block], 2 * block, line(j)[first]);
+    for (int j = 0; j < ny; ++j) std::copy_n(columns + j * width, width, line(j) + 2 * first);
 }
 
 PlaneConvolution::PlaneConvolution(int nx, int ny, int mx, int my) : plans_(std::make_unique<Plans>(nx, ny, mx, my)) {}
@@ -138,11 +141,11 @@ void PlaneConvolution::apply(std::span<const double> in, std::span<double> out)
     for (int j = 0; j < p.ny; ++j) {
         std::copy_n(in.data() + static_cast<std::ptrdiff_t>(j) * p.nx, p.nx, p.row);
         std::fill(p.row + p.nx, p.row + p.mx, 0.0);
-        fftw_execute_dft_r2c(p.rowForward, p.row, p.line(j));
+        fftw_execute_dft_r2c(p.rowForward, p.row, Plans::complex(p.line(j)));
     }
     for (std::size_t first = 0; first < p.stride; first += block) p.convolveColumns(first);
     for (int j = 0; j < p.ny; ++j) {
-        fftw_execute_dft_c2r(p.rowInverse, p.line(j), p.row);
+        fftw_execute_dft_c2r(p.rowInverse, Plans::complex(p.line(j)), p.row);
         std::copy_n(p.row, p.nx, out.data() + static_cast<std::ptrdiff_t>(j) * p.nx);
     }
 }

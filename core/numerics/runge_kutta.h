@@ -43,9 +43,19 @@ inline constexpr Tableau<7> dopri5Tableau{
           701980252875.0 / 199316789632.0, -1453857185.0 / 822651844.0, 69997945.0 / 29380423.0},
 };
 
-/// h sum_j weights[j] k[j] over the first `count` stages. The weights are constants of the program, so the compiler
-/// leaves out the zeros, and h weights[j] does not wait for k[j].
-template <const auto& weights, std::size_t count, class State, std::size_t stages>
+/// Weights as constants of the program: a row of a tableau's a, or its b, e or d.
+template <const auto& tableau, std::size_t row>
+struct StageRow {
+    static constexpr double at(std::size_t j) { return tableau.a[row][j]; }
+};
+template <const auto& tableau, auto member>
+struct TableauRow {
+    static constexpr double at(std::size_t j) { return (tableau.*member)[j]; }
+};
+
+/// h sum_j weight_j k[j] over the first `count` stages. The compiler leaves out the zeros, and h weight_j does not wait
+/// for k[j].
+template <class Of, std::size_t count, class State, std::size_t stages>
 inline State combine(double h, const std::array<State, stages>& k)
 {
     return [&]<std::size_t... j>(std::index_sequence<j...>)
@@ -53,7 +63,8 @@ inline State combine(double h, const std::array<State, stages>& k)
         State sum = State::Zero();
         (
             [&] {
-                if constexpr (weights[j] != 0.0) sum += (h * weights[j]) * k[j];
+                constexpr double weight = Of::at(j);
+                if constexpr (weight != 0.0) sum += (h * weight) * k[j];
             }(),
             ...);
         return sum;
@@ -67,7 +78,7 @@ inline void evaluateStages(const State& y, double h, std::array<State, stages>& 
 {
     [&]<std::size_t... i>(std::index_sequence<i...>)
     {
-        ((k[i + 1] = derivative(State(y + combine<tableau.a[i + 1], i + 1>(h, k)))), ...);
+        ((k[i + 1] = derivative(State(y + combine<StageRow<tableau, i + 1>, i + 1>(h, k)))), ...);
     }
     (std::make_index_sequence<stages - 1>{});
 }

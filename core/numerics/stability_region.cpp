@@ -25,7 +25,7 @@ double rungeKuttaGrowth(Complex z)
     const auto derivative = [&](const State& at) { return State(z * at); };
     k[0] = derivative(y);
     evaluateStages<tableau>(y, 1.0, k, derivative);
-    return std::abs((y + combine<tableau.b, stages>(1.0, k))[0]);
+    return std::abs((y + combine<TableauRow<tableau, &Tableau<stages>::b>, stages>(1.0, k))[0]);
 }
 
 /// q" = -w^2 q - 2 zeta w q', for Newmark's stepper.

@@ -57,6 +57,8 @@ private slots:
                                                   << "N" << 2 * 9.80665e-3;
         QTest::newRow("revolutions per minute") << "60 rpm"
                                                 << "rad/s" << 2 * 3.14159265358979323846;
+        QTest::newRow("turns per second") << "1 turn/s"
+                                          << "rad/s" << 2 * 3.14159265358979323846;
         QTest::newRow("degrees") << "180 deg"
                                  << "rad" << 3.14159265358979323846;
         QTest::newRow("a ratio of lengths is an angle") << "90 um/m"
@@ -83,7 +85,8 @@ private slots:
         QFETCH(QString, unit);
         QFETCH(double, expected);
         const double value = valueOf(text.toStdString(), unit.toStdString());
-        if (!text.contains("gf") && !text.contains("rpm") && !text.contains("deg")) QVERIFY(value == expected);
+        if (!text.contains("gf") && !text.contains("rpm") && !text.contains("deg") && !text.contains("turn"))
+            QVERIFY(value == expected);
         QCOMPARE(value, expected);
     }
 
@@ -96,6 +99,14 @@ private slots:
         QTest::newRow("missing unit") << "7"
                                       << "m"
                                       << "\"7\" has no unit; a length such as nm, um or mm is needed";
+        for (const char* turning : {"90 Hz", "5400 1/min", "90 becquerel", "90 1/s"})
+            QTest::newRow(turning) << turning << "rad/s"
+                                   << QString("\"%1\" has the wrong unit; an angular velocity such as rad/s, deg/s or "
+                                              "rpm is needed")
+                                          .arg(turning);
+        for (const char* angular : {"90 rad/s", "5400 rpm"})
+            QTest::newRow(angular) << angular << "Hz"
+                                   << QString("\"%1\" has the wrong unit; a unit such as Hz is needed").arg(angular);
         QTest::newRow("wrong unit") << "7 kg"
                                     << "m"
                                     << "\"7 kg\" has the wrong unit; a length such as nm, um or mm is needed";

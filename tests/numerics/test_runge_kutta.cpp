@@ -96,7 +96,7 @@ private slots:
         const Scalar y(1.0);
         k[0] = y;
         evaluateStages<rk4Tableau>(y, h, k, [](const Scalar& at) { return at; });
-        const double result = (y + combine<rk4Tableau.b, 4>(h, k))[0];
+        const double result = (y + combine<TableauRow<rk4Tableau, &Tableau<4>::b>, 4>(h, k))[0];
         QVERIFY(std::abs(result - (1.0 + h + h * h / 2 + h * h * h / 6 + h * h * h * h / 24)) < 1e-15);
     }
 };

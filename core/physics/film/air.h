@@ -4,9 +4,11 @@
 //
 //   mu = 1.458e-6 T^1.5 / (T + 110.4)                       Sutherland
 //   lambda = R T / (sqrt(2) pi d^2 N_A p), d = 3.65e-10 m   hard spheres, R per mole
-//   p = 101325 (1 - 0.0065 z / 288.16)^5.256                standard atmosphere, z in metres
+//   p = 101325 (1 - 0.0065 z / 288.16)^5.256                standard atmosphere, z in metres, up to z1 = 11000
+//   p = p(z1) exp(-(z - z1)/6341.62)                        above it, at 216.65 K (U.S. Standard Atmosphere, 1976)
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,7 +31,9 @@ inline Air airAt(double altitude, double temperature)
     constexpr double avogadro = 6.02214076e23;       // [1/mol]
     constexpr double moleculeDiameter = 3.65e-10;    // d [m]
     const double t = temperature;
-    const double p = 101325.0 * std::pow(1.0 - 0.0065 * altitude / 288.16, 5.256);
+    constexpr double tropopause = 11000.0, scaleHeight = 6341.62; // [m]
+    const double p = 101325.0 * std::pow(1.0 - 0.0065 * std::min(altitude, tropopause) / 288.16, 5.256) *
+                     std::exp(-std::max(altitude - tropopause, 0.0) / scaleHeight);
     const double area = std::numbers::sqrt2 * std::numbers::pi * moleculeDiameter * moleculeDiameter;
     return {p, 1.458e-6 * t * std::sqrt(t) / (t + 110.4), gasConstant * t / (area * avogadro * p)};
 }

@@ -47,12 +47,14 @@ private slots:
         QVERIFY2(std::abs(air.meanFreePath / meanFreePath - 1.0) < 2e-4, qPrintable(QString::number(air.meanFreePath)));
     }
 
-    /// The standard pressure at sea level, and half-way to the altitude z = 288.16/0.0065 m at which the law ends
-    /// 2^-5.256 of it.
+    /// The standard pressure at sea level, and in the air of the same temperature above 11 km, where the U.S. Standard
+    /// Atmosphere of 1976 has 12045 Pa at 15 km and 5474.9 Pa at 20 km.
     void pressureLaw()
     {
         QCOMPARE(airAt(0.0, 250.0).pressure, 101325.0);
-        QVERIFY(std::abs(airAt(0.5 * 288.16 / 0.0065, 250.0).pressure / 101325.0 * std::exp2(5.256) - 1.0) < 1e-13);
+        QVERIFY(std::abs(airAt(15000.0, 250.0).pressure / 12045.0 - 1.0) < 3e-4);
+        QVERIFY(std::abs(airAt(20000.0, 250.0).pressure / 5474.9 - 1.0) < 3e-4);
+        QVERIFY(std::abs(airAt(11000.0 + 1e-6, 250.0).pressure / airAt(11000.0, 250.0).pressure - 1.0) < 1e-9);
     }
 
     /// What the established program calls standard air is this atmosphere at sea level and 25 C, in the digits that it
