@@ -2,7 +2,6 @@
 #include "core/formats/surface_units.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "core/formats/cml_text.h"

@@ -107,6 +107,11 @@ private slots:
         QCOMPARE(problemsOf(profile), std::string());
         QCOMPARE(profile.map.ny, 1);
         QVERIFY(near(profile.map.heights, fourHeights));
+        // Its units are fixed.
+        const std::string text = "0 1\n1e-6 2\n2e-6 .5\n3e-6 -1\n0\n";
+        QVERIFY(near(readHeightMapText(text, "wave.def", "m, nm").map.heights, fourHeights));
+        QVERIFY(!readHeightMapText(text, "wave.def", "um, nm").valid());
+        QCOMPARE(read("0 1\n1e-6 2\n2e-6 -9999\n3e-6 -1\n0\n", "wave.def").problems.front().line, 3);
     }
 
     void aMapThatClosesLosesItsLastPoint()
