@@ -14,6 +14,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
+#include "core/case/disk_setup.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
@@ -192,10 +193,11 @@ std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0
 std::string warningRows(const Case& c, const std::vector<std::string>& warnings)
 {
     std::string text;
-    const std::vector<CaseProblem> told = caseWarnings(c);
+    std::vector<std::string> told;
+    for (const CaseProblem& each : caseWarnings(c)) told.push_back(each.message);
+    for (const InputProblem& each : checkDiskFile(c).warnings) told.push_back(each.text());
     for (const std::string& warning : warnings)
-        if (std::ranges::find(told, warning, &CaseProblem::message) == told.end())
-            text += reportRow("warning", warning);
+        if (std::ranges::find(told, warning) == told.end()) text += reportRow("warning", warning);
     return text;
 }
 

@@ -11,19 +11,27 @@ namespace {
 
 bool readsFile(const Case& c) { return findParameter("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
 
-HeightMapDocument readMap(const Case& c) { return readHeightMap(c.folder / c.diskSurface.file, c.diskSurface.file); }
+HeightMapDocument readMap(const Case& c)
+{
+    return readHeightMap(c.folder / c.diskSurface.file, c.diskSurface.file, c.diskSurface.unit);
+}
 
 } // namespace
 
-std::vector<InputProblem> diskFileProblems(const Case& c)
+DiskFileCheck checkDiskFile(const Case& c)
 {
     if (!readsFile(c) || c.diskSurface.file.empty()) return {};
-    std::vector<InputProblem> problems = readMap(c).problems;
-    for (InputProblem& problem : problems) {
+    const HeightMapDocument document = readMap(c);
+    DiskFileCheck check{document.problems, {}};
+    for (InputProblem& problem : check.problems) {
         problem.kind = ProblemKind::MeasuredDisk;
         if (problem.key.empty()) problem.key = "disk.surface.file";
     }
-    return problems;
+    if (document.valid())
+        for (const DiskSurfaceProblem& each : heightMapWarnings(document.map))
+            check.warnings.push_back(
+                {c.diskSurface.file, 0, "disk.surface." + each.key, each.sentence, ProblemKind::MeasuredDisk});
+    return check;
 }
 
 DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn)

@@ -12,8 +12,12 @@
 
 namespace touchdown {
 
-/// Why the file of a measured surface cannot be used; empty if it can, or if the case has none.
-std::vector<InputProblem> diskFileProblems(const Case& c);
+/// Why the file of a measured surface cannot be used, and what may be wrong with it; empty if the case has none.
+struct DiskFileCheck {
+    std::vector<InputProblem> problems;
+    std::vector<InputProblem> warnings;
+};
+DiskFileCheck checkDiskFile(const Case& c);
 
 /// `c` and its file are valid. Generating roughness may take seconds; it stops when `goOn` returns false.
 DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn = {});

@@ -86,8 +86,15 @@ std::vector<Parameter> diskSurfaceParameters()
                "Width across the motion after which the surface repeats.", ours),
         text("disk.surface.file", "file", at(&Case::diskSurface, &DiskSurface::file), withFile,
              "File of a measured surface, relative to the folder of the case: columns of text with a profile or a map, "
-             "a wave.def, or HDF5; empty = none.",
+             "a wave.def, or HDF5; empty = none. Its lengths have units, in the file or in disk.surface.unit.",
              none),
+        text(
+            "disk.surface.unit", "unit of the file", at(&Case::diskSurface, &DiskSurface::unit), withFile,
+            "Units of the lengths in the file where it names none: one for each column, as \"um, nm\" for x and height "
+            "or \"um, um, nm\" for x, y and height, or one for all. Units in the file must be the same; empty = those "
+            "of "
+            "the file.",
+            none),
         choice("disk.surface.bump_shape", "bump shape", {"ellipsoid", "gaussian", "cosine"},
                at(&Case::diskSurface, &DiskSurface::bumpShape), withBumps, "Form of the bumps and pits.", none),
         list("disk.surface.bump_heights", "bump heights", nanometres, within(longestTrack), atMost(mostBumps),

@@ -116,8 +116,11 @@ public:
             add(problem.line, problem.key, problem.message);
         addCombinations(toml);
         addUnused(toml);
-        if (document_.valid())
-            for (const InputProblem& problem : diskFileProblems(document_.value)) document_.problems.push_back(problem);
+        if (document_.valid()) {
+            const DiskFileCheck disk = checkDiskFile(document_.value);
+            document_.problems = disk.problems;
+            document_.warnings.insert(document_.warnings.end(), disk.warnings.begin(), disk.warnings.end());
+        }
         std::ranges::stable_sort(document_.problems, {}, &InputProblem::line);
     }
 

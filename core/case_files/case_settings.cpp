@@ -99,9 +99,9 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
 {
     // A setting may remove a contradiction of the file, or make one.
     const auto isCombination = [](const InputProblem& problem) { return problem.kind == ProblemKind::Combination; };
-    std::erase_if(document.problems, [&](const InputProblem& problem) {
-        return isCombination(problem) || problem.kind == ProblemKind::MeasuredDisk;
-    });
+    const auto isOfDisk = [](const InputProblem& problem) { return problem.kind == ProblemKind::MeasuredDisk; };
+    std::erase_if(document.problems,
+                  [&](const InputProblem& problem) { return isCombination(problem) || isOfDisk(problem); });
     const bool readable = document.valid();
     for (const std::string& setting : settings)
         if (auto problem = applySetting(document.value, setting)) document.problems.push_back(std::move(*problem));
@@ -109,8 +109,12 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     for (const CaseProblem& problem : checkCombinations(document.value))
         document.problems.push_back(problem.in(document.name));
     renewWarnings(document, settings);
-    if (document.valid())
-        for (const InputProblem& problem : diskFileProblems(document.value)) document.problems.push_back(problem);
+    if (document.valid()) {
+        const DiskFileCheck disk = checkDiskFile(document.value);
+        document.problems = disk.problems;
+        std::erase_if(document.warnings, isOfDisk);
+        document.warnings.insert(document.warnings.end(), disk.warnings.begin(), disk.warnings.end());
+    }
     // A value without effect in the file may have one now; a setting may have none.
     std::erase_if(document.unused,
                   [&](const InputProblem& unused) { return findParameter(unused.key)->used(document.value); });

@@ -247,8 +247,9 @@ void findTrackProfile(const fs::path& path, CmlParameters& parameters)
     const auto file = isArchive(path) ? std::nullopt : findMember(folder, c.diskSurface.file);
     if (file) {
         parameters.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
-        const auto problems = diskFileProblems(c);
-        parameters.problems.insert(parameters.problems.end(), problems.begin(), problems.end());
+        const DiskFileCheck disk = checkDiskFile(c);
+        parameters.problems.insert(parameters.problems.end(), disk.problems.begin(), disk.problems.end());
+        parameters.warnings.insert(parameters.warnings.end(), disk.warnings.begin(), disk.warnings.end());
         return;
     }
     if (c.diskSurface.kind == DiskSurfaceKind::File) parameters.choose("disk.surface.kind", "flat", line);

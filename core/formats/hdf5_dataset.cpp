@@ -107,14 +107,21 @@ std::string Hdf5Object::attribute(const std::string& name) const
 
 double Hdf5Object::numberAttribute(const std::string& name) const
 {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    if (H5Aexists(*this, name.c_str()) <= 0) return value;
+    const std::vector<double> values = numberAttributes(name);
+    return values.size() == 1 ? values.front() : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<double> Hdf5Object::numberAttributes(const std::string& name) const
+{
+    if (H5Aexists(*this, name.c_str()) <= 0) return {};
     const Hdf5Handle attribute(H5Aopen(*this, name.c_str(), H5P_DEFAULT), H5Aclose);
     const Hdf5Handle type(H5Aget_type(attribute), H5Tclose), space(H5Aget_space(attribute), H5Sclose);
     const H5T_class_t kind = H5Tget_class(type);
-    if ((kind == H5T_FLOAT || kind == H5T_INTEGER) && H5Sget_simple_extent_npoints(space) == 1)
-        checkHdf5(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value));
-    return value;
+    const hssize_t count = H5Sget_simple_extent_npoints(space);
+    if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || count < 1) return {};
+    std::vector<double> values(static_cast<std::size_t>(count));
+    checkHdf5(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()));
+    return values;
 }
 
 void Hdf5Dataset::describe(const std::string& unit, const std::string& longName) const

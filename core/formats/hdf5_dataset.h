@@ -30,6 +30,8 @@ public:
     std::string attribute(const std::string& name) const;
     /// NaN if there is no such number.
     double numberAttribute(const std::string& name) const;
+    /// All numbers of an attribute; empty if there are none.
+    std::vector<double> numberAttributes(const std::string& name) const;
 };
 
 class Hdf5Dataset : public Hdf5Object {

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
-#include "core/formats/units.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
@@ -18,14 +16,6 @@ namespace {
 constexpr double printedDigits = 0.02;  // of a step: so far off may a place be that was rounded when it was printed
 constexpr double sameHeight = 1e-6;     // of the whole range: so alike are first and last point of a closed map
 constexpr std::size_t fewestPoints = 4; // along the track
-
-/// The other ways to write a micro sign: Latin-1, and the two of Unicode.
-std::string plainMicro(std::string text)
-{
-    for (const std::string_view micro : {"\xC2\xB5", "\xCE\xBC", "\xB5"})
-        if (const auto at = text.find(micro); at != std::string::npos) text.replace(at, micro.size(), "u");
-    return text;
-}
 
 /// Whether two points are alike in all rows, from `a` and `b` on every `stride`.
 bool alike(const std::vector<double>& heights, std::size_t a, std::size_t b, std::size_t stride, std::size_t count,
@@ -91,15 +81,6 @@ HeightMap builtMap(const MapAxis& x, const MapAxis& y, std::vector<double> heigh
     map.dy = y.step;
     map.heights = std::move(heights);
     return map;
-}
-
-std::optional<double> lengthUnit(const std::string& unit) { return lengthOf("1 " + unit); }
-
-std::optional<double> lengthOf(const std::string& quantity)
-{
-    const auto value = parseQuantity(plainMicro(quantity), "m");
-    const double* length = std::get_if<double>(&value);
-    return length && std::isfinite(*length) ? std::optional(*length) : std::nullopt;
 }
 
 std::string inMetres(double length) { return decimalText(length, 0, 6) + " m"; }

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,10 +30,6 @@ MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, c
 /// Heights [m] row by row, x fastest, all finite; y.points 1 for a profile.
 HeightMap builtMap(const MapAxis& x, const MapAxis& y, std::vector<double> heights);
 
-/// The length in metres of one "um", "nm" and others; empty for other units.
-std::optional<double> lengthUnit(const std::string& unit);
-/// "10 um" [m].
-std::optional<double> lengthOf(const std::string& quantity);
 /// As a person reads it: "2.5e-07 m".
 std::string inMetres(double length);
 

@@ -2,17 +2,21 @@
 #include "core/formats/height_map_file.h"
 
 #include <algorithm>
-#include <cctype>
-#include <optional>
+#include <functional>
+#include <numeric>
+#include <utility>
 #include <variant>
 
 #include "core/formats/cml_text.h"
 #include "core/formats/height_map_builder.h"
 #include "core/formats/height_map_hdf5.h"
+#include "core/formats/map_holes.h"
+#include "core/formats/map_table.h"
 #include "core/formats/quotation.h"
+#include "core/formats/surface_heading.h"
+#include "core/formats/text_encoding.h"
 #include "core/formats/text_file.h"
 #include "core/formats/words.h"
-#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 
@@ -21,110 +25,21 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largestFile = 1u << 30; // [byte]
-constexpr std::string_view columnSeparators = " \t,;\v\f";
 
 std::string endingOf(const std::string& name) { return lowerCase(fs::path(name).extension().string()); }
 
-bool isComment(std::string_view line)
+/// The numbers of columns from `first` to the last, which are heights as the file writes them.
+void refuseMarks(const MapTable& table, std::size_t first)
 {
-    return line.starts_with('#') || line.starts_with('%') || line.starts_with('!') || line.starts_with("//");
+    std::vector<double> heights;
+    heights.reserve(table.rows() * (table.columns - first));
+    for (std::size_t row = 0; row < table.rows(); ++row)
+        for (std::size_t column = first; column < table.columns; ++column) heights.push_back(table.at(row, column));
+    if (const auto hole = findHole(heights))
+        throw CmlError(table.lines[*hole / (table.columns - first)], holeText(heights[*hole]));
 }
 
-/// "nan", "-inf", "NA" and other marks for a missing measurement.
-bool standsForHole(std::string_view word)
-{
-    const std::string lower = lowerCase(word.starts_with('-') || word.starts_with('+') ? word.substr(1) : word);
-    return lower.starts_with("nan") || lower.starts_with("inf") || lower == "na" || lower == "bad" || lower == "-" ||
-           lower == "--" || lower == "*" || lower == "null" || lower.starts_with("1.#");
-}
-
-/// Lines with equal counts of numbers, and the text around them.
-struct Table {
-    std::size_t columns = 0;
-    std::vector<double> numbers;
-    std::vector<int> lines;       // of the file, one for each row
-    std::vector<double> shortRow; // a last line with other than `columns` numbers
-    int shortLine = 0;
-    std::vector<std::string> words; // comments and headings
-
-    std::size_t rows() const { return lines.size(); }
-    double at(std::size_t row, std::size_t column) const { return numbers[row * columns + column]; }
-};
-
-void readRow(std::string_view line, int number, std::vector<double>& row)
-{
-    row.clear();
-    for (std::size_t at = line.find_first_not_of(columnSeparators); at != std::string_view::npos;
-         at = line.find_first_not_of(columnSeparators, at)) {
-        const std::string_view word = line.substr(at, line.find_first_of(columnSeparators, at) - at);
-        const auto value = readCmlNumber(word);
-        if (!value && standsForHole(word))
-            throw CmlError(number, "a map has no holes: every height must be a number, not " + inQuotes(word));
-        if (!value) throw CmlError(number, "a line of numbers is needed, not " + inQuotes(word));
-        row.push_back(*value);
-        at += word.size();
-    }
-}
-
-void refuseShortRow(const Table& table)
-{
-    if (table.shortLine == 0) return;
-    throw CmlError(table.shortLine, "has " + counted(table.shortRow.size(), "number") + ", the lines before it " +
-                                        std::to_string(table.columns) +
-                                        "; a map has no holes: every line must be complete");
-}
-
-Table readTable(std::string_view text)
-{
-    Table table;
-    std::vector<double> row;
-    for (CmlText reader(text); !reader.atEnd();) {
-        const int number = reader.line();
-        const std::string_view line = trimmed(reader.takeLine(), blanks);
-        if (line.empty()) continue;
-        const std::string_view word = line.substr(0, line.find_first_of(columnSeparators));
-        const bool heading = table.rows() == 0 && !readCmlNumber(word) && !standsForHole(word);
-        if (isComment(line) || heading) {
-            table.words.emplace_back(line);
-            continue;
-        }
-        refuseShortRow(table);
-        readRow(line, number, row);
-        if (row.empty()) continue;
-        if (table.rows() == 0) table.columns = row.size();
-        if (row.size() != table.columns) {
-            table.shortRow = row;
-            table.shortLine = number;
-            continue;
-        }
-        table.numbers.insert(table.numbers.end(), row.begin(), row.end());
-        table.lines.push_back(number);
-        if (table.numbers.size() > 3 * static_cast<std::size_t>(mostMapPoints))
-            throw CmlError(number, "there are too many points; at most 64 million can be read");
-    }
-    if (table.rows() == 0)
-        throw CmlError(0,
-                       "holds no numbers; a profile has two columns, x and height, and a map three, x, y and height");
-    return table;
-}
-
-/// The factors of the units that a heading gives in brackets, one for each column; 1 without them.
-std::vector<double> columnUnits(const Table& table)
-{
-    for (const std::string& words : table.words) {
-        std::vector<double> factors;
-        for (std::size_t open = words.find_first_of("[("); open != std::string::npos;
-             open = words.find_first_of("[(", open + 1)) {
-            const std::size_t close = words.find_first_of("])", open);
-            if (close == std::string::npos) break;
-            if (const auto factor = lengthUnit(words.substr(open + 1, close - open - 1))) factors.push_back(*factor);
-        }
-        if (factors.size() == table.columns) return factors;
-    }
-    return std::vector<double>(table.columns, 1.0);
-}
-
-MapAxis axisOf(const Table& table, std::size_t column, double unit, std::size_t count, std::size_t stride,
+MapAxis axisOf(const MapTable& table, std::size_t column, double unit, std::size_t count, std::size_t stride,
                const char* name)
 {
     std::vector<double> places;
@@ -137,55 +52,94 @@ MapAxis axisOf(const Table& table, std::size_t column, double unit, std::size_t 
     return equalSteps(places, lines, name);
 }
 
-HeightMap profileOf(const Table& table)
+/// With its rows in another order.
+MapTable reordered(const MapTable& table, const std::vector<std::size_t>& order)
 {
-    const auto units = columnUnits(table);
+    MapTable sorted = table;
+    for (std::size_t row = 0; row < order.size(); ++row) {
+        sorted.lines[row] = table.lines[order[row]];
+        for (std::size_t column = 0; column < table.columns; ++column)
+            sorted.numbers[row * table.columns + column] = table.at(order[row], column);
+    }
+    return sorted;
+}
+
+HeightMap profileOf(MapTable table, const ColumnUnits& key)
+{
+    const auto units = columnUnits(table, key);
+    for (std::size_t row = 2; row < table.rows(); ++row)
+        if (table.at(row, 0) == table.at(0, 0))
+            throw CmlError(table.lines[row],
+                           "x returns to its start: a second profile begins here; one profile is read "
+                           "from a file");
+    refuseMarks(table, 1);
+    if (table.at(table.rows() - 1, 0) < table.at(0, 0)) {
+        std::vector<std::size_t> order(table.rows());
+        std::iota(order.rbegin(), order.rend(), std::size_t{0});
+        table = reordered(table, order);
+    }
     const MapAxis x = axisOf(table, 0, units[0], table.rows(), 1, "x");
     std::vector<double> heights(table.rows());
     for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = table.at(i, 1) * units[1];
     return builtMap(x, {1, 0.0, x.step}, std::move(heights));
 }
 
-std::string pointText(bool turned, double quick, double late)
+/// Line by line along x, from the lowest y.
+MapTable inOrder(const MapTable& table)
 {
-    return "x = " + inMetres(turned ? late : quick) + ", y = " + inMetres(turned ? quick : late);
+    const auto before = [&](std::size_t a, std::size_t b) {
+        return std::pair(table.at(a, 1), table.at(a, 0)) < std::pair(table.at(b, 1), table.at(b, 0));
+    };
+    std::vector<std::size_t> order(table.rows());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (std::ranges::is_sorted(order, before)) return table;
+    std::ranges::stable_sort(order, before);
+    return reordered(table, order);
 }
 
-/// Points in lines along x or, `turned`, along y.
-HeightMap mapOfPoints(const Table& table)
+/// Points in any order.
+HeightMap mapOfPoints(const MapTable& unsorted, const ColumnUnits& key)
 {
-    const auto units = columnUnits(table);
+    const auto units = columnUnits(unsorted, key);
+    refuseMarks(unsorted, 2);
+    std::size_t ascending = 1;
+    while (ascending < unsorted.rows() && unsorted.at(ascending, 0) > unsorted.at(ascending - 1, 0)) ++ascending;
+    if (ascending > 1 && ascending == unsorted.rows())
+        throw CmlError(unsorted.lines.front(),
+                       "has three columns, which are x, y and height of a map, but each x once; a "
+                       "profile has two columns, x and height");
+    const MapTable table = inOrder(unsorted);
     const std::size_t rows = table.rows();
-    const bool turned = rows > 1 && table.at(1, 0) == table.at(0, 0);
-    const std::size_t fast = turned ? 1 : 0, slow = turned ? 0 : 1;
+    for (std::size_t k = 1; k < rows; ++k)
+        if (table.at(k, 0) == table.at(k - 1, 0) && table.at(k, 1) == table.at(k - 1, 1))
+            throw CmlError(table.lines[k], "a point is here a second time, after line " +
+                                               std::to_string(table.lines[k - 1]) +
+                                               "; one channel is read from a file");
     std::size_t length = 1; // of a line of points
-    while (length < rows && table.at(length, slow) == table.at(0, slow)) ++length;
-    const MapAxis quick = axisOf(table, fast, units[fast], length, 1, turned ? "y" : "x");
-    const MapAxis late = axisOf(table, slow, units[slow], (rows + length - 1) / length, length, turned ? "x" : "y");
-    for (std::size_t k = 0; k < rows; ++k) {
-        const double a = table.at(k, fast) * units[fast], b = table.at(k, slow) * units[slow];
-        if (!quick.holds(k % length, a) || !late.holds(k / length, b))
-            throw CmlError(table.lines[k], "a map has no holes: the point " +
-                                               pointText(turned, quick.at(k % length), late.at(k / length)) +
-                                               " is needed here; points must come line by line, along x or along y");
-    }
+    while (length < rows && table.at(length, 1) == table.at(0, 1)) ++length;
+    const MapAxis x = axisOf(table, 0, units[0], length, 1, "x");
+    const MapAxis y = axisOf(table, 1, units[1], (rows + length - 1) / length, length, "y");
+    for (std::size_t k = 0; k < rows; ++k)
+        if (!x.holds(k % length, table.at(k, 0) * units[0]) || !y.holds(k / length, table.at(k, 1) * units[1]))
+            throw CmlError(table.lines[k], "a map has no holes: the point x = " + inMetres(x.at(k % length)) +
+                                               ", y = " + inMetres(y.at(k / length)) + " is missing before this one");
     if (rows % length != 0)
         throw CmlError(table.lines.back(), "a map has no holes: its last line ends after " +
                                                std::to_string(rows % length) + " of " + std::to_string(length) +
                                                " points");
     std::vector<double> heights(rows);
-    for (std::size_t k = 0; k < rows; ++k) {
-        const std::size_t at = turned ? (k % length) * (rows / length) + k / length : k;
-        heights[at] = table.at(k, 2) * units[2];
-    }
-    return turned ? builtMap(late, quick, std::move(heights)) : builtMap(quick, late, std::move(heights));
+    for (std::size_t k = 0; k < rows; ++k) heights[k] = table.at(k, 2) * units[2];
+    return builtMap(x, y, std::move(heights));
 }
 
 /// Lines "x h1 ... hny" and one of y.
-HeightMap mapOfWaveDefinition(const Table& table)
+HeightMap mapOfWaveDefinition(const MapTable& table, const ColumnUnits& key)
 {
     if (table.columns < 2)
         throw CmlError(table.lines.front(), "a line of x [m] and one or more heights [nm] is needed");
+    const ColumnUnits units = unitsOfKey(key, 2);
+    if (!units.empty() && (units[0] != 1.0 || units[1] != 1e-9))
+        throw CmlError(0, "is in m and nm, as every wave.def, and disk.surface.unit gives other units");
     const std::size_t ny = table.columns - 1;
     if (table.shortLine == 0)
         throw CmlError(table.lines.back(),
@@ -193,6 +147,7 @@ HeightMap mapOfWaveDefinition(const Table& table)
     if (table.shortRow.size() != ny)
         throw CmlError(table.shortLine, "the last line must hold the y [m] of each profile, " + counted(ny, "number") +
                                             ", not " + std::to_string(table.shortRow.size()));
+    refuseMarks(table, 1);
     const MapAxis x = axisOf(table, 0, 1.0, table.rows(), 1, "x");
     MapAxis y{1, 0.0, x.step};
     if (ny > 1) y = equalSteps(table.shortRow, std::vector<int>(ny, table.shortLine), "y");
@@ -203,46 +158,27 @@ HeightMap mapOfWaveDefinition(const Table& table)
     return builtMap(x, y, std::move(heights));
 }
 
-/// The value of "# Width: 10 um" or "# width = 10 um".
-std::optional<std::string> wordsOf(const Table& table, std::string_view key)
+HeightMap mapOfMatrix(const MapTable& table, const MatrixHeading& heading, const ColumnUnits& key)
 {
-    for (const std::string& words : table.words) {
-        const std::string lower = lowerCase(words);
-        const auto begin = lower.find_first_not_of("#%!/ \t");
-        if (begin == std::string::npos || !std::string_view(lower).substr(begin).starts_with(key)) continue;
-        const auto value = lower.find_first_not_of(" \t", begin + key.size());
-        if (value == std::string::npos || (lower[value] != ':' && lower[value] != '=')) continue;
-        return std::string(trimmed(std::string_view(words).substr(value + 1), blanks));
-    }
-    return std::nullopt;
-}
-
-HeightMap mapOfMatrix(const Table& table, const std::string& width, const std::string& height)
-{
-    const auto side = [](const std::string& text, const char* name) {
-        const auto value = lengthOf(text);
-        if (value && *value > 0.0) return *value;
-        throw CmlError(0, std::string(name) + " must be a length above 0 with its unit, as \"10 um\", not " +
-                              inQuotes(text));
-    };
-    const std::string unit = wordsOf(table, "value units").value_or("m");
-    const auto factor = lengthUnit(unit);
-    if (!factor) throw CmlError(0, "Value units must be a unit of length, as \"nm\", not " + inQuotes(unit));
-    const auto columns = static_cast<double>(table.columns), rows = static_cast<double>(table.rows());
+    const MatrixSize size = matrixSize(table, heading, key);
+    refuseMarks(table, 0);
     std::vector<double> heights(table.numbers);
-    for (double& h : heights) h *= *factor;
-    return builtMap({table.columns, 0.0, side(width, "Width") / columns},
-                    {table.rows(), 0.0, side(height, "Height") / rows}, std::move(heights));
+    for (double& h : heights) h *= size.valueUnit;
+    return builtMap({table.columns, 0.0, size.width / static_cast<double>(table.columns)},
+                    {table.rows(), 0.0, size.height / static_cast<double>(table.rows())}, std::move(heights));
 }
 
-HeightMap mapOf(const Table& table, const std::string& name)
+HeightMap mapOf(MapTable table, const std::string& name, const ColumnUnits& key)
 {
-    if (endingOf(name) == ".def") return mapOfWaveDefinition(table);
+    if (endingOf(name) == ".def") return mapOfWaveDefinition(table, key);
+    const MatrixHeading heading = matrixHeading(table);
+    const bool matrix = heading.width && heading.height && table.columns > 3;
+    refuseSecondChannel(table, matrix);
     refuseShortRow(table);
-    const auto width = wordsOf(table, "width"), height = wordsOf(table, "height");
-    if (width && height) return mapOfMatrix(table, *width, *height);
-    if (table.columns == 2) return profileOf(table);
-    if (table.columns == 3) return mapOfPoints(table);
+    if (matrix) return mapOfMatrix(table, heading, key);
+    takeOutIndex(table);
+    if (table.columns == 2) return profileOf(std::move(table), key);
+    if (table.columns == 3) return mapOfPoints(table, key);
     throw CmlError(
         table.lines.front(),
         "has " + counted(table.columns, "number") +
@@ -250,43 +186,53 @@ HeightMap mapOf(const Table& table, const std::string& name)
             "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
 }
 
-} // namespace
-
-HeightMapDocument readHeightMapText(std::string_view text, const std::string& name)
+HeightMapDocument readBy(const std::string& name, const std::string& unit,
+                         const std::function<HeightMap(const ColumnUnits&)>& read)
 {
     HeightMapDocument document;
+    const auto key = unitsOfKey(unit);
+    if (!key) {
+        document.problems.push_back(
+            {name, 0, "disk.surface.unit",
+             "must hold units of length, one for each column or one for all, as \"um, nm\", not " + inQuotes(unit)});
+        return document;
+    }
     try {
-        document.map = mapOf(readTable(text), name);
+        document.map = read(*key);
     } catch (const CmlError& error) {
         document.problems.push_back({name, error.line(), "", error.what()});
     }
     return document;
 }
 
-HeightMapDocument readHeightMap(const fs::path& file, const std::string& name)
+} // namespace
+
+HeightMapDocument readHeightMapText(std::string text, const std::string& name, const std::string& unit)
+{
+    return readBy(name, unit, [&](const ColumnUnits& key) {
+        const std::string utf8 = asUtf8(std::move(text));
+        return mapOf(readMapTable(utf8), name, key);
+    });
+}
+
+HeightMapDocument readHeightMap(const fs::path& file, const std::string& name, const std::string& unit)
 {
     const std::string ending = endingOf(file.string());
+    if (ending == ".h5" || ending == ".hdf5")
+        return readBy(name, unit, [&](const ColumnUnits& key) { return readHeightMapHdf5(file, key); });
     HeightMapDocument document;
-    if (ending == ".h5" || ending == ".hdf5") {
-        try {
-            document.map = readHeightMapHdf5(file);
-        } catch (const CmlError& error) {
-            document.problems.push_back({name, 0, "", error.what()});
-        }
-        return document;
-    }
     std::error_code error;
     if (const auto size = fs::file_size(file, error);
         !error && fs::is_regular_file(file, error) && size > largestFile) {
         document.problems.push_back({name, 0, "", "is larger than 1 GiB; a surface is read from at most that"});
         return document;
     }
-    const auto text = readTextFile(file, largestFile);
+    auto text = readTextFile(file, largestFile);
     if (const auto* problem = std::get_if<FileProblem>(&text)) {
         document.problems.push_back({name, 0, "", problem->message});
         return document;
     }
-    return readHeightMapText(std::get<std::string>(text), name);
+    return readHeightMapText(std::move(std::get<std::string>(text)), name, unit);
 }
 
 } // namespace touchdown

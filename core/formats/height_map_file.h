@@ -3,26 +3,31 @@
 // Measured surfaces from files: profiles along the track and maps. The file name extension selects the format.
 //
 //   *.h5, *.hdf5   datasets x (nx), y (ny) and height (ny rows of nx) in the root; for a profile x (nx), height (nx).
-//                  An attribute "unit" of each is a length; without it the unit is m.
+//                  Attributes of each: "unit" or "units", a length; "scale_factor" and "add_offset" as in netCDF: the
+//                  value is number * scale_factor + add_offset; "_FillValue", "missing_value": the number of a hole.
 //   *.def          wave.def of the established program: lines "x h1 ... hny", x in m, h in nm; the last line holds
 //                  the y of the ny profiles in m.
-//   others         text, numbers separated by blanks, tabs, commas or semicolons:
-//                    two columns     x, height: a profile
-//                    three columns   x, y, height: a map, every point once, line by line along x or along y
+//   others         text in UTF-8, Latin-1 or, with its mark, UTF-16:
+//                    two columns     x, height: a profile, x ascending or descending
+//                    three columns   x, y, height: a map, every point once, in any order
 //                    a matrix        of heights, the first line at y = 0, after comments with its size and unit:
 //                                    "# Width: 10 um", "# Height: 5 um", "# Value units: nm" (as Gwyddion writes)
-//                  Lines that begin with #, %, ! or // are comments; headings may precede the first number.
-//                  Lengths are in m, or in the units in brackets in a heading or comment, one per column:
-//                  "x [um]  h [nm]".
+//                  Lines that begin with #, %, ! or // are comments; headings may precede the first number. Columns and
+//                  decimal commas: core/formats/map_table.h.
 //
-// x and y ascend in equal steps; the first point lies at x = y = 0 of the disk. A map has no holes: every number is
-// finite and every line complete. A last row or column that repeats the first one closes the map (see
-// core/physics/disk/height_map.h).
+// Lengths have units. A heading or comment names one for each column, "x [um]  h [nm]", "x in um, h in nm",
+// "x_um,h_nm", "um;nm" (core/formats/surface_units.h), or the case gives them as disk.surface.unit; where both do, they
+// are the same. Without units a file is refused, and so is a heading with fewer units than columns or with a unit that
+// is no length.
+//
+// The steps of x and y are equal; the lowest x and y lie at x = y = 0 of the disk. A map has no holes: every number is
+// finite, every line complete, and no height is a mark of a missing point (core/formats/map_holes.h). A file holds one
+// profile or one channel. An index column is left out where its heading names it (core/formats/surface_heading.h). A
+// last row or column that repeats the first one closes the map (see core/physics/disk/height_map.h).
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/formats/input_problem.h"
@@ -36,10 +41,11 @@ struct HeightMapDocument {
     bool valid() const { return problems.empty(); }
 };
 
-/// Reads a file of any format. `name` is its name in the problems.
-HeightMapDocument readHeightMap(const std::filesystem::path& file, const std::string& name);
+/// Reads a file of any format. `name` is its name in the problems; `unit` is the value of disk.surface.unit.
+HeightMapDocument readHeightMap(const std::filesystem::path& file, const std::string& name,
+                                const std::string& unit = {});
 
 /// The text formats; the extension of `name` selects one.
-HeightMapDocument readHeightMapText(std::string_view text, const std::string& name);
+HeightMapDocument readHeightMapText(std::string text, const std::string& name, const std::string& unit = {});
 
 } // namespace touchdown

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/formats/cml_text.h"
+#include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
 #include "core/formats/height_map_builder.h"
+#include "core/formats/map_holes.h"
 #include "core/formats/quotation.h"
+#include "core/formats/surface_units.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
@@ -28,15 +32,56 @@ std::string shapeText(const std::vector<hsize_t>& shape)
     return text.empty() ? "a single number" : text;
 }
 
-double unitOf(const Hdf5Dataset& dataset, const std::string& name)
+/// The unit of the file, which must be that of the case where both give one; `byKey` 0: the case gives none.
+double unitOf(const Hdf5Dataset& dataset, const std::string& name, double byKey)
 {
-    const std::string unit = dataset.attribute("unit");
-    if (unit.empty()) return 1.0;
-    if (const auto factor = lengthUnit(unit)) return *factor;
-    throw CmlError(0, "the unit of dataset \"" + name + "\" must be a length, as \"nm\", not " + inQuotes(unit));
+    const auto named = [&](const char* attribute) -> std::optional<double> {
+        const std::string unit = dataset.attribute(attribute);
+        if (unit.empty()) return std::nullopt;
+        if (const auto metres = spelledLength(unit)) return metres;
+        throw CmlError(0, "the unit of dataset \"" + name + "\" must be a length, as \"nm\", not " + inQuotes(unit));
+    };
+    const auto one = named("unit"), two = named("units");
+    const auto differ = [](double a, double b) { return std::abs(a - b) > 1e-9 * b; };
+    if (one && two && differ(*one, *two))
+        throw CmlError(0, "dataset \"" + name + "\" has different units in its attributes \"unit\" and \"units\"");
+    const auto unit = one ? one : two;
+    if (unit && byKey > 0.0 && differ(*unit, byKey))
+        throw CmlError(
+            0, "dataset \"" + name +
+                   "\" has another unit than disk.surface.unit; they must be the same, or one of them left out");
+    if (unit) return *unit;
+    if (byKey > 0.0) return byKey;
+    throw CmlError(0,
+                   "dataset \"" + name +
+                       "\" has no unit; it needs an attribute \"unit\" or \"units\", as \"um\", or the case gives the "
+                       "units of x and height as disk.surface.unit = \"um, nm\"");
 }
 
-Dataset readDataset(const Hdf5Group& file, const std::string& name)
+/// netCDF: marks of holes are compared before, a scale and an offset are applied after.
+void refuseMarks(const Hdf5Dataset& dataset, const std::string& name, const std::vector<double>& values)
+{
+    const auto refuse = [&](std::size_t at, const std::string& why) {
+        throw CmlError(0, "dataset \"" + name + "\", entry " + std::to_string(at + 1) + ": " + why);
+    };
+    for (const char* attribute : {"_FillValue", "missing_value"})
+        for (const double mark : dataset.numberAttributes(attribute)) {
+            const auto same = [&](double v) { return v == mark || static_cast<float>(v) == static_cast<float>(mark); };
+            if (const auto hole = std::ranges::find_if(values, same); hole != values.end())
+                refuse(static_cast<std::size_t>(hole - values.begin()),
+                       "a map has no holes: " + decimalText(*hole) + " is its " + attribute);
+        }
+    if (name == "height")
+        if (const auto hole = findHole(values)) refuse(*hole, holeText(values[*hole]));
+}
+
+double numberOr(const Hdf5Dataset& dataset, const char* attribute, double otherwise)
+{
+    const std::vector<double> given = dataset.numberAttributes(attribute);
+    return given.empty() ? otherwise : given.front();
+}
+
+Dataset readDataset(const Hdf5Group& file, const std::string& name, double byKey)
 {
     if (!file.has(name))
         throw CmlError(0, "has no dataset \"" + name + "\"; a profile needs x and height, a map x, y and height");
@@ -49,27 +94,37 @@ Dataset readDataset(const Hdf5Group& file, const std::string& name)
     for (const hsize_t n : data.shape) points *= static_cast<double>(n);
     if (points > mostMapPoints)
         throw CmlError(0, "dataset \"" + name + "\" is " + shapeText(data.shape) + "; at most 64 million points fit");
-    const double unit = unitOf(dataset, name);
+    const double unit = unitOf(dataset, name, byKey);
     data.values = dataset.numbers();
     const auto hole = std::ranges::find_if(data.values, [](double v) { return !std::isfinite(v); });
     if (hole != data.values.end())
         throw CmlError(0, "dataset \"" + name + "\" holds no number at entry " +
                               std::to_string(hole - data.values.begin() + 1) +
                               "; a map has no holes: all must be finite");
-    for (double& v : data.values) v *= unit;
+    refuseMarks(dataset, name, data.values);
+    const double scale = numberOr(dataset, "scale_factor", 1.0), offset = numberOr(dataset, "add_offset", 0.0);
+    for (double& v : data.values) v = (v * scale + offset) * unit;
     return data;
 }
 
-MapAxis axisOf(const Dataset& data, const std::string& name)
+/// An axis and whether the file begins at its end.
+struct Direction {
+    MapAxis axis;
+    bool descends = false;
+};
+
+Direction axisOf(Dataset data, const std::string& name)
 {
     if (data.shape.size() != 1)
         throw CmlError(0, "dataset \"" + name + "\" must be a list, not " + shapeText(data.shape));
-    return equalSteps(data.values, {}, name);
+    const bool descends = !data.values.empty() && data.values.back() < data.values.front();
+    if (descends) std::ranges::reverse(data.values);
+    return {equalSteps(data.values, {}, name), descends};
 }
 
 } // namespace
 
-HeightMap readHeightMapHdf5(const std::filesystem::path& path)
+HeightMap readHeightMapHdf5(const std::filesystem::path& path, const ColumnUnits& key)
 {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) throw CmlError(0, "does not exist");
@@ -77,17 +132,29 @@ HeightMap readHeightMapHdf5(const std::filesystem::path& path)
     const Hdf5Access access;
     try {
         const Hdf5Group file = openHdf5File(path);
-        Dataset height = readDataset(file, "height");
-        const MapAxis x = axisOf(readDataset(file, "x"), "x");
+        const bool isMap = file.has("height") && file.get("height").shape().size() != 1;
+        const ColumnUnits given = unitsOfKey(key, isMap ? 3 : 2);
+        const auto unit = [&](std::size_t column) { return given.empty() ? 0.0 : given[column]; };
+        Dataset height = readDataset(file, "height", unit(isMap ? 2 : 1));
+        const auto [x, turnedX] = axisOf(readDataset(file, "x", unit(0)), "x");
         MapAxis y{1, 0.0, x.step};
+        bool turnedY = false;
         std::vector<hsize_t> shape{x.points};
-        if (height.shape.size() != 1) {
-            y = axisOf(readDataset(file, "y"), "y");
+        if (isMap) {
+            const Direction across = axisOf(readDataset(file, "y", unit(1)), "y");
+            y = across.axis;
+            turnedY = across.descends;
             shape.insert(shape.begin(), y.points);
         }
         if (height.shape != shape)
             throw CmlError(0, "dataset \"height\" is " + shapeText(height.shape) + "; x and y ask for " +
                                   shapeText(shape) + " points (y before x)");
+        const auto row = [&](std::size_t j) {
+            return height.values.begin() + static_cast<std::ptrdiff_t>(j * x.points);
+        };
+        for (std::size_t j = 0; turnedX && j < y.points; ++j) std::reverse(row(j), row(j + 1));
+        for (std::size_t j = 0; turnedY && j < y.points / 2; ++j)
+            std::swap_ranges(row(j), row(j + 1), row(y.points - 1 - j));
         return builtMap(x, y, std::move(height.values));
     } catch (const Hdf5Error& problem) {
         throw CmlError(0, std::string("cannot be read as HDF5: ") + problem.what());

@@ -5,11 +5,12 @@
 
 #include <filesystem>
 
+#include "core/formats/surface_heading.h"
 #include "core/physics/disk/height_map.h"
 
 namespace touchdown {
 
-/// Throws CmlError, a sentence, where the file is no surface.
-HeightMap readHeightMapHdf5(const std::filesystem::path& file);
+/// Throws CmlError, a sentence, where the file is no surface. `key` holds the units of disk.surface.unit.
+HeightMap readHeightMapHdf5(const std::filesystem::path& file, const ColumnUnits& key = {});
 
 } // namespace touchdown

@@ -23,7 +23,7 @@ std::string reasonNotToRun(const Case& c)
                    ? "this program was built without SUNDIALS, so the integrator cvode is missing"
                    : "";
     // A file may have changed since the case was read.
-    if (const auto problems = diskFileProblems(c); !problems.empty()) return problems.front().text();
+    if (const auto problems = checkDiskFile(c).problems; !problems.empty()) return problems.front().text();
     if (c.model == ModelKind::Contact && usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
     return {};
 }
@@ -94,6 +94,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
     summary.model = toText(c, *findParameter("model"));
     if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
     for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.message);
+    for (const InputProblem& warning : checkDiskFile(c).warnings) summary.warnings.push_back(warning.text());
     return summary;
 }
 

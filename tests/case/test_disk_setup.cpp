@@ -83,6 +83,44 @@ private slots:
         QVERIFY2(QString::fromStdString(document.problems.front().text()).contains(says),
                  document.problems.front().text().c_str());
     }
+    void unitsOfTheCase()
+    {
+        put("measured/track.txt", "0 0\n1 1\n2 0\n3 -1\n4 0\n");
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QVERIFY(document.problems.front().message.find("disk.surface.unit") != std::string::npos);
+        applySettings(document, {"disk.surface.unit=um, nm"});
+        QVERIFY(document.valid());
+        const DiskTopography surface = diskTopography(document.value);
+        QVERIFY(std::abs(surface.height(1e-6, 0.0) - surface.height(3e-6, 0.0) - 2e-9) < 1e-15);
+        applySettings(document, {"disk.surface.unit=um, V"});
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QCOMPARE(document.problems.front().key, std::string("disk.surface.unit"));
+    }
+    /// Of rms and of steps, when the case is read, changed and run.
+    void roughnessOfAnotherUnitIsAWarning()
+    {
+        put("measured/track.txt",
+            QByteArray(profile).replace("[um]", "[mm]").replace("[nm]", "[um]").replace("h [um]\n0 0", "h [um]\n0 90"));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        QCOMPARE(document.warnings.front().key, std::string("disk.surface.file"));
+        put("measured/track.txt", QByteArray(profile).replace("[nm]\n0 0", "[um]\n0 90"));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        QCOMPARE(document.warnings.front().key, std::string("disk.surface.file"));
+        put("measured/track.txt", QByteArray(profile).replace("[um]", "[m]"));
+        applySettings(document, {});
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        QVERIFY(document.warnings.front().message.find("apart") != std::string::npos);
+        const Summary summary = run(document.value);
+        QVERIFY(!summary.warnings.empty() && summary.warnings.back().find("apart") != std::string::npos);
+        put("measured/track.txt", profile);
+        applySettings(document, {});
+        QVERIFY(document.warnings.empty());
+    }
     void missing()
     {
         QVERIFY(QFile::remove(folder_->filePath("measured/track.txt")));
@@ -99,11 +137,11 @@ private slots:
         CaseDocument document = readCaseFile(path("case.toml"));
         document.value.diskSurface.file = "missing.txt";
         document.value.diskSurface.kind = DiskSurfaceKind::Flat;
-        QVERIFY(diskFileProblems(document.value).empty());
+        QVERIFY(checkDiskFile(document.value).problems.empty());
         QVERIFY(diskTopography(document.value).flat());
         document.value.diskSurface.kind = DiskSurfaceKind::File;
         document.value.contact = ContactKind::Asperity;
-        QVERIFY(diskFileProblems(document.value).empty());
+        QVERIFY(checkDiskFile(document.value).problems.empty());
     }
 
 private:

@@ -389,6 +389,7 @@ private slots:
         ofContact("disk.surface.correlation_length", "disk.surface.kind=rough disk.surface.spectrum=self-affine",
                   false);
         ofContact("disk.surface.file", "disk.surface.kind=file", true);
+        ofContact("disk.surface.unit", "disk.surface.kind=file", true);
         ofContact("disk.surface.track", "disk.surface.kind=file", false);
         ofContact("disk.surface.bump_heights", "disk.surface.kind=bumps", true);
         ofContact("disk.surface.kind", "contact=asperity", false);

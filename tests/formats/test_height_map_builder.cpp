@@ -77,19 +77,6 @@ private slots:
         QVERIFY(!map.closedX && !map.closedY);
         QCOMPARE(map.dx, 1e-6);
     }
-
-    void lengthsHaveUnits()
-    {
-        QCOMPARE(lengthUnit("nm"), std::optional(1e-9));
-        QCOMPARE(lengthUnit("\xB5m"), std::optional(1e-6));
-        QCOMPARE(lengthUnit("\xC2\xB5m"), std::optional(1e-6));
-        QCOMPARE(lengthUnit("\xCE\xBCm"), std::optional(1e-6));
-        QVERIFY(!lengthUnit("s"));
-        QVERIFY(!lengthUnit(""));
-        QVERIFY(!lengthUnit("track"));
-        QCOMPARE(lengthOf("2.5 um"), std::optional(2.5e-6));
-        QVERIFY(!lengthOf("2.5"));
-    }
 };
 
 TOUCHDOWN_TEST(TestHeightMapBuilder)

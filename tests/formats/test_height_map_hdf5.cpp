@@ -53,10 +53,10 @@ class TestHeightMapHdf5 : public QObject {
         return path;
     }
 
-    static std::string refusal(const std::filesystem::path& path)
+    static std::string refusal(const std::filesystem::path& path, const ColumnUnits& key = {})
     {
         try {
-            readHeightMapHdf5(path);
+            readHeightMapHdf5(path, key);
         } catch (const CmlError& error) {
             return error.what();
         }
@@ -76,28 +76,92 @@ private slots:
         for (std::size_t i = 0; i < 4; ++i) QVERIFY(std::abs(map.heights[i] - profile[i] * 1e-9) < 1e-20);
     }
 
-    void withoutUnitsItIsInMetres()
+    void unitsOfTheCase()
     {
-        const HeightMap map = readHeightMapHdf5(written([](const Hdf5Group& file) {
+        const auto path = written([](const Hdf5Group& file) {
             writeList(file, "x", x);
-            writeList(file, "height", profile);
-        }));
-        QCOMPARE(map.dx, 1.0);
-        QCOMPARE(map.heights, profile);
+            writeList(file, "height", profile, "nm");
+        });
+        const HeightMap map = readHeightMapHdf5(path, {1e-6, 1e-9});
+        QVERIFY(std::abs(map.dx - 1e-6) < 1e-18);
+        QVERIFY(std::abs(map.heights[3] - 5e-9) < 1e-20);
+        QVERIFY(refusal(path).starts_with("dataset \"x\" has no unit"));
+        QVERIFY(refusal(path).find("disk.surface.unit") != std::string::npos);
+        QVERIFY(refusal(path, {1e-6, 1e-6}).starts_with("dataset \"height\" has another unit than disk.surface.unit"));
     }
 
     void aMapOfAnyNumberType()
     {
         const std::vector<double> heights{1, 2, 3, 4, 5, 6, 7, 8};
         const HeightMap map = readHeightMapHdf5(written([&](const Hdf5Group& file) {
-            writeList(file, "x", x);
-            writeList(file, "y", y);
-            writeMatrix(file, "height", 2, 4, heights);
-        }));
+                                                    writeList(file, "x", x);
+                                                    writeList(file, "y", y);
+                                                    writeMatrix(file, "height", 2, 4, heights);
+                                                }),
+                                                {1.0});
         QCOMPARE(map.nx, 4);
         QCOMPARE(map.ny, 2);
         QCOMPARE(map.dy, 2.0);
         QCOMPARE(map.heights, heights);
+    }
+
+    // x from the right, y from the top.
+    void aMapFromItsLastPoint()
+    {
+        const HeightMap map = readHeightMapHdf5(written([&](const Hdf5Group& file) {
+                                                    writeList(file, "x", {3, 2, 1, 0});
+                                                    writeList(file, "y", {2, 0});
+                                                    writeMatrix(file, "height", 2, 4, {8, 7, 6, 5, 4, 3, 2, 1});
+                                                }),
+                                                {1.0});
+        QCOMPARE(map.heights, (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8}));
+    }
+
+    // netCDF and xarray write "units"; packed numbers have a scale and an offset.
+    void attributesOfNetCdf()
+    {
+        const HeightMap map = readHeightMapHdf5(written([](const Hdf5Group& file) {
+            file.put("x", x).set("units", "micrometer");
+            const Hdf5Dataset height = file.put("height", profile);
+            height.set("units", "nanometers");
+            height.set("unit", "nm");
+            height.set("scale_factor", 0.5);
+            height.set("add_offset", 10.0);
+            height.set("_FillValue", -1.0);
+        }));
+        QVERIFY(std::abs(map.dx - 1e-6) < 1e-18);
+        for (std::size_t i = 0; i < 4; ++i)
+            QVERIFY(std::abs(map.heights[i] - (0.5 * profile[i] + 10.0) * 1e-9) < 1e-20);
+    }
+    void marksAndContradictionsAreRefused_data()
+    {
+        QTest::addColumn<Writer>("write");
+        QTest::addColumn<QByteArray>("says");
+        const auto row = [](const char* name, const std::vector<double>& heights, const Writer& more,
+                            const char* says) {
+            QTest::newRow(name) << Writer([heights, more](const Hdf5Group& file) {
+                writeList(file, "x", x, "um");
+                writeList(file, "height", heights, "nm");
+                more(file);
+            }) << QByteArray(says);
+        };
+        const auto set = [](const char* name, auto value) {
+            return Writer([=](const Hdf5Group& file) { file.get("height").set(name, value); });
+        };
+        row("another unit", profile, set("units", "um"), "different units");
+        row("counts", profile, set("units", "counts"), "must be a length");
+        row("a fill value", profile, set("_FillValue", 3.0), "entry 3: a map has no holes: 3 is its _FillValue");
+        row("a missing value", profile, set("missing_value", std::int64_t{5}),
+            "entry 4: a map has no holes: 5 is its miss");
+        row(
+            "a mark", {1.0, -32768.0, 2.0, 1.5}, [](const Hdf5Group&) {}, "entry 2: a map has no holes: -32768 is far");
+    }
+    void marksAndContradictionsAreRefused()
+    {
+        QFETCH(Writer, write);
+        QFETCH(QByteArray, says);
+        const std::string problem = refusal(written(write));
+        QVERIFY2(QByteArray::fromStdString(problem).contains(says), problem.c_str());
     }
 
     void whatIsNoSurfaceIsRefused_data()
@@ -175,7 +239,7 @@ private slots:
     {
         QFETCH(Writer, write);
         QFETCH(QByteArray, problem);
-        QCOMPARE(refusal(written(write)), problem.toStdString());
+        QCOMPARE(refusal(written(write), {1.0}), problem.toStdString());
     }
 
     void noSuchFile() { QCOMPARE(refusal(folder_.filePath("none.h5").toStdString()), std::string("does not exist")); }

@@ -36,7 +36,7 @@ DiskSurfacePreview previewOf(const Case& c)
         made.problem = "disk.surface." + problem.key + ' ' + problem.sentence;
         return made;
     }
-    for (const InputProblem& problem : diskFileProblems(c)) {
+    for (const InputProblem& problem : checkDiskFile(c).problems) {
         made.problem = "The file " + problem.file + (problem.line > 0 ? ", line " + std::to_string(problem.line) : "") +
                        ": " + problem.message;
         return made;

@@ -38,6 +38,7 @@ struct DiskSurface {
 
     // File: a profile (along the track, the same across) or a map, columns of text, wave.def or HDF5.
     std::string file;
+    std::string unit; // of its columns, "um, nm"; empty: as the file says
 
     // Bumps and pits: lists of one length; periodic with `track` and `trackWidth`.
     BumpShape bumpShape = BumpShape::Ellipsoid;

@@ -11,6 +11,7 @@ namespace {
 
 /// In shorter periods the heights at both ends are correlated.
 constexpr double correlationLengthsInPeriod = 8.0;
+constexpr double roughestDisk = 10e-6, farthestPoints = 1e-3; // [m]
 /// A multiple of the cell as people write it, "1 mm" of "0.25 um", is off by rounding only.
 constexpr double wholeness = 1e-6;
 
@@ -185,6 +186,20 @@ std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface)
     if (hasFile(surface)) check.file();
     if (hasBumps(surface)) check.bumps();
     return check.problems;
+}
+
+std::vector<DiskSurfaceProblem> heightMapWarnings(const HeightMap& map)
+{
+    std::vector<DiskSurfaceProblem> warnings;
+    double mean = 0.0, squares = 0.0;
+    for (const double h : map.heights) mean += h / static_cast<double>(map.heights.size());
+    for (const double h : map.heights) squares += (h - mean) * (h - mean) / static_cast<double>(map.heights.size());
+    if (const double rms = std::sqrt(squares); rms > roughestDisk)
+        warnings.push_back({"file", "has heights with an rms of " + micrometres(rms) +
+                                        ", more than a disk has; check the units of the file"});
+    if (const double step = map.ny > 1 ? std::max(map.dx, map.dy) : map.dx; step > farthestPoints)
+        warnings.push_back({"file", "has points " + micrometres(step) + " apart; check the units of the file"});
+    return warnings;
 }
 
 } // namespace touchdown

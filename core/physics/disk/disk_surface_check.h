@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/physics/disk/disk_surface.h"
+#include "core/physics/disk/height_map.h"
 
 namespace touchdown {
 
@@ -22,6 +23,9 @@ struct DiskSurfaceProblem {
 
 /// Of the parts that the kind uses; empty for a surface that DiskTopography accepts.
 std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface);
+
+/// Of a measured surface that may have been read in a wrong unit: an rms above 10 um, points more than 1 mm apart.
+std::vector<DiskSurfaceProblem> heightMapWarnings(const HeightMap& map);
 
 /// The parts of a surface; `combined` has all that are given.
 bool hasWaves(const DiskSurface& surface);

@@ -90,11 +90,11 @@ Spectrum spectrumOf(const Case& c, const SampledRun& run)
 /// Peaks within the band that have at least a tenth of the largest amplitude at any frequency.
 double peaksWithin(const Statement& statement, const SampledRun& run)
 {
-    constexpr double smallest = 0.1;
+    constexpr double smallestShare = 0.1;
     const Spectrum spectrum = spectrumOf(statement.c, run);
     const std::vector<double>& power = spectrum.power;
     if (power.size() < 3) return 0.0;
-    const double least = smallest * smallest * *std::max_element(power.begin() + 1, power.end());
+    const double least = smallestShare * smallestShare * *std::max_element(power.begin() + 1, power.end());
     double count = 0.0;
     for (std::size_t i = 1; i + 1 < power.size(); ++i) {
         const double frequency = spectrum.frequency[i];

@@ -258,6 +258,23 @@ private slots:
         s.bumpX = {};
         QCOMPARE(diskSurfaceProblems(s).size(), std::size_t(3));
     }
+
+    /// Heights of +-h have an rms of h.
+    void measuredSurfacesInAnotherUnitAreWarnedOf()
+    {
+        const auto warnings = [](double h, double dx, double dy, int ny) {
+            HeightMap map{4, ny, dx, dy, {}, false, false};
+            for (int k = 0; k < 4 * ny; ++k) map.heights.push_back(k % 2 == 0 ? h : -h);
+            return heightMapWarnings(map).size();
+        };
+        QCOMPARE(warnings(9.9e-6, 1e-6, 1e-6, 2), std::size_t{0});
+        QCOMPARE(warnings(10.1e-6, 1e-6, 1e-6, 2), std::size_t{1});
+        QCOMPARE(warnings(1e-9, 0.9e-3, 1e-6, 2), std::size_t{0});
+        QCOMPARE(warnings(1e-9, 1.1e-3, 1e-6, 2), std::size_t{1});
+        QCOMPARE(warnings(1e-9, 1e-6, 1.1e-3, 2), std::size_t{1});
+        QCOMPARE(warnings(1e-9, 1e-6, 1.0, 1), std::size_t{0}); // a profile has no dy
+        QCOMPARE(warnings(1.0, 1.0, 1.0, 2), std::size_t{2});
+    }
 };
 
 TOUCHDOWN_TEST(TestDiskSurfaceCheck)
