@@ -55,17 +55,17 @@ QString paperTable(const QString& csv)
     for (const std::vector<std::string>& row : rows | std::views::drop(1)) {
         const auto of = [&](const char* column) {
             const auto found = std::ranges::find(rows.front(), column);
-            return cell(row.at(std::size_t(found - rows.front().begin())));
+            return found == rows.front().end() ? QString() : cell(row.at(std::size_t(found - rows.front().begin())));
         };
         const bool holds = of("holds") == QLatin1String("yes");
         const auto under = [](const QString& text) {
             return text.isEmpty() ? QString() : QStringLiteral("<br><small>%1</small>").arg(text);
         };
-        html += QStringLiteral("<tr><td><b>%1</b></td><td>%2<br><code>%3</code></td><td>%4</td><td>%5%6%7</td></tr>")
+        html += QStringLiteral("<tr><td><b>%1</b>%8</td><td>%2<br><code>%3</code></td><td>%4</td><td>%5%6%7</td></tr>")
                     .arg(of("figure"), of("statement"), of("command"),
                          holds ? HelpWindow::tr("✓ holds") : HelpWindow::tr("⚠ does not hold"),
                          of("found") + under(HelpWindow::tr("expected: %1").arg(of("expected"))), under(of("starts")),
-                         under(of("remark")));
+                         under(of("remark")), under(of("candidate")));
     }
     return html + QStringLiteral("</table>");
 }
@@ -115,7 +115,10 @@ QString HelpWindow::html(Page page) const
     case Page::Equations: return resource(QStringLiteral("equations.html"));
     case Page::AirFilm: return resource(QStringLiteral("air_film.html"));
     case Page::Contact: return resource(QStringLiteral("contact.html"));
-    case Page::Paper: return resource(QStringLiteral("paper.html")) + paperTable(resource(QStringLiteral("paper.csv")));
+    case Page::Paper:
+        return resource(QStringLiteral("paper.html")) + paperTable(resource(QStringLiteral("paper.csv"))) +
+               resource(QStringLiteral("paper_grids.html")) +
+               paperTable(resource(QStringLiteral("film_fig5_to_8.csv")));
     case Page::Parameters: return parameterTable();
     case Page::Shortcuts:
         return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ +
