@@ -255,13 +255,6 @@ std::optional<NumberAndUnit> numberAndUnit(std::string_view quantity)
     return std::nullopt;
 }
 
-std::optional<double> spelledQuantity(std::string_view quantity)
-{
-    const auto parts = numberAndUnit(quantity);
-    const auto unit = parts ? plainLength(parts->unit) : std::nullopt;
-    return unit ? std::optional(parts->number * *unit) : std::nullopt;
-}
-
 std::vector<UnitMention> unitMentions(std::string_view line)
 {
     const std::string text = plain(line);

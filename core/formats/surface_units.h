@@ -19,9 +19,7 @@ namespace touchdown {
 
 /// The length in metres of one "um"; empty for other words.
 std::optional<double> spelledLength(std::string_view unit);
-/// "10 um", "10,5 [um]" [m]; empty without a number or a unit.
-std::optional<double> spelledQuantity(std::string_view quantity);
-/// Its number and its unit, which may be empty; nothing if it does not begin with a number.
+/// "10 um", "10,5 [um]": its number and its unit, which may be empty; nothing if it does not begin with a number.
 struct NumberAndUnit {
     double number = 0.0;
     std::string unit;

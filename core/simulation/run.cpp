@@ -16,17 +16,22 @@
 
 namespace touchdown {
 
-std::string reasonNotToRun(const Case& c)
+namespace {
+
+std::string reasonNotToRun(const Case& c, const DiskFileCheck& disk)
 {
     if (c.model == ModelKind::Springs)
         return c.run.integrator == IntegratorKind::Cvode && !haveCvode
                    ? "this program was built without SUNDIALS, so the integrator cvode is missing"
                    : "";
-    // A file may have changed since the case was read.
-    if (const auto problems = checkDiskFile(c).problems; !problems.empty()) return problems.front().text();
+    if (!disk.problems.empty()) return disk.problems.front().text();
     if (c.model == ModelKind::Contact && usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
     return {};
 }
+
+} // namespace
+
+std::string reasonNotToRun(const Case& c) { return reasonNotToRun(c, checkDiskFile(c)); }
 
 std::vector<Quantity> recordedQuantities(const Case& c)
 {
@@ -68,7 +73,8 @@ void addCharacteristicFigures(const OnoYamane& parameters, Summary& summary)
 
 Summary run(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
-    if (const std::string reason = reasonNotToRun(c); !reason.empty()) {
+    const DiskFileCheck disk = checkDiskFile(c); // its file may have changed since the case was read
+    if (const std::string reason = reasonNotToRun(c, disk); !reason.empty()) {
         Summary refused;
         refused.status = RunStatus::Failed;
         refused.failure = RunFailure::Other;
@@ -94,7 +100,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
     summary.model = toText(c, *findParameter("model"));
     if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
     for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.message);
-    for (const InputProblem& warning : checkDiskFile(c).warnings) summary.warnings.push_back(warning.text());
+    for (const InputProblem& warning : disk.warnings) summary.warnings.push_back(warning.text());
     return summary;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "core/numerics/moments.h"
+
 namespace touchdown {
 
 namespace {
@@ -191,10 +193,7 @@ std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface)
 std::vector<DiskSurfaceProblem> heightMapWarnings(const HeightMap& map)
 {
     std::vector<DiskSurfaceProblem> warnings;
-    double mean = 0.0, squares = 0.0;
-    for (const double h : map.heights) mean += h / static_cast<double>(map.heights.size());
-    for (const double h : map.heights) squares += (h - mean) * (h - mean) / static_cast<double>(map.heights.size());
-    if (const double rms = std::sqrt(squares); rms > roughestDisk)
+    if (const double rms = momentsOf(map.heights).deviation; rms > roughestDisk)
         warnings.push_back({"file", "has heights with an rms of " + micrometres(rms) +
                                         ", more than a disk has; check the units of the file"});
     if (const double step = map.ny > 1 ? std::max(map.dx, map.dy) : map.dx; step > farthestPoints)
