@@ -45,7 +45,7 @@ std::vector<Parameter> airParameters()
                "altitude and temperature, established-standard = 101325 Pa, 1.8372e-5 Pa s and 68.6 nm, the standard "
                "air of the established static program.",
                "ours: given"),
-        number("air.pressure", "ambient pressure", "p_0", {"Pa", "kPa"}, positive(1e8),
+        number("air.pressure", "ambient pressure", "p_0", {"Pa", "kPa"}, between(1, 1e8),
                at(&Case::air, &AirCase::given, &Air::pressure), withGivenAir, "Pressure of the air around the slider.",
                "the standard atmosphere at sea level"),
         number("air.viscosity", "viscosity", "mu", {"Pa s", "Pa s"}, positive(1),

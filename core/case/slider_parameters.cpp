@@ -28,12 +28,12 @@ std::vector<Parameter> sliderParameters()
                "Thickness of the slider; friction acts half a thickness below the mass centre, the air's shear "
                "steady.shear_arm thicknesses below the pivot.",
                typicalPico),
-        number("slider.mass", "mass", "M", {"kg", "mg"}, positive(10), at(&Case::slider, &SliderCase::mass),
+        number("slider.mass", "mass", "M", {"kg", "mg"}, between(1e-12, 10), at(&Case::slider, &SliderCase::mass),
                withBearing, "Mass of the slider.", typicalPico),
-        number("slider.pitch_inertia", "pitch inertia", "J", {"kg m^2", "kg m^2"}, positive(10),
+        number("slider.pitch_inertia", "pitch inertia", "J", {"kg m^2", "kg m^2"}, between(1e-21, 10),
                at(&Case::slider, &SliderCase::pitchInertia), withBearing,
                "Moment of inertia of the slider about its pitch axis through the mass centre.", typicalPico),
-        number("slider.roll_inertia", "roll inertia", "", {"kg m^2", "kg m^2"}, positive(10),
+        number("slider.roll_inertia", "roll inertia", "", {"kg m^2", "kg m^2"}, between(1e-21, 10),
                at(&Case::slider, &SliderCase::rollInertia), withFilm,
                "Moment of inertia of the slider about its roll axis through the mass centre.", "a typical pico slider"),
     };

@@ -11,6 +11,7 @@ namespace touchdown {
 namespace {
 
 constexpr double spreading = 1.0 / 12.0; // c of the header
+constexpr double leastSquare = 1e-200;   // keeps the ratio of two empty cells finite
 
 TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, const double* share, const double* v, double* passed)
 {
@@ -40,38 +41,48 @@ TOUCHDOWN_VECTOR_CLONES void subtractRise(std::size_t count, const double* perWi
     for (std::size_t k = 0; k < count; ++k) v[k] -= perWidth[k] * (passed[k + 1] - passed[k]);
 }
 
+/// e of the header from the contents per width of the cells on either side.
+TOUCHDOWN_VECTOR_CLONES void weighRow(std::size_t count, const double* perWidth, const double* volume,
+                                      const double* density, const double* even, double* share)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 1; k < count; ++k) {
+        const double below = perWidth[k - 1] * volume[k - 1] * density[k - 1];
+        const double above = perWidth[k] * volume[k] * density[k], sum = below + above;
+        share[k] = even[k] * std::min(1.0, 8.0 * below * above / (sum * sum + leastSquare));
+    }
+}
+
 } // namespace
 
 RowSpread::RowSpread(const PaddedGrid& grid, std::span<const double> lines, std::span<const std::size_t> closed)
-    : nx_(static_cast<std::size_t>(grid.nx)), share_(nx_ + 1, 0.0)
+    : grid_(grid), share_(grid.size(), 0.0)
 {
-    for (std::size_t k = 0; k < nx_; ++k) perWidth_.push_back(1.0 / (lines[k + 1] - lines[k]));
-    for (std::size_t k = 1; k < nx_; ++k) share_[k] = 0.5 * spreading * (lines[k + 1] - lines[k - 1]);
-    std::vector<std::size_t> ordered(closed.begin(), closed.end());
-    std::ranges::sort(ordered);
-    std::size_t n = 0;
-    for (int j = 0; j < grid.ny; ++j) {
-        closedRows_.push_back(closed_.size());
-        for (const std::size_t first = grid.at(0, j), end = first + nx_; n < ordered.size() && ordered[n] < end; ++n)
-            if (ordered[n] > first) closed_.push_back(ordered[n] - first);
-    }
-    closedRows_.push_back(closed_.size());
+    const std::size_t nx = static_cast<std::size_t>(grid.nx);
+    for (std::size_t k = 0; k < nx; ++k) perWidth_.push_back(1.0 / (lines[k + 1] - lines[k]));
+    for (int j = 0; j < grid.ny; ++j)
+        for (std::size_t k = 1; k < nx; ++k)
+            share_[grid.at(0, j) + k] = 0.5 * spreading * (lines[k + 1] - lines[k - 1]);
+    for (const std::size_t face : closed) share_[face] = 0.0;
+    evenShare_ = share_;
 }
 
-template <typename T>
-void RowSpread::close(int j, T* passed) const
+void RowSpread::weigh(std::span<const double> volume, std::span<const double> density)
 {
-    const std::size_t row = static_cast<std::size_t>(j);
-    passed[0] = passed[nx_] = T{};
-    for (std::size_t n = closedRows_[row]; n < closedRows_[row + 1]; ++n) passed[closed_[n]] = T{};
+    for (int j = 0; j < grid_.ny; ++j) {
+        const std::size_t first = grid_.at(0, j);
+        weighRow(static_cast<std::size_t>(grid_.nx), perWidth_.data(), &volume[first], &density[first],
+                 &evenShare_[first], &share_[first]);
+    }
 }
 
 template <typename T>
 void RowSpread::spread(int j, T* source, T* passed) const
 {
-    setPassed(nx_, share_.data(), perWidth_.data(), source, passed);
-    close(j, passed);
-    subtractRise(nx_, passed, source);
+    const std::size_t nx = static_cast<std::size_t>(grid_.nx);
+    passed[0] = passed[nx] = T{};
+    setPassed(nx, &share_[grid_.at(0, j)], perWidth_.data(), source, passed);
+    subtractRise(nx, passed, source);
 }
 
 template void RowSpread::spread(int, double*, double*) const;
@@ -79,9 +90,10 @@ template void RowSpread::spread(int, std::complex<double>*, std::complex<double>
 
 void RowSpread::spreadTransposed(int j, double* v, double* passed) const
 {
-    setPassed(nx_, share_.data(), v, passed);
-    close(j, passed);
-    subtractRise(nx_, perWidth_.data(), passed, v);
+    const std::size_t nx = static_cast<std::size_t>(grid_.nx);
+    passed[0] = passed[nx] = 0.0;
+    setPassed(nx, &share_[grid_.at(0, j)], v, passed);
+    subtractRise(nx, perWidth_.data(), passed, v);
 }
 
 } // namespace touchdown

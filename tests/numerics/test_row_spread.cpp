@@ -55,6 +55,8 @@ private slots:
     void wavesGrowByTheirSymbol();
     void transposedMap();
     void complexSources();
+    void emptyCellsGiveNothing();
+    void likeContentsChangeNothing();
 };
 
 /// The sum between two closed faces stays, and no other sum does.
@@ -131,6 +133,59 @@ void TestRowSpread::complexSources()
     spread.spread(1, v.data(), passed.data());
     spread.spread(1, both.data(), work.data());
     for (std::size_t k = 0; k < nx; ++k) QVERIFY(std::abs(both[k] - Complex(u[k], v[k])) < 1e-15);
+}
+
+/// Contents of 1 per width, but of 1e-3 in cell 7 and none in cell 8, row 1: cell 7 takes up 8e-3 of the 1/12 of what
+/// its neighbour loses, the empty one not at all, others as ever, and nothing is lost.
+void TestRowSpread::emptyCellsGiveNothing()
+{
+    RowSpread spread(grid, lines(0.0), {});
+    std::vector<double> volume(grid.size(), 2.0), density(grid.size(), 0.5), passed(nx + 1);
+    volume[grid.at(7, 1)] = 2e-3;
+    density[grid.at(8, 1)] = 0.0;
+    spread.weigh(volume, density);
+    std::vector<double> source(nx, 0.0);
+    source[6] = source[9] = -1.0;
+    spread.spread(1, source.data(), passed.data());
+    QVERIFY(std::abs(source[5] - 1.0 / 12.0) < 1e-14);
+    QVERIFY(std::abs(source[7] - 8.0 * 1e-3 / (1.001 * 1.001) / 12.0) < 1e-14);
+    QCOMPARE(source[8], 0.0);
+    QVERIFY(std::abs(source[10] - 1.0 / 12.0) < 1e-14);
+    QVERIFY(std::abs(sum(source, 0, nx) + 2.0) < 1e-14);
+    // The row beside it, and the transposed map: u (M v) = v (M^T u).
+    std::vector<double> beside(nx, 0.0);
+    beside[6] = -1.0;
+    spread.spread(2, beside.data(), passed.data());
+    QVERIFY(std::abs(beside[7] - 1.0 / 12.0) < 1e-14);
+    const std::vector<double> u = randomRow(5), v = randomRow(6);
+    std::vector<double> Mv = v, MTu = u;
+    spread.spread(1, Mv.data(), passed.data());
+    spread.spreadTransposed(1, MTu.data(), passed.data());
+    double difference = 0.0;
+    for (std::size_t k = 0; k < nx; ++k) difference += u[k] * Mv[k] - v[k] * MTu[k];
+    QVERIFY(std::abs(difference) < 1e-14);
+}
+
+/// Contents per width that differ by less than a factor of 1/0.18 from cell to cell, in cells of any width, and closed
+/// faces: the map of before.
+void TestRowSpread::likeContentsChangeNothing()
+{
+    const std::vector<double> x = lines(0.2);
+    const RowSpread even(grid, x, closed());
+    RowSpread weighed(grid, x, closed());
+    std::vector<double> volume(grid.size(), 0.0), density(grid.size(), 0.0), passed(nx + 1);
+    for (int j = 0; j < ny; ++j)
+        for (std::size_t k = 0; k < nx; ++k) {
+            volume[grid.at(0, j) + k] = (x[k + 1] - x[k]) * (k % 2 == 0 ? 0.18 : 1.0);
+            density[grid.at(0, j) + k] = 3.0;
+        }
+    weighed.weigh(volume, density);
+    for (int j = 0; j < ny; ++j) {
+        std::vector<double> a = randomRow(9), b = a;
+        even.spread(j, a.data(), passed.data());
+        weighed.spread(j, b.data(), passed.data());
+        for (std::size_t k = 0; k < nx; ++k) QCOMPARE(a[k], b[k]);
+    }
 }
 
 TOUCHDOWN_TEST(TestRowSpread)

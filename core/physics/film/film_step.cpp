@@ -102,6 +102,7 @@ void FilmStepper::setHistory(double dt)
     setHistories(history_.size(), share, film_.volumes().data(), past_[0].content.data(), past_[1].content.data(),
                  past_[2].content.data(), history_.data());
     film_.setStorage(perTime_, history_);
+    film_.spreadAs(past_[0].pressure);
 }
 
 /// Lagrange's polynomial through the last contents, at most four, or the forecast fitted to the rate, over the new

@@ -66,6 +66,8 @@ public:
     /// From now on each cell stores perTime V p - history [1/s], [Pa m^3/s], V its volume at the attitude; with perTime
     /// zero, nothing. The history (padded) is read at each residual and must last.
     void setStorage(double perTime, std::span<const double> history);
+    /// From now on storage is spread as between cells with these pressures (padded) at the attitude, see RowSpread.
+    void spreadAs(std::span<const double> p) { spread_.weigh(volumes(), p); }
     double storagePerTime() const { return storagePerTime_; }
     std::span<const double> storageHistory() const { return history_; }
 
