@@ -76,6 +76,7 @@ private slots:
         QFETCH(int, entries);
         const auto size = std::accumulate(entry.begin(), entry.end(), std::size_t{1}, std::multiplies<>());
         const Hdf5Access access;
+        for (const char* name : {"from.h5", "to.h5"}) std::filesystem::remove(path(name));
         const Hdf5Group from = createHdf5File(path("from.h5")), to = createHdf5File(path("to.h5"));
         const Hdf5Dataset source = from.growing("a", "m", "An array", entry);
         const Hdf5Dataset target = to.growing("a", "m", "An array", entry);
