@@ -19,10 +19,10 @@ using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
 
 // What may wait for the disk before append() waits [numbers]; as much as a flush writes in flushTime.
-constexpr std::size_t leastPending = std::size_t{1} << 19;
+constexpr std::size_t leastPending = std::size_t{1} << 18;
 constexpr std::size_t mostPending = std::size_t{6} << 20;
 // Of a flush. On a machine that is too slow for the samples, the file then lacks those of about twice this time.
-constexpr std::chrono::milliseconds flushTime(250);
+constexpr std::chrono::milliseconds flushTime(200);
 
 void append(SampleBatch& target, const SampleBatch& batch)
 {
@@ -115,7 +115,7 @@ struct ResultsWriter::File {
     void flushUntil(const std::stop_token& stop)
     {
         std::unique_lock lock(mutex);
-        const auto isEarly = [&] { return numbersPending() >= mayWait / 2; };
+        const auto isEarly = [&] { return numbersPending() >= mayWait; };
         auto begin = Clock::now();
         while (true) {
             if (interval)
@@ -127,11 +127,11 @@ struct ResultsWriter::File {
             if (stop.stop_requested()) return;
             begin = Clock::now();
             const std::size_t numbers = numbersPending();
-            const bool early = isEarly();
+            const bool wholeChunks = isEarly() && pendingFields.empty(); // no map may be later than the samples
             SampleBatch batch = std::exchange(pending, {});
             // While samples come fast, only whole chunks: one that is rewritten costs as much as a new one.
             const std::size_t beyond = (stored + batch.size()) % numbersPerChunk;
-            if (early && beyond < batch.size()) pending = takeLast(batch, beyond);
+            if (wholeChunks && beyond < batch.size()) pending = takeLast(batch, beyond);
             stored += batch.size();
             const std::vector<FieldSnapshot> snapshots = std::exchange(pendingFields, {});
             lock.unlock();
