@@ -206,7 +206,7 @@ private slots:
             << "case = \"fig10a\"\n[set]\nrun.step = \"1 ns\"\nrun.duration = \"1 nm\""
             << "a.toml:4: set.run.duration: ";
         QTest::newRow("a directory as case") << "case = \"..\""
-                                             << "./..: ";
+                                             << "a.toml:1: case: \"..\" is a directory";
     }
     void problems()
     {
