@@ -57,7 +57,7 @@ int validateStudy(const CommandArguments& arguments, const StudySource& study)
     CaseDocument& start = plan.start;
     start.name = arguments.name;
     warnOf(plan);
-    for (const InputProblem& problem : plan.problems) complain(problem.text());
+    complainOf(plan.problems);
     if (arguments.json) {
         Json object = validation("study", start, plan.title, plan.problems);
         object["kind"] = study.kind;
@@ -76,6 +76,18 @@ std::string writeToml(const CaseDocument& document, const fs::path& to)
     const CaseDocument written = parseCase(text, to.string(), folder);
     if (!written.valid()) return "does not fit into a case file: " + written.problems.front().text();
     return writeCaseFile(to, text);
+}
+
+/// Why the files that `to` names must not be replaced; "" if there are none, or they may be.
+std::string replacementProblem(const CaseDocument& document, const fs::path& to, bool toml, bool force)
+{
+    std::error_code none;
+    for (const fs::path& file : toml ? std::vector{to} : replacedCmlFiles(to)) {
+        for (const fs::path& input : document.inputs())
+            if (fs::equivalent(file, input, none)) return file.string() + " is what is converted; name another target";
+        if (!toml && !force) return file.string() + " exists; --force replaces it";
+    }
+    return {};
 }
 
 std::string writeCml(const CaseDocument& document, const fs::path& to)
@@ -102,14 +114,14 @@ CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::stri
     } else if (!settings.empty()) {
         applySettings(document, settings);
     }
-    for (const InputProblem& warning : document.warnings) complain("warning: " + warning.text());
+    complainOf(document.warnings, "warning: ");
     return document;
 }
 
 CaseDocument openCaseToUse(const CommandArguments& arguments)
 {
     CaseDocument document = openCaseToKeep(arguments.name, arguments.settings);
-    for (const InputProblem& unused : document.unused) complain("warning: " + unused.text());
+    complainOf(document.unused, "warning: ");
     return document;
 }
 
@@ -148,7 +160,7 @@ int validateCommand(const CommandArguments& arguments)
 {
     if (const auto study = findStudySource(arguments.name)) return validateStudy(arguments, *study);
     const CaseDocument document = openCaseToUse(arguments);
-    for (const InputProblem& problem : document.problems) complain(problem.text());
+    complainOf(document.problems);
     if (arguments.json)
         print(jsonText(validation("case", document, document.value.title, document.problems)));
     else if (document.valid())
@@ -156,12 +168,14 @@ int validateCommand(const CommandArguments& arguments)
     return document.valid() ? exitDone : exitWrongInput;
 }
 
-int convertCommand(const std::string& from, const std::string& to)
+int convertCommand(const std::string& from, const std::string& to, bool force)
 {
     // Values without effect are kept, so that converting back loses nothing.
     const CaseDocument document = openCaseToKeep(from);
     if (!document.valid()) return refuse(document.problems, false);
     const bool toml = fs::path(to).extension() == ".toml";
+    if (const std::string problem = replacementProblem(document, to, toml, force); !problem.empty())
+        return refuse({{"", 0, "", problem}}, false);
     const std::string problem = toml ? writeToml(document, to) : writeCml(document, to);
     if (problem.empty()) return exitDone;
     complain(problem);

@@ -39,6 +39,7 @@ int listCommand(bool json);
 int validateCommand(const CommandArguments& arguments);
 /// Between case files and the files of the established slider program (CML), both ways: `from` is any case; `to` is a
 /// case file if it ends with .toml, an archive if it ends with .cml, else a folder.
-int convertCommand(const std::string& from, const std::string& to);
+/// Files of the established program that stand there are replaced only with `force`; a file of `from` never is.
+int convertCommand(const std::string& from, const std::string& to, bool force);
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <exception>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -26,6 +27,7 @@
 #include "app/terminal/freed_memory.h"
 #include "app/terminal/mistaken_words.h"
 #include "app/terminal/refusal.h"
+#include "app/terminal/standard_streams.h"
 #include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
@@ -53,6 +55,15 @@ void findCase(const CLI::App& command, CommandArguments& arguments, const char* 
     if (arguments.name.empty()) throw CLI::RequiredError(command.get_name() + ": " + wanted);
 }
 
+/// An empty name, as of a variable of the shell that is not set, is refused: nothing would be written.
+std::string emptyNameProblem(const std::string& file) { return file.empty() ? "the name of a file is empty" : ""; }
+
+/// An option with the name of a file.
+void addFile(CLI::App& command, const char* option, std::string& file, const char* help, const char* type)
+{
+    command.add_option(option, file, help)->type_name(type)->check(emptyNameProblem);
+}
+
 void addProgress(CLI::App& command, CommandArguments& arguments)
 {
     command.add_flag("--progress", arguments.progress, "Shows progress even when standard error is no terminal");
@@ -71,10 +82,10 @@ void addStudy(CLI::App& command, CommandArguments& arguments, const std::string&
         ->type_name("KEY=VALUE");
     command.add_option("--option", arguments.options, "Changes a value of the study, such as repeats=3")
         ->type_name("KEY=VALUE");
-    command.add_option("--out", arguments.out, "Writes findings, charts and tables as HDF5")->type_name("FILE.h5");
-    command.add_option("--csv", arguments.csv, "Writes the first table as CSV")->type_name("FILE.csv");
+    addFile(command, "--out", arguments.out, "Writes findings, charts and tables as HDF5", "FILE.h5");
+    addFile(command, "--csv", arguments.csv, "Writes the first table as CSV", "FILE.csv");
     if (kind.findsCase)
-        command.add_option("--apply", arguments.apply, "Writes the case that the study found")->type_name("FILE.toml");
+        addFile(command, "--apply", arguments.apply, "Writes the case that the study found", "FILE.toml");
     command.add_option("--jobs", arguments.jobs, "Number of solutions in parallel; default: the number of cores")
         ->check(CLI::Range(1, 64));
     addProgress(command, arguments);
@@ -151,10 +162,21 @@ bool runsLong(const std::string& command)
     return std::ranges::find(commands, command) != commands.end();
 }
 
+/// Prints what CLI11 has to say to wrong arguments, --help or --version. Returns its exit code.
+int showTexts(const CLI::App& app, const CLI::ParseError& error)
+{
+    std::ostringstream out, lines;
+    const int code = app.exit(error, out, lines);
+    print(out.str());
+    std::istringstream text(lines.str());
+    for (std::string line; std::getline(text, line);) complain(line);
+    return code;
+}
+
 /// The message of CLI11, which also names --help, and the object of `--json`.
 int refuseArguments(const CLI::App& app, const CLI::ParseError& error, bool json)
 {
-    app.exit(error);
+    showTexts(app, error);
     if (json) print(refusalJson({{"", 0, "", error.what()}}));
     return finishOutput(exitWrongInput);
 }
@@ -173,14 +195,14 @@ int commandLine(int argc, char** argv)
 
     CLI::App& run = *app.add_subcommand("run", "Simulates a case");
     addCase(run, arguments);
-    run.add_option("--out", arguments.out, "Writes all results as HDF5")->type_name("FILE.h5");
-    run.add_option("--csv", arguments.csv, "Writes the time series as CSV")->type_name("FILE.csv");
+    addFile(run, "--out", arguments.out, "Writes all results as HDF5", "FILE.h5");
+    addFile(run, "--csv", arguments.csv, "Writes the time series as CSV, when the run ends", "FILE.csv");
     addProgress(run, arguments);
     addJson(run, arguments);
 
     CLI::App& steady = *app.add_subcommand("steady", "Finds the static flying attitude of a film case");
     addCase(steady, arguments);
-    steady.add_option("--out", arguments.out, "Writes forces and fields as HDF5")->type_name("FILE.h5");
+    addFile(steady, "--out", arguments.out, "Writes forces and fields as HDF5", "FILE.h5");
     steady.add_flag(
         "--fixed-attitude", arguments.fixedAttitude,
         "Solves the film at the initial attitude only; refused with rails inside the disk and no contact law");
@@ -217,7 +239,11 @@ int commandLine(int argc, char** argv)
         "convert", "Converts between case files and files of the established program (rail.dat, run.dat, .cml)");
     convert.add_option("FROM", from, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")
         ->required();
-    convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")->required();
+    convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")
+        ->required()
+        ->check(emptyNameProblem);
+    bool force = false;
+    convert.add_flag("--force", force, "Replaces the archive, or the rail.dat and run.dat, that TO names");
 
     CLI::App& validate = *app.add_subcommand("validate", "Checks a case or a study and lists every problem");
     addCase(validate, arguments);
@@ -259,18 +285,26 @@ int commandLine(int argc, char** argv)
     } catch (const CLI::ExtrasError& error) {
         return refuseArguments(app, CLI::ParseError(notTakenBy(app), error.get_exit_code()), json);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return finishOutput(app.exit(error)); // --help, --version
+        if (error.get_exit_code() == 0) return finishOutput(showTexts(app, error)); // --help, --version
         return refuseArguments(app, error, json);
     }
-    if (run.parsed()) return finishOutput(runCommand(arguments));
-    if (steady.parsed()) return finishOutput(steadyCommand(arguments));
-    if (modes.parsed()) return finishOutput(modesCommand(arguments));
-    if (!arguments.kind.empty()) return finishOutput(studyCommand(arguments));
-    if (convert.parsed()) return finishOutput(convertCommand(from, to));
-    if (validate.parsed()) return finishOutput(validateCommand(arguments));
-    if (list.parsed())
-        return finishOutput(listed.empty() ? listCommand(arguments.json) : lessonCommand(arguments.json));
-    return finishOutput(describeCommand(joined(key, "."), arguments.json));
+    const auto perform = [&] {
+        if (run.parsed()) return runCommand(arguments);
+        if (steady.parsed()) return steadyCommand(arguments);
+        if (modes.parsed()) return modesCommand(arguments);
+        if (!arguments.kind.empty()) return studyCommand(arguments);
+        if (convert.parsed()) return convertCommand(from, to, force);
+        if (validate.parsed()) return validateCommand(arguments);
+        if (list.parsed()) return listed.empty() ? listCommand(arguments.json) : lessonCommand(arguments.json);
+        return describeCommand(joined(key, "."), arguments.json);
+    };
+    int code = exitDone;
+    try {
+        if (!fitsInMemory([&] { code = perform(); })) code = fail(outOfMemory(arguments.name), json);
+    } catch (const std::exception& error) {
+        code = fail(error.what(), json);
+    }
+    return finishOutput(code);
 }
 
 } // namespace
@@ -278,12 +312,13 @@ int commandLine(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    touchdown::keepStandardStreams();
     touchdown::keepFreedMemory();
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     try {
         return touchdown::commandLine(argc, argv);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "touchdown: %s\n", error.what());
+        touchdown::complain(std::string("touchdown: ") + error.what());
         return touchdown::exitNoAnswer;
     }
 }

@@ -300,14 +300,15 @@ public:
     RunOutput(const CommandArguments& arguments, const CaseDocument& document)
         : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
     {
-        if (!arguments.out.empty()) {
+        // The time series takes its name only at the end of the run, the results at once: nothing may fail after them.
+        if (!arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);
+        if (problem_.empty() && !arguments.out.empty()) {
             // The text holds the contents of the files that the case names: the results need no other file.
             const std::string text = updateCaseText(document.text, document.value);
             problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_,
                                                recordedFields(document.value));
             spectra_.emplace(document.value, quantities_);
         }
-        if (problem_.empty() && !arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);
     }
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
@@ -347,7 +348,7 @@ int runCommand(const CommandArguments& arguments)
 {
     const CaseDocument document = openCaseToUse(arguments);
     std::vector<InputProblem> problems = document.problems;
-    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, arguments.name),
+    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, document.inputs()),
                       std::back_inserter(problems));
     if (problems.empty())
         if (const std::string reason = reasonNotToRun(document.value); !reason.empty())
@@ -359,13 +360,19 @@ int runCommand(const CommandArguments& arguments)
     if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
     const int spacing = findQuantity(output.quantities(), "minimum_spacing");
     std::optional<double> least; // of all samples so far [m]
-    Summary summary = run(document.value, [&](const RunUpdate& update) {
+    Summary summary;
+    const auto receive = [&](const RunUpdate& update) {
         output.add(update.samples, update.fields);
         if (spacing >= 0)
             for (const double each : update.samples.columns[static_cast<std::size_t>(spacing)])
                 least = std::min(least.value_or(each), each);
+        summary.endTime = update.time;
         return line.show(runProgress(update.time, update.duration, least)) && output.problem().empty();
-    });
+    };
+    if (!fitsInMemory([&] { summary = run(document.value, receive); })) {
+        summary.status = RunStatus::Failed;
+        summary.message = outOfMemory(document.name);
+    }
     line.end();
 
     output.finish(summary);

@@ -294,7 +294,7 @@ int steadyCommand(CommandArguments arguments)
     if (arguments.fixedAttitude) arguments.settings.emplace_back("steady.fixed_attitude=true");
     const CaseDocument document = openFilmCase(arguments);
     std::vector<InputProblem> problems = document.problems;
-    std::ranges::move(targetProblems({{"--out", arguments.out}}, arguments.name), std::back_inserter(problems));
+    std::ranges::move(targetProblems({{"--out", arguments.out}}, document.inputs()), std::back_inserter(problems));
     if (!problems.empty()) return refuse(problems, arguments.json);
     const Case& c = document.value;
 

@@ -214,6 +214,11 @@ std::vector<std::string> writeFiles(const CommandArguments& arguments, const Stu
     return problems;
 }
 
+std::vector<OutputTarget> targetsOf(const CommandArguments& arguments)
+{
+    return {{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}};
+}
+
 /// Of the study and its case, and of the files that are to be written.
 std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArguments& arguments)
 {
@@ -224,9 +229,7 @@ std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArgumen
         problems.push_back({"", 0, "--out",
                             "writes findings, charts and tables as HDF5; write the case that was found with --apply " +
                                 arguments.out});
-    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}},
-                                     arguments.name),
-                      std::back_inserter(problems));
+    std::ranges::move(targetProblems(targetsOf(arguments), plan.inputs), std::back_inserter(problems));
     return problems;
 }
 
@@ -249,7 +252,7 @@ int printTemplate(const CommandArguments& arguments)
                                 " on what --template prints; write it into the file"});
     if (!problems.empty()) return refuse(problems, arguments.json);
     if (isStudy) {
-        print(plan.text);
+        printExactly(plan.text);
         return exitDone;
     }
     std::string head = "case = " + tomlString(arguments.name) + "\n";
@@ -257,7 +260,7 @@ int printTemplate(const CommandArguments& arguments)
         const auto equals = setting.find('=');
         head += "set." + tomlString(setting.substr(0, equals)) + " = " + tomlString(setting.substr(equals + 1)) + "\n";
     }
-    print(head + studyTemplate(arguments.kind, plan.start.value));
+    printExactly(head + studyTemplate(arguments.kind, plan.start.value));
     return exitDone;
 }
 
@@ -272,8 +275,7 @@ std::vector<std::string> studyKindNames()
 
 void warnOf(const StudyPlan& plan)
 {
-    for (const auto* list : {&plan.start.warnings, &plan.start.unused})
-        for (const InputProblem& warning : *list) complain("warning: " + warning.text());
+    for (const auto* list : {&plan.start.warnings, &plan.start.unused}) complainOf(*list, "warning: ");
 }
 
 int studyCommand(const CommandArguments& arguments)
@@ -282,6 +284,8 @@ int studyCommand(const CommandArguments& arguments)
     const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options);
     warnOf(plan);
     if (const auto problems = problemsOf(plan, arguments); !problems.empty()) return refuse(problems, arguments.json);
+    TargetLocks locks(targetsOf(arguments));
+    if (!locks.problems().empty()) return refuse(locks.problems(), arguments.json);
 
     ProgressLine line(arguments.progress);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -289,6 +293,7 @@ int studyCommand(const CommandArguments& arguments)
         return line.show({progress.share, progress.doing});
     });
     line.end();
+    locks.release();
     const std::vector<std::string> problems = writeFiles(arguments, plan, report);
     if (!problems.empty()) {
         report.status = StudyStatus::Failed;

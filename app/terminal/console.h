@@ -13,9 +13,12 @@ enum ExitCode : int {
     exitWrongInput = 2, // every problem is listed
 };
 
-/// A line on standard error.
+/// A line on standard error. As in print(), what a terminal would obey is shown escaped (core/formats/quotation.h):
+/// titles, names and quotations come from files of other people.
 void complain(std::string_view sentence);
-/// Text on standard output.
+/// Text on standard output, in lines.
 void print(std::string_view text);
+/// The text of a file on standard output: exact, unless that is a terminal.
+void printExactly(std::string_view text);
 
 } // namespace touchdown

@@ -9,6 +9,7 @@
 
 #include "app/terminal/report_text.h"
 #include "app/terminal/stop_signals.h"
+#include "core/formats/quotation.h"
 #include "core/numerics/wall_clock.h"
 
 namespace touchdown {
@@ -58,7 +59,7 @@ std::string ProgressLine::text()
         if (left) add(displayed((*each.whole - each.value) / *left, each.displayUnit, 3) + "/s");
     }
     if (left) add(displayed(*left < 10.0 ? *left : std::round(*left), "s", *left < 10.0 ? 2 : 9) + " left");
-    return line;
+    return printable(line);
 }
 
 } // namespace touchdown

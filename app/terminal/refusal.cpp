@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/terminal/refusal.h"
 
+#include <algorithm>
+#include <span>
+
 #include "app/terminal/console.h"
 #include "core/formats/words.h"
 
@@ -24,11 +27,34 @@ std::string refusalJson(const std::vector<InputProblem>& problems)
     return jsonText({{"status", "wrong input"}, {"message", message}, {"problems", problemsJson(problems)}});
 }
 
+void complainOf(const std::vector<InputProblem>& problems, const std::string& prefix)
+{
+    constexpr std::size_t most = 20;
+    const std::size_t shown = std::min(problems.size(), most);
+    for (const InputProblem& problem : std::span(problems).first(shown)) complain(prefix + problem.text());
+    if (problems.size() > shown) complain(prefix + "and " + counted(problems.size() - shown, "further problem"));
+}
+
 int refuse(const std::vector<InputProblem>& problems, bool json)
 {
-    for (const InputProblem& problem : problems) complain(problem.text());
+    complainOf(problems);
     if (json) print(refusalJson(problems));
     return exitWrongInput;
+}
+
+int fail(const std::string& message, bool json)
+{
+    complain("failed: " + message);
+    if (json) print(jsonText({{"status", "failed"}, {"message", message}}));
+    return exitNoAnswer;
+}
+
+std::string outOfMemory(const std::string& name)
+{
+    return "the memory does not suffice for " + name +
+           "; fewer nodes (film.nodes), larger cells (elastic.cell), longer intervals (run.sample_interval), fewer "
+           "maps "
+           "(run.field_snapshots) or fewer --jobs need less";
 }
 
 } // namespace touchdown

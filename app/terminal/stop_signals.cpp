@@ -17,12 +17,16 @@ StopSignals::StopSignals()
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     sigaction(SIGINT, &action, &interrupt_);
     sigaction(SIGTERM, &action, &terminate_);
+    sigaction(SIGHUP, nullptr, &hangUp_);
+    action.sa_flags = static_cast<int>(SA_RESTART);
+    if (hangUp_.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
 }
 
 StopSignals::~StopSignals()
 {
     sigaction(SIGINT, &interrupt_, nullptr);
     sigaction(SIGTERM, &terminate_, nullptr);
+    sigaction(SIGHUP, &hangUp_, nullptr);
 }
 
 bool stopRequested() { return stopSignal != 0; }

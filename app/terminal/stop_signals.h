@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// SIGINT or SIGTERM asks a calculation to stop; a second signal ends the program at once.
+// SIGINT, SIGTERM or SIGHUP (the terminal is closed) asks a calculation to stop; a second SIGINT or SIGTERM ends the
+// program at once. SIGHUP may come twice, from the terminal and from its shell, and stays ignored where it was (nohup).
 #pragma once
 
 #include <csignal>
@@ -19,6 +20,7 @@ public:
 private:
     struct sigaction interrupt_ {}; // the actions before
     struct sigaction terminate_ {};
+    struct sigaction hangUp_ {};
 };
 
 /// Whether a signal has come since the last StopSignals began.

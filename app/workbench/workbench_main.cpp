@@ -13,6 +13,8 @@
 #include <QTimer>
 
 #include "app/terminal/console.h"
+#include "app/terminal/refusal.h"
+#include "app/terminal/standard_streams.h"
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
 #include "core/results/results_reader.h"
@@ -60,7 +62,8 @@ Arguments parse(int argc, char** argv)
          {"theme", "light, dark or system.", "name"}});
 
     const auto fail = [](const QString& sentence) {
-        std::cerr << "touchdown-workbench: " << sentence.toStdString() << "\nSee touchdown-workbench --help.\n";
+        touchdown::complain("touchdown-workbench: " + sentence.toStdString());
+        touchdown::complain("See touchdown-workbench --help.");
         std::exit(touchdown::exitWrongInput);
     };
     if (!parser.parse(list)) fail(parser.errorText());
@@ -83,6 +86,9 @@ Arguments parse(int argc, char** argv)
                               .pictures = parser.value("pictures"),
                               .size = parser.value("size"),
                               .theme = parser.value("theme")};
+    for (const char* option : {"export", "screenshot", "study", "pictures"})
+        if (parser.isSet(option) && parser.value(option).isEmpty())
+            fail(QString("the value of --%1 is empty.").arg(option));
     if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
         fail(QString("--theme is light, dark or system, not \"%1\".").arg(arguments.theme));
     if (arguments.study.isEmpty() != arguments.pictures.isEmpty())
@@ -102,7 +108,7 @@ touchdown::CaseDocument readCase(const QString& fileOrSample)
 {
     touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString());
     if (!document.valid()) {
-        for (const touchdown::InputProblem& problem : document.problems) std::cerr << problem.text() << '\n';
+        touchdown::complainOf(document.problems);
         std::exit(touchdown::exitWrongInput);
     }
     return document;
@@ -117,7 +123,7 @@ void checkRun(const QString& file, bool pictures)
     else
         problem = touchdown::readResults(file.toStdString()).problem;
     if (problem.empty()) return;
-    std::cerr << problem << '\n';
+    touchdown::complain(problem);
     std::exit(touchdown::exitWrongInput);
 }
 
@@ -126,6 +132,7 @@ void checkRun(const QString& file, bool pictures)
 int main(int argc, char** argv)
 {
     using namespace touchdown;
+    keepStandardStreams();
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     // Before anything that needs a display.
     const Arguments arguments = [&] {

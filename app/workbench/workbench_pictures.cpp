@@ -2,7 +2,6 @@
 #include "app/workbench/workbench_pictures.h"
 
 #include <algorithm>
-#include <iostream>
 
 #include <QApplication>
 #include <QDir>
@@ -12,6 +11,7 @@
 #include <QThread>
 
 #include "app/terminal/console.h"
+#include "app/terminal/refusal.h"
 #include "core/studies/study_plan.h"
 #include "ui/disk/disk_surface_view.h"
 #include "ui/film/film_view.h"
@@ -33,9 +33,9 @@ namespace {
 bool report(const QString& problem, const QString& file)
 {
     if (problem.isEmpty())
-        std::cout << file.toStdString() << '\n';
+        printExactly(file.toStdString() + '\n');
     else
-        std::cerr << problem.toStdString() << '\n';
+        complain(problem.toStdString());
     return problem.isEmpty();
 }
 
@@ -112,7 +112,7 @@ int takePictures(MainWindow& window, const PictureRequest& request)
     const QRegularExpressionMatch size =
         QRegularExpression(QStringLiteral("^(\\d{3,5})x(\\d{3,5})$")).match(request.size);
     if (!size.hasMatch()) {
-        std::cerr << "--size is written as 1600x1000, not \"" << request.size.toStdString() << "\".\n";
+        complain("--size is written as 1600x1000, not \"" + request.size.toStdString() + "\".");
         return exitWrongInput;
     }
     window.resize(size.captured(1).toInt(), size.captured(2).toInt());
@@ -142,20 +142,20 @@ int takePictures(MainWindow& window, const PictureRequest& request)
     }
     if (!written) return exitWrongInput;
     if (valid) return exitDone;
-    std::cerr << "The run ended without a valid answer: " << message.toStdString() << '\n';
+    complain("The run ended without a valid answer: " + message.toStdString());
     return exitNoAnswer;
 }
 
 int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder)
 {
     const StudyPlan plan = openStudy(kind.toStdString(), fileOrSample.toStdString());
-    for (const InputProblem& problem : plan.problems) std::cerr << problem.text() << '\n';
+    complainOf(plan.problems);
     const QDir directory(folder);
     if (!plan.valid() || !makeFolder(directory)) return exitWrongInput;
     const StudyReport study =
         plan.perform(std::max(1, QThread::idealThreadCount()), [](const StudyProgress&) { return true; });
-    for (const std::string& finding : study.findings) std::cerr << finding << '\n';
-    for (const std::string& warning : study.warnings) std::cerr << "warning: " << warning << '\n';
+    for (const std::string& finding : study.findings) complain(finding);
+    for (const std::string& warning : study.warnings) complain("warning: " + warning);
 
     bool written = true;
     for (std::size_t i = 0; i < study.charts.size(); ++i) {
@@ -169,7 +169,7 @@ int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QS
     }
     if (!written) return exitWrongInput;
     if (study.status == StudyStatus::Completed) return exitDone;
-    std::cerr << "The study ended without a valid answer: " << study.message << '\n';
+    complain("The study ended without a valid answer: " + study.message);
     return exitNoAnswer;
 }
 

@@ -30,7 +30,9 @@ CaseDocument readCaseFile(const std::filesystem::path& file)
     std::string& text = std::get<std::string>(content);
     if (text.find_first_not_of(" \t\r\n") == std::string::npos) return refuse("is empty");
     const std::filesystem::path folder = file.parent_path();
-    return parseCase(std::move(text), file.string(), folder.empty() ? "." : folder);
+    CaseDocument document = parseCase(std::move(text), file.string(), folder.empty() ? "." : folder);
+    document.files.push_back(file);
+    return document;
 }
 
 CaseDocument openCase(const std::string& fileOrName)

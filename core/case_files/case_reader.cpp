@@ -153,6 +153,7 @@ private:
                 return refuse("rails come from a file or from [[abs.rail]], not from both");
         if (document_.folder.empty()) return refuse("names a file, but this text has no folder");
         const std::filesystem::path file = document_.folder / *name;
+        document_.files.push_back(file);
         const auto content = readTextFile(file, maximumCmlFileSize);
         if (const auto* problem = std::get_if<FileProblem>(&content))
             return refuse(inQuotes(*name) + ' ' + problem->message);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/cml_case.h"
 
-#include <unistd.h>
-
 #include <cctype>
-#include <cerrno>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -30,18 +27,6 @@ namespace fs = std::filesystem;
 namespace {
 
 bool isArchive(const fs::path& path) { return lowerCase(path.extension().string()) == ".cml"; }
-
-/// The file of a folder with this name in any case; in lower case if there are several.
-std::optional<fs::path> findMember(const fs::path& folder, const std::string& name)
-{
-    std::error_code error;
-    std::optional<fs::path> found;
-    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
-        const std::string entry = each->path().filename().string();
-        if (lowerCase(entry) == name && (!found || entry == name)) found = each->path();
-    }
-    return found;
-}
 
 /// A sentence as it follows file and line.
 std::string asMessage(std::string sentence)
@@ -156,7 +141,7 @@ public:
         for (const std::string member : {"rail.dat", "run.dat", "dynamics.def"}) {
             if (member == named)
                 found.emplace_back(member, path);
-            else if (auto file = findMember(folder, member))
+            else if (auto file = findCmlMember(folder, member))
                 found.emplace_back(member, *file);
         }
         return choose(found, named);
@@ -173,6 +158,7 @@ private:
 
     std::optional<CmlFiles> fromArchive(const fs::path& path)
     {
+        document_.files.push_back(path);
         auto bytes = readTextFile(path, maximumCmlFileSize);
         if (const auto* problem = std::get_if<FileProblem>(&bytes)) return refuse(path.string(), problem->message);
         auto archive = readCmlArchive(std::get<std::string>(bytes));
@@ -189,6 +175,7 @@ private:
     std::optional<CmlFiles> choose(const std::vector<std::pair<std::string, fs::path>>& found, const std::string& named)
     {
         return pick(found, named, [&](const fs::path& file) -> std::optional<CmlFiles::File> {
+            document_.files.push_back(file);
             auto text = readTextFile(file, maximumCmlFileSize);
             if (auto* content = std::get_if<std::string>(&text))
                 return CmlFiles::File{file.string(), std::move(*content)};
@@ -244,7 +231,7 @@ void findTrackProfile(const fs::path& path, CmlParameters& parameters)
     const fs::path folder = fs::is_directory(path, error) ? path
                             : path.parent_path().empty()  ? fs::path(".")
                                                           : path.parent_path();
-    const auto file = isArchive(path) ? std::nullopt : findMember(folder, c.diskSurface.file);
+    const auto file = isArchive(path) ? std::nullopt : findCmlMember(folder, c.diskSurface.file);
     if (file) {
         parameters.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
         const DiskFileCheck disk = checkDiskFile(c);
@@ -269,54 +256,23 @@ std::string titleOf(const fs::path& path)
     return absolute.filename().string();
 }
 
-/// A new folder, which the destructor removes with its content.
-class StagingFolder {
-public:
-    explicit StagingFolder(const fs::path& inside) : name_((inside / ".touchdown.XXXXXX").string())
-    {
-        made_ = ::mkdtemp(name_.data()) != nullptr;
-        if (!made_) problem_ = "cannot be written: " + std::generic_category().message(errno);
-    }
-    ~StagingFolder()
-    {
-        std::error_code ignored;
-        if (made_) fs::remove_all(name_, ignored);
-    }
-    StagingFolder(const StagingFolder&) = delete;
-    StagingFolder& operator=(const StagingFolder&) = delete;
-    fs::path path() const { return name_; }
-    const std::string& problem() const { return problem_; }
-
-private:
-    std::string name_;
-    std::string problem_;
-    bool made_ = false;
-};
-
-std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& members)
-{
-    for (const CmlMember& member : members)
-        if (fs::is_directory(folder / member.name))
-            return (folder / member.name).string() + ": is a directory, not a file";
-    const StagingFolder staging(folder);
-    if (!staging.problem().empty()) return folder.string() + ": " + staging.problem();
-    for (const CmlMember& member : members)
-        if (const std::string problem = writeTextFile(staging.path() / member.name, member.text); !problem.empty())
-            return (folder / member.name).string() + ": " + problem;
-    for (const CmlMember& member : members) {
-        std::error_code error;
-        fs::rename(staging.path() / member.name, folder / member.name, error);
-        if (error) return (folder / member.name).string() + ": cannot be written: " + error.message();
-    }
-    return {};
-}
-
 } // namespace
+
+std::optional<fs::path> findCmlMember(const fs::path& folder, const std::string& name)
+{
+    std::error_code error;
+    std::optional<fs::path> found;
+    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
+        const std::string entry = each->path().filename().string();
+        if (lowerCase(entry) == name && (!found || entry == name)) found = each->path();
+    }
+    return found;
+}
 
 bool isCmlPath(const fs::path& path)
 {
     std::error_code error;
-    if (fs::is_directory(path, error)) return findMember(path, "rail.dat").has_value();
+    if (fs::is_directory(path, error)) return findCmlMember(path, "rail.dat").has_value();
     return isArchive(path) || isCmlMember(lowerCase(path.filename().string()));
 }
 
@@ -375,25 +331,6 @@ CmlOutput formatCmlCase(const Case& c)
     output.members = {{"rail.dat", std::move(files.rail.text)}, {"run.dat", formatCmlRun(c, kept.comments)}};
     output.keptKeys = kept.keys;
     return output;
-}
-
-std::string writeCmlCase(const fs::path& path, const std::vector<CmlMember>& members)
-{
-    if (isCmlPath(path) && !fs::is_directory(path)) {
-        if (isCmlMember(path.filename().string())) return path.string() + ": name the folder in which it is to stand";
-        const auto bytes = formatCmlArchive(members);
-        if (const auto* problem = std::get_if<FileProblem>(&bytes)) return path.string() + ": " + problem->message;
-        const std::string problem = writeTextFile(path, std::get<std::string>(bytes));
-        return problem.empty() ? problem : path.string() + ": " + problem;
-    }
-    std::error_code error;
-    if (fs::exists(path, error) && !fs::is_directory(path, error))
-        return path.string() + ": is a file; a folder, a .cml archive or a .toml case file is needed";
-    const bool made = fs::create_directories(path, error);
-    if (error) return path.string() + ": cannot be made: " + error.message();
-    std::string problem = writeInto(path, members);
-    if (!problem.empty() && made) fs::remove(path, error);
-    return problem;
 }
 
 } // namespace touchdown

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@
 #include "core/case_files/cml/cml_parameters.h"
 
 namespace touchdown {
+
+/// The file of a folder with this name in any case; in lower case if there are several.
+std::optional<std::filesystem::path> findCmlMember(const std::filesystem::path& folder, const std::string& name);
 
 /// Whether a path is one of its files, a folder that holds a rail.dat, or has the name of an archive.
 bool isCmlPath(const std::filesystem::path& path);
@@ -43,8 +47,11 @@ struct CmlOutput {
 };
 CmlOutput formatCmlCase(const Case& c);
 
+/// The archive, or the files of the folder, in whose place writeCmlCase() would write; none where there is nothing.
+std::vector<std::filesystem::path> replacedCmlFiles(const std::filesystem::path& path);
+
 /// Writes them as an archive if the path ends with .cml, else into a folder, which is created if necessary. The files
-/// get other names first, so that a failure leaves the old files unchanged. Returns the problem, or "".
+/// appear when all are written, so that a failure leaves the old files unchanged. Returns the problem, or "".
 std::string writeCmlCase(const std::filesystem::path& path, const std::vector<CmlMember>& members);
 
 } // namespace touchdown

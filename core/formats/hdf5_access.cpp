@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/hdf5_access.h"
 
+#include <cerrno>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace touchdown {
@@ -27,6 +29,7 @@ std::string lastError()
     if (const auto at = text.find(marker); at != std::string::npos) {
         const auto begin = at + marker.size();
         text = text.substr(begin, text.find('\'', begin) - begin);
+        if (text == std::generic_category().message(EWOULDBLOCK)) text = "another program has it open";
     }
     return text.empty() ? "unknown failure of the HDF5 library" : text;
 }

@@ -27,7 +27,7 @@ Hdf5Group createHdf5File(const fs::path& file)
 {
     const Hdf5Handle list(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
     checkHdf5(H5Pset_link_creation_order(list, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED));
-    return {H5Fcreate(file.c_str(), H5F_ACC_TRUNC, list, fileAccess()), H5Fclose};
+    return {H5Fcreate(file.c_str(), H5F_ACC_EXCL, list, fileAccess()), H5Fclose};
 }
 
 Hdf5Group openHdf5File(const fs::path& file, unsigned flags)
@@ -45,8 +45,9 @@ std::string writeHdf5File(const fs::path& file, const std::string& what,
     if (fs::is_directory(file, none)) return refuse("it is a directory");
     const Hdf5Access access;
     try {
-        PartFile part(file);
+        const PartFile part(file);
         Hdf5Group root = createHdf5File(part.path());
+        part.takeMode();
         fill(root);
         root.close();
         part.show();

@@ -11,7 +11,7 @@
 
 namespace touchdown {
 
-/// Creates a file that keeps the order of creation; one that exists is replaced. Throws Hdf5Error.
+/// Creates a file that keeps the order of creation; one that exists is a failure. Throws Hdf5Error.
 Hdf5Group createHdf5File(const std::filesystem::path& file);
 /// `flags`: H5F_ACC_RDONLY or H5F_ACC_RDWR. Throws Hdf5Error.
 Hdf5Group openHdf5File(const std::filesystem::path& file, unsigned flags = H5F_ACC_RDONLY);

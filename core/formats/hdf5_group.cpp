@@ -7,8 +7,6 @@ namespace touchdown {
 namespace {
 
 constexpr unsigned deflateLevel = 2;
-// 64 KiB a column: a reader of a short window unpacks little, and half a chunk, rewritten at a flush, costs little.
-constexpr hsize_t chunkNumbers = 8192;
 constexpr hsize_t mostChunkNumbers = 65536; // of an entry that is a matrix; 512 KiB
 constexpr unsigned orderKept = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
 
@@ -125,7 +123,7 @@ Hdf5Dataset Hdf5Group::table(const std::string& name, hsize_t rows, hsize_t colu
 Hdf5Dataset Hdf5Group::growing(const std::string& name, const std::string& unit, const std::string& longName,
                                const std::vector<hsize_t>& entry) const
 {
-    std::vector<hsize_t> size{0}, most{H5S_UNLIMITED}, chunk{entry.empty() ? chunkNumbers : 1};
+    std::vector<hsize_t> size{0}, most{H5S_UNLIMITED}, chunk{entry.empty() ? numbersPerChunk : 1};
     size.insert(size.end(), entry.begin(), entry.end());
     most.insert(most.end(), entry.begin(), entry.end());
     if (entry.size() == 2) {

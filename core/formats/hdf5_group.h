@@ -15,6 +15,10 @@
 
 namespace touchdown {
 
+/// Of a growing column, which are compressed together: 64 KiB. A reader of a short window unpacks little, and half a
+/// chunk, rewritten at a flush, costs little.
+inline constexpr std::size_t numbersPerChunk = 8192;
+
 class Hdf5Group : public Hdf5Object {
 public:
     using Hdf5Object::Hdf5Object;

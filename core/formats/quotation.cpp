@@ -1,7 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/quotation.h"
 
+#include <cstdio>
+
 namespace touchdown {
+
+namespace {
+
+/// The character that begins at the front of the text; length 0 where there is no UTF-8.
+struct Utf8Character {
+    unsigned code = 0;
+    std::size_t length = 0;
+};
+Utf8Character firstCharacter(std::string_view text)
+{
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x80) return {lead, 1};
+    const std::size_t length = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+    if (findInvalidUtf8(text.substr(0, length)) != std::string_view::npos) return {};
+    unsigned code = lead & (0xffu >> (length + 1));
+    for (const char c : text.substr(1, length - 1)) code = code << 6 | (static_cast<unsigned char>(c) & 0x3fu);
+    return {code, length};
+}
+
+bool isUnprintable(unsigned code)
+{
+    const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
+    const bool turnsDirection = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    return control || turnsDirection;
+}
+
+} // namespace
+
+std::string printable(std::string_view text, bool severalLines)
+{
+    std::string shown;
+    shown.reserve(text.size());
+    while (!text.empty()) {
+        const Utf8Character character = firstCharacter(text);
+        const std::size_t length = character.length == 0 ? 1 : character.length;
+        const bool stays = text.front() == '\t' || (severalLines && text.front() == '\n');
+        char escape[8] = "";
+        if (character.length == 0)
+            std::snprintf(escape, sizeof escape, "\\x%02x", static_cast<unsigned>(static_cast<unsigned char>(text[0])));
+        else if (isUnprintable(character.code) && !stays)
+            std::snprintf(escape, sizeof escape, "\\u%04x", character.code);
+        if (escape[0] != '\0')
+            shown += escape;
+        else
+            shown += text.substr(0, length);
+        text.remove_prefix(length);
+    }
+    return shown;
+}
 
 std::string inQuotes(std::string_view text)
 {
@@ -15,9 +66,15 @@ std::string inQuotes(std::string_view text)
     }
     std::string shown = "\"";
     const bool valid = findInvalidUtf8(text) == std::string_view::npos;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        shown += byte < 0x20 || byte == 0x7f || (byte >= 0x80 && !valid) ? '?' : c;
+    while (!text.empty()) {
+        const Utf8Character character = valid ? firstCharacter(text) : Utf8Character{};
+        const auto byte = static_cast<unsigned char>(text.front());
+        const std::size_t length = valid ? character.length : 1;
+        if (valid ? isUnprintable(character.code) : byte >= 0x80 || isUnprintable(byte))
+            shown += '?';
+        else
+            shown += text.substr(0, length);
+        text.remove_prefix(length);
     }
     return shown + (cut ? "...\"" : "\"");
 }

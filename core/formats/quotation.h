@@ -8,6 +8,11 @@
 
 namespace touchdown {
 
+/// Text that a terminal shows and does not obey: control characters (also those of the range C1), marks that turn the
+/// direction of writing, and bytes that are no UTF-8 become "\u001b", "\u202e", "\x9b". Tabs stay; line breaks
+/// stay with `severalLines`. JSON stays the same JSON.
+std::string printable(std::string_view text, bool severalLines = false);
+
 /// "7 nm" with its quotation marks; unprintable characters become '?', a long text ends with "...".
 std::string inQuotes(std::string_view text);
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cerrno>
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -75,19 +76,25 @@ std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::u
     return text;
 }
 
+std::string writePart(const PartFile& part, const std::string& text)
+{
+    Descriptor descriptor(part.create());
+    if (descriptor.number() < 0 || !writeAll(descriptor.number(), text) || !descriptor.close())
+        return "cannot be written: " + lastError();
+    return {};
+}
+
 std::string writeTextFile(const fs::path& file, const std::string& text)
 {
     std::error_code none;
     if (fs::is_directory(file, none)) return "is a directory, not a file";
     if (fs::exists(file, none) && ::access(file.c_str(), W_OK) != 0) return "cannot be written: " + lastError();
-    PartFile part(file);
-    Descriptor descriptor(::open(part.path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (descriptor.number() < 0 || !writeAll(descriptor.number(), text) || !descriptor.close())
-        return "cannot be written: " + lastError();
     try {
+        const PartFile part(file);
+        if (const std::string problem = writePart(part, text); !problem.empty()) return problem;
         part.show();
-    } catch (const std::system_error& error) {
-        return "cannot be written: " + error.code().message();
+    } catch (const std::exception& failure) {
+        return std::string("cannot be written: ") + failure.what();
     }
     return {};
 }

@@ -54,11 +54,11 @@ struct CsvWriter::File {
             buffer[used++] = c;
         }
     }
-    void fail(int code)
+    void fail(const std::string& reason)
     {
-        if (problem.empty())
-            problem = "cannot write to " + path.string() + ": " + std::generic_category().message(code);
+        if (problem.empty()) problem = "cannot write to " + path.string() + ": " + reason;
     }
+    void fail(int code) { fail(std::generic_category().message(code)); }
     void write()
     {
         std::size_t done = 0;
@@ -85,13 +85,14 @@ std::string CsvWriter::open(const std::filesystem::path& path, const std::vector
     file->path = path;
     std::error_code none;
     const std::filesystem::file_status status = std::filesystem::status(path, none);
-    if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) file->part.emplace(path);
-    file->descriptor = file->part ? ::open(file->part->path().c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)
-                                  : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (file->descriptor < 0) {
-        file->fail(errno);
-        return file->problem;
+    try {
+        if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) file->part.emplace(path);
+        file->descriptor = file->part ? file->part->create() : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+        if (file->descriptor < 0) file->fail(errno);
+    } catch (const std::exception& failure) {
+        file->fail(failure.what());
     }
+    if (!file->problem.empty()) return file->problem;
     file->add("time [s]");
     for (const Quantity& quantity : quantities)
         file->add("," + csvCell(quantity.name + " [" + (quantity.unit.empty() ? "1" : quantity.unit) + "]"));
@@ -125,8 +126,8 @@ std::string CsvWriter::close()
     if (file_->part && file_->problem.empty()) {
         try {
             file_->part->show();
-        } catch (const std::system_error& error) {
-            file_->fail(error.code().value());
+        } catch (const std::system_error& failure) {
+            file_->fail(failure.what());
         }
     }
     const std::string problem = file_->problem;

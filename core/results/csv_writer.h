@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The time series of a run as CSV (RFC 4180): a header "time [s],flying_height [m],...", full precision, '.' as decimal
-// point whatever the locale. A file appears whole when it is closed, or not at all (core/formats/output_file.h); a
-// device or a pipe takes the samples while the run lasts.
+// point whatever the locale. A file appears whole when it is closed, or not at all (core/formats/output_file.h): a run
+// that is killed leaves none, and an older file of the name as it was. A device or a pipe takes the samples while the
+// run lasts.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/results/results_exchange.h"
 
-#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -44,35 +43,22 @@ bool HeldFile::standsAt(const std::filesystem::path& path) const
     return held.st_dev == found.st_dev && held.st_ino == found.st_ino;
 }
 
-ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeader header)
-    : file_(file),
-      part_(file.string() + ".part"),
-      header_(std::move(header)),
-      arrays_(growingArrays(header_.quantities, header_.fields))
+ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeader header, bool live)
+    : part_(file), header_(std::move(header)), arrays_(growingArrays(header_.quantities, header_.fields)), live_(live)
 {
-    const Hdf5Access access;
-    // A part that a killed run left is removed, not overwritten, since it may be open in a reader.
-    std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    try {
-        createPart().close();
-    } catch (...) {
-        removePart();
-        throw;
-    }
+    publish({});
 }
-
-ResultsExchange::~ResultsExchange() { removePart(); }
 
 void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields,
                               const std::vector<ResultsSpectrum>& spectra, const Summary* summary)
 {
     const Hdf5Access access;
-    checkOwned();
+    // The user may move the file away, and what stands in its place is not this run's.
+    if (shown_ && !shown_.standsAt(part_.target())) throw Hdf5Error("someone removed or replaced it");
     try {
         Hdf5Group part = openPart();
         if (shown_) {
-            const Hdf5Group shown = openHdf5File(file_);
+            const Hdf5Group shown = openHdf5File(part_.target());
             for (const std::string& array : arrays_) part.get(array).copyMissing(shown.get(array));
         }
         appendSamples(part, header_.quantities, samples);
@@ -80,25 +66,19 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
         for (const ResultsSpectrum& spectrum : spectra) writeSpectrum(part, spectrum);
         if (summary) writeSummary(part, header_.quantities, *summary);
         part.close();
-        show();
+        if (live_ || summary) show();
     } catch (...) {
         removePart();
         throw;
     }
 }
 
-// Samples of two runs that write to one name must not mix; the user may move the file away.
-void ResultsExchange::checkOwned() const
-{
-    if (shown_ && !shown_.standsAt(file_)) throw Hdf5Error("someone removed or replaced it");
-    if (next_ && !next_.standsAt(part_)) throw Hdf5Error("another run writes to it");
-}
-
 Hdf5Group ResultsExchange::openPart()
 {
-    if (!next_) return createPart();
+    if (!hasPart_) return createPart();
     try {
-        Hdf5Group part = openHdf5File(part_, H5F_ACC_RDWR);
+        Hdf5Group part = openHdf5File(part_.path(), H5F_ACC_RDWR);
+        if (!live_) return part;
         hsize_t size = 0;
         checkHdf5(H5Fget_filesize(part, &size));
         hsize_t used = 0;
@@ -106,6 +86,7 @@ Hdf5Group ResultsExchange::openPart()
         if (size < used + used / 4 + tolerableWaste) return part;
     } catch (const Hdf5Error&) {
         // A reader who opened it under the file's name still holds its lock.
+        if (!live_) throw;
     }
     removePart();
     return createPart();
@@ -113,36 +94,29 @@ Hdf5Group ResultsExchange::openPart()
 
 Hdf5Group ResultsExchange::createPart()
 {
-    try {
-        Hdf5Group part = createResultsFile(part_, header_);
-        next_ = HeldFile(part_);
-        return part;
-    } catch (...) {
-        std::error_code ignored;
-        std::filesystem::remove(part_, ignored);
-        throw;
-    }
+    hasPart_ = true;
+    Hdf5Group part = createResultsFile(part_.path(), header_);
+    part_.takeMode();
+    return part;
 }
 
 void ResultsExchange::removePart()
 {
-    if (!next_ || !next_.standsAt(part_)) return;
     std::error_code ignored;
-    std::filesystem::remove(part_, ignored);
-    next_ = {};
+    if (std::exchange(hasPart_, false)) std::filesystem::remove(part_.path(), ignored);
 }
 
 void ResultsExchange::show()
 {
-    if (shown_ && ::renameat2(AT_FDCWD, part_.c_str(), AT_FDCWD, file_.c_str(), RENAME_EXCHANGE) == 0) {
-        std::swap(shown_, next_);
+    HeldFile next(part_.path());
+    if (shown_ && ::renameat2(AT_FDCWD, part_.path().c_str(), AT_FDCWD, part_.target().c_str(), RENAME_EXCHANGE) == 0) {
+        shown_ = std::move(next);
         return;
     }
     // The first time, or on a file system that cannot exchange names: there each flush copies all earlier samples.
-    std::error_code error;
-    std::filesystem::rename(part_, file_, error);
-    if (error) throw Hdf5Error(error.message());
-    shown_ = std::exchange(next_, {});
+    part_.show();
+    hasPart_ = false;
+    shown_ = std::move(next);
 }
 
 } // namespace touchdown

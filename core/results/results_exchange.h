@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The two states of a results file during a run: the file that others see, whole at every moment, and NAME.part, on
-// which the next flush works. core/results/results_writer.h says why.
+// The two states of a results file during a run: the file that others see, whole at every moment, and a part beside it,
+// on which the next flush works. core/results/results_writer.h says why.
 #pragma once
 
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/formats/output_file.h"
 #include "core/results/results_layout.h"
 #include "core/simulation/recording/run_summary.h"
 
@@ -32,31 +33,29 @@ private:
 
 class ResultsExchange {
 public:
-    /// Creates NAME.part. Throws Hdf5Error.
-    ResultsExchange(const std::filesystem::path& file, ResultsHeader header);
-    /// Removes NAME.part.
-    ~ResultsExchange();
+    /// Locks the file. If it is `live`, shows it at once, without samples, and at each publication; else when the
+    /// summary is published. Throws std::exception; then the file is as it was.
+    ResultsExchange(const std::filesystem::path& file, ResultsHeader header, bool live = true);
     ResultsExchange(const ResultsExchange&) = delete;
     ResultsExchange& operator=(const ResultsExchange&) = delete;
 
-    /// Adds samples and snapshots, at the end of a run its spectra and summary, and shows the result under the file's
-    /// name. Throws Hdf5Error; then the file is as it was.
+    /// Adds samples and snapshots, at the end of a run its spectra and summary. Throws std::exception; then the file is
+    /// as it was.
     void publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields = {},
                  const std::vector<ResultsSpectrum>& spectra = {}, const Summary* summary = nullptr);
 
 private:
-    void checkOwned() const;
     Hdf5Group openPart();
     Hdf5Group createPart();
     void removePart();
     void show();
 
-    std::filesystem::path file_;
-    std::filesystem::path part_;
+    PartFile part_;
     ResultsHeader header_;
     std::vector<std::string> arrays_; // paths of those that grow
-    HeldFile shown_;                  // at file_; none before the first state
-    HeldFile next_;                   // at part_
+    bool live_;
+    bool hasPart_ = false;
+    HeldFile shown_; // the file itself; none before the first state
 };
 
 } // namespace touchdown

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/formats/hdf5_group.h"
 #include "core/formats/output_file.h"
 #include "core/results/file_header.h"
 #include "core/results/results_exchange.h"
@@ -17,9 +18,11 @@ namespace {
 using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
 
-// Samples that may wait for the disk before a flush begins early, and before append() waits [numbers].
-constexpr std::size_t earlyFlush = std::size_t{2} << 20;
+// What may wait for the disk before append() waits [numbers]; as much as a flush writes in flushTime.
+constexpr std::size_t leastPending = std::size_t{1} << 18;
 constexpr std::size_t mostPending = std::size_t{6} << 20;
+// Of a flush. On a machine that is too slow for the samples, the file then lacks those of about twice this time.
+constexpr std::chrono::milliseconds flushTime(200);
 
 void append(SampleBatch& target, const SampleBatch& batch)
 {
@@ -27,6 +30,21 @@ void append(SampleBatch& target, const SampleBatch& batch)
     target.time.insert(target.time.end(), batch.time.begin(), batch.time.end());
     for (std::size_t i = 0; i < batch.columns.size(); ++i)
         target.columns[i].insert(target.columns[i].end(), batch.columns[i].begin(), batch.columns[i].end());
+}
+
+/// Takes the last samples out of a batch.
+SampleBatch takeLast(SampleBatch& batch, std::size_t count)
+{
+    SampleBatch last;
+    const auto take = [count](std::vector<double>& from) {
+        const auto begin = from.end() - static_cast<std::ptrdiff_t>(count);
+        std::vector<double> taken(begin, from.end());
+        from.erase(begin, from.end());
+        return taken;
+    };
+    last.time = take(batch.time);
+    for (std::vector<double>& column : batch.columns) last.columns.push_back(take(column));
+    return last;
 }
 
 bool fits(const SampleBatch& batch, std::size_t columns)
@@ -56,21 +74,23 @@ struct ResultsWriter::File {
     std::size_t columns;
     std::vector<RecordedFields> fields;
     ResultsExchange exchange;
-    std::chrono::milliseconds interval;
+    std::optional<std::chrono::milliseconds> interval;
 
     std::mutex mutex; // of all below
     std::condition_variable_any changed;
     SampleBatch pending;
     std::vector<FieldSnapshot> pendingFields;
     std::vector<ResultsSpectrum> spectra;
+    std::size_t stored = 0;                 // samples that were handed to a flush
+    std::size_t mayWait = 2 * leastPending; // [numbers]
     std::string problem;
     std::jthread thread; // last: its end comes before that of what it uses
 
-    File(const fs::path& file, ResultsHeader header, std::chrono::milliseconds flushInterval)
+    File(const fs::path& file, ResultsHeader header, std::optional<std::chrono::milliseconds> flushInterval)
         : path(file),
           columns(header.quantities.size()),
           fields(header.fields),
-          exchange(file, std::move(header)),
+          exchange(file, std::move(header), flushInterval.has_value()),
           interval(flushInterval),
           thread([this](std::stop_token stop) { flushUntil(stop); })
     {}
@@ -95,23 +115,45 @@ struct ResultsWriter::File {
     void flushUntil(const std::stop_token& stop)
     {
         std::unique_lock lock(mutex);
+        const auto isEarly = [&] { return numbersPending() >= mayWait; };
+        auto begin = Clock::now();
         while (true) {
-            const auto due = Clock::now() + interval;
-            changed.wait_until(lock, stop, due, [&] { return numbersPending() >= earlyFlush; });
+            if (interval)
+                changed.wait_until(lock, stop, begin + *interval, isEarly);
+            else
+                changed.wait(lock, stop, isEarly);
             if (stop.stop_requested()) return;
             changed.wait(lock, stop, [&] { return somethingPending(); });
             if (stop.stop_requested()) return;
-            const SampleBatch batch = std::exchange(pending, {});
+            begin = Clock::now();
+            const std::size_t numbers = numbersPending();
+            const bool wholeChunks = isEarly() && pendingFields.empty(); // no map may be later than the samples
+            SampleBatch batch = std::exchange(pending, {});
+            // While samples come fast, only whole chunks: one that is rewritten costs as much as a new one.
+            const std::size_t beyond = (stored + batch.size()) % numbersPerChunk;
+            if (wholeChunks && beyond < batch.size()) pending = takeLast(batch, beyond);
+            stored += batch.size();
             const std::vector<FieldSnapshot> snapshots = std::exchange(pendingFields, {});
             lock.unlock();
             changed.notify_all();
             const std::string failure = flush(batch, snapshots, nullptr);
             lock.lock();
+            adapt(numbers, Clock::now() - begin);
             if (failure.empty()) continue;
             problem = failure;
             changed.notify_all();
             return;
         }
+    }
+
+    /// After a flush of so many numbers. On a busy machine, less is written at a time.
+    void adapt(std::size_t numbers, Clock::duration took)
+    {
+        const double share = std::chrono::duration<double>(flushTime) / took;
+        if (share < 1.0 || numbers > mayWait / 2)
+            mayWait = static_cast<std::size_t>(std::clamp(static_cast<double>(numbers) * share,
+                                                          static_cast<double>(leastPending),
+                                                          static_cast<double>(mostPending)));
     }
 
     std::string flush(const SampleBatch& batch, std::span<const FieldSnapshot> snapshots, const Summary* summary)
@@ -134,7 +176,7 @@ struct ResultsWriter::File {
     }
 };
 
-ResultsWriter::ResultsWriter(std::chrono::milliseconds flushInterval) : flushInterval_(flushInterval) {}
+ResultsWriter::ResultsWriter(std::optional<std::chrono::milliseconds> flushInterval) : flushInterval_(flushInterval) {}
 ResultsWriter::~ResultsWriter() = default;
 ResultsWriter::ResultsWriter(ResultsWriter&&) noexcept = default;
 ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
@@ -145,8 +187,7 @@ std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::
     file_.reset();
     if (std::string problem = checkOutputFile(file); !problem.empty()) return problem;
     try {
-        file_ = std::make_unique<File>(linkTarget(file), ResultsHeader{c, caseText, dateNow(), quantities, fields},
-                                       flushInterval_);
+        file_ = std::make_unique<File>(file, ResultsHeader{c, caseText, dateNow(), quantities, fields}, flushInterval_);
     } catch (const std::exception& failure) {
         return "cannot write results to " + file.string() + ": " + failure.what();
     }
@@ -159,7 +200,7 @@ std::string ResultsWriter::append(const SampleBatch& batch, const std::vector<Fi
     if (!fits(batch, file_->columns)) return "the samples do not fit the columns of " + file_->path.string();
     if (!fits(fields, file_->fields)) return "the snapshots do not fit the grid of " + file_->path.string();
     std::unique_lock lock(file_->mutex);
-    file_->changed.wait(lock, [&] { return !file_->problem.empty() || file_->numbersPending() < mostPending; });
+    file_->changed.wait(lock, [&] { return !file_->problem.empty() || file_->numbersPending() < file_->mayWait; });
     if (!file_->problem.empty()) return file_->problem;
     touchdown::append(file_->pending, batch);
     file_->pendingFields.insert(file_->pendingFields.end(), fields.begin(), fields.end());

@@ -2,11 +2,11 @@
 //
 // Writes a run to a results file (HDF5).
 //
-// The file starts with status "interrupted" and is flushed at least once a second, so that after a kill it opens, holds
-// all up to the last flush, and says that the run was interrupted.
+// The file exists from the beginning of the run, with status "interrupted", and is flushed several times a second. So
+// after a kill it opens, holds all but about the last second, and says that the run was interrupted.
 //
-// HDF5 changes a file in many small writes, and between any two of them the file may be unreadable. So NAME.part is
-// brought up to date and closed, then the two names are exchanged (one atomic call), and the next flush works on the
+// HDF5 changes a file in many small writes, and between any two of them the file may be unreadable. So a part beside it
+// is brought up to date and closed, then the two names are exchanged (one atomic call), and the next flush works on the
 // older file. During a run this takes the space of the results twice; chunks are compressed once and copied as they
 // are.
 #pragma once
@@ -14,6 +14,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,16 +26,18 @@
 namespace touchdown {
 
 /// Writes one run, on a thread of its own. Every call returns "" or the problem in one sentence (disk full, no
-/// permission, ...).
+/// permission, another run that writes to the file, ...).
 class ResultsWriter {
 public:
-    explicit ResultsWriter(std::chrono::milliseconds flushInterval = std::chrono::milliseconds(700));
+    /// `flushInterval`: from the beginning of a flush to that of the next; none for a file that appears whole or not at
+    /// all, when finish() has written it.
+    explicit ResultsWriter(std::optional<std::chrono::milliseconds> flushInterval = std::chrono::milliseconds(300));
     ~ResultsWriter(); // writes pending samples; the status stays "interrupted" if finish() was not called
     ResultsWriter(ResultsWriter&&) noexcept;
     ResultsWriter& operator=(ResultsWriter&&) noexcept;
 
-    /// `caseText` is the exact input; the parameters come from `c`. An existing file is replaced only when `finish` or
-    /// the first flush has written the new one whole.
+    /// Writes the file without samples, in place of an existing one. `caseText` is the exact input; the parameters come
+    /// from `c`.
     std::string open(const std::filesystem::path& file, const Case& c, const std::string& caseText,
                      const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields = {});
     /// Takes samples and snapshots; waits only when the disk is far behind. Reports the problem of an earlier flush.
@@ -46,7 +49,7 @@ public:
 
 private:
     struct File;
-    std::chrono::milliseconds flushInterval_;
+    std::optional<std::chrono::milliseconds> flushInterval_;
     std::unique_ptr<File> file_;
 };
 

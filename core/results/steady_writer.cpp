@@ -125,6 +125,7 @@ struct SteadyWriter::File {
     {
         const Hdf5Access access;
         Hdf5Group created = createHdf5File(part.path());
+        part.takeMode();
         writeFileHeader(created, steadyFormat, steadyFormatMajor, steadyFormatMinor, dateNow(), c.title);
         writeCaseGroup(created, c, caseText);
         created.create("states");

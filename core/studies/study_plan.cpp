@@ -111,6 +111,9 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
                             plan.problems.end());
     }
     reader.finish();
+    plan.inputs = reader.inputs();
+    for (const std::filesystem::path& file : plan.start.inputs()) plan.inputs.push_back(file);
+    plan.inputs.emplace_back(plan.name);
     std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
     if (!plan.valid()) return plan;
     const bool named = !title.empty();

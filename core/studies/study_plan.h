@@ -41,10 +41,11 @@ struct StudyPlan {
     std::string kind;
     std::string name; // of the file, for problems
     std::string title;
-    std::string text;                   // the study's file; "" where a case was given
-    CaseDocument start;                 // the case that is studied
-    std::vector<InputProblem> problems; // all of them, those of the case among them
-    StudyPerformance perform;           // set where there is no problem
+    std::string text;                          // the study's file; "" where a case was given
+    CaseDocument start;                        // the case that is studied
+    std::vector<InputProblem> problems;        // all of them, those of the case among them
+    std::vector<std::filesystem::path> inputs; // all files that were read: the study, its cases and their files
+    StudyPerformance perform;                  // set where there is no problem
     bool valid() const { return problems.empty(); }
 };
 

@@ -88,6 +88,19 @@ void TestCommandLine::wrongArguments_data()
     QTest::newRow("two cases") << QStringList{"run", "fig10a", "fig10b"} << QByteArray("fig10b");
     QTest::newRow("no such list") << QStringList{"list", "lessons"}
                                   << QByteArray("\"lessons\" is no list; `touchdown list lesson` prints");
+    QTest::newRow("option with an empty file")
+        << QStringList{"run", "fig10a", "--out", ""} << QByteArray("--out: the name of a file is empty");
+    QTest::newRow("empty file of a time series")
+        << QStringList{"run", "fig10a", "--csv", "", "--json"} << QByteArray("--csv: the name of a file is empty");
+    QTest::newRow("empty file after =") << QStringList{"run", "fig10a", "--out="} << QByteArray("--out");
+    QTest::newRow("empty file of a static state")
+        << QStringList{"steady", "film_plane", "--out", ""} << QByteArray("--out: the name of a file is empty");
+    QTest::newRow("empty file of a study") << QStringList{"study", "hysteresis", "fig10a", "--csv", ""}
+                                           << QByteArray("--csv: the name of a file is empty");
+    QTest::newRow("empty file of a found case")
+        << QStringList{"advise", "film_pico", "--apply", ""} << QByteArray("--apply: the name of a file is empty");
+    QTest::newRow("empty case") << QStringList{"run", ""} << QByteArray("CASE");
+    QTest::newRow("conversion to nothing") << QStringList{"convert", "film_pico", ""} << QByteArray("TO");
     QTest::newRow("option without its file") << QStringList{"run", "fig10a", "--out"} << QByteArray("--out");
     QTest::newRow("validate without a case") << QStringList{"validate", "--json"} << QByteArray("CASE");
 }

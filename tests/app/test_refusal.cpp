@@ -4,6 +4,9 @@
 #include <QtTest>
 #include <memory>
 
+#include <sys/resource.h>
+
+#include "core/results/results_reader.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
 
@@ -79,6 +82,69 @@ private slots:
         QCOMPARE(problems[1].toObject()["key"].toString(), "slider.wings");
         QVERIFY(problems[2].toObject()["line"].isNull());
         QCOMPARE(o.errorLines().size(), 3);
+    }
+
+    /// A person gets the first ones, a script all.
+    void aFloodIsCounted()
+    {
+        QByteArray file;
+        for (int i = 0; i < 500; ++i) file += "[table" + QByteArray::number(i) + "]\n";
+        folder_->put("flood.toml", file);
+        for (const char* command : {"run", "validate"}) {
+            const Outcome o = folder_->touchdown({command, "flood.toml", "--json"});
+            QCOMPARE(o.code, 2);
+            QCOMPARE(o.errorLines().size(), 21);
+            QVERIFY2(o.errorLines()[19].contains("table19"), o.err);
+            QCOMPARE(o.errorLines()[20], QByteArray("and 480 further problems"));
+            QCOMPARE(o.json()["problems"].toArray().size(), 500);
+        }
+    }
+
+    void outOfMemory_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        const QStringList large{"film_pico", "--set", "film.nodes=1025,1025"};
+        QTest::newRow("run") << QStringList{"run"} + large + QStringList{"--out", "a.h5"};
+        QTest::newRow("steady") << QStringList{"steady"} + large;
+        QTest::newRow("modes") << QStringList{"modes"} + large;
+        QTest::newRow("advise") << QStringList{"advise"} + large;
+        QTest::newRow("several at a time") << QStringList{"study",     "convergence",    "film_pico", "--option",
+                                                          "grids=513", "reference=1025", "--jobs",    "2"};
+    }
+    void outOfMemory()
+    {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+        QSKIP("a sanitizer needs more addresses than the limit leaves");
+#endif
+        QFETCH(const QStringList, arguments);
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.setChildProcessModifier([] {
+            const rlimit limit{250'000'000, 250'000'000}; // the film needs more, the program itself less
+            ::setrlimit(RLIMIT_AS, &limit);
+        });
+        process.start(TOUCHDOWN_COMMAND, arguments + QStringList{"--json"});
+        const Outcome o = outcome(process);
+        QCOMPARE(o.code, 1);
+        QCOMPARE(o.json()["status"].toString(), QStringLiteral("failed"));
+        const QString message = o.json()["message"].toString();
+        QVERIFY2(message.contains("memory") && message.contains("film_pico") && message.contains("film.nodes"), o.out);
+        QCOMPARE(o.errorLines().size(), 1);
+        if (!arguments.contains("a.h5")) return;
+        const StoredRun run = readResults(folder_->path("a.h5").toStdString());
+        QCOMPARE(run.problem, std::string());
+        QCOMPARE(run.status, std::string("failed"));
+        QVERIFY(message.startsWith(QString::fromStdString(run.message)));
+    }
+
+    /// Not the name alone, which may be long and whose place is not known.
+    void theCaseOfAStudyHasItsPlace()
+    {
+        folder_->put("study.toml", "kind = \"hysteresis\"\ncase = \"" + QByteArray(5000, 'x') + "\"\n");
+        const Outcome o = folder_->touchdown({"study", "hysteresis", "study.toml"});
+        QCOMPARE(o.code, 2);
+        QVERIFY2(o.err.startsWith("study.toml:2: case: \"xxx"), o.err);
+        QVERIFY2(o.err.size() < 200, o.err);
     }
 
     void helpIsNoRefusal()

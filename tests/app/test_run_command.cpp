@@ -339,9 +339,9 @@ void TestRunCommand::badTargets_data()
     QTest::newRow("HDF5 in no directory") << QStringList{"--out", "none/a.h5"} << QByteArray("there is no directory");
     QTest::newRow("CSV in no directory") << QStringList{"--csv", "none/a.csv"} << QByteArray("there is no directory");
     QTest::newRow("HDF5 in a file") << QStringList{"--out", "mine.toml/a.h5"} << QByteArray("there is no directory");
-    QTest::newRow("HDF5 over the case") << QStringList{"--out", "mine.toml"} << QByteArray("is the case file itself");
+    QTest::newRow("HDF5 over the case") << QStringList{"--out", "mine.toml"} << QByteArray("is read by this command");
     QTest::newRow("CSV over the case, by a detour")
-        << QStringList{"--csv", "folder/../mine.toml"} << QByteArray("is the case file itself");
+        << QStringList{"--csv", "folder/../mine.toml"} << QByteArray("is read by this command");
     QTest::newRow("both the same") << QStringList{"--csv", "a", "--out", "./a"} << QByteArray("both name");
     QTest::newRow("HDF5 into a device") << QStringList{"--out", "/dev/null"} << QByteArray("no regular file");
 }
@@ -389,6 +389,7 @@ void TestRunCommand::signalEndsARunInOrder_data()
     QTest::addColumn<int>("signal");
     QTest::newRow("SIGINT") << SIGINT;
     QTest::newRow("SIGTERM") << SIGTERM;
+    QTest::newRow("SIGHUP, as of a terminal that is closed") << SIGHUP;
 }
 
 void TestRunCommand::signalEndsARunInOrder()

@@ -35,6 +35,7 @@ private slots:
         QTest::addColumn<int>("signal");
         QTest::newRow("SIGINT") << SIGINT;
         QTest::newRow("SIGTERM") << SIGTERM;
+        QTest::newRow("SIGHUP") << SIGHUP;
     }
     void whileTheInputIsRead()
     {
@@ -53,6 +54,28 @@ private slots:
         QCOMPARE(o.code, 1);
         QCOMPARE(o.json()["status"].toString(), "cancelled");
         QVERIFY2(o.errorLines().last().startsWith("cancelled"), o.err);
+    }
+
+    /// From a closed terminal it may come twice; under nohup it is ignored, and the run goes on.
+    void repeatedAndIgnoredHangUp()
+    {
+        for (const bool ignored : {false, true}) {
+            QProcess process;
+            process.setWorkingDirectory(folder_->path());
+            process.setChildProcessModifier([ignored] { std::signal(SIGHUP, ignored ? SIG_IGN : SIG_DFL); });
+            process.start(TOUCHDOWN_COMMAND,
+                          {"run", "fig10a", "--set", "run.duration=9 s", "--out", "a.h5", "--progress", "--json"});
+            process.setReadChannel(QProcess::StandardError);
+            QVERIFY(process.waitForReadyRead(20000));
+            const auto id = static_cast<pid_t>(process.processId());
+            for (int i = 0; i < 3; ++i) QCOMPARE(::kill(id, SIGHUP), 0);
+            if (ignored) {
+                process.readAllStandardError();
+                QVERIFY(process.waitForReadyRead(20000)); // the next line
+                QCOMPARE(::kill(id, SIGTERM), 0);
+            }
+            QCOMPARE(outcome(process).json()["status"].toString(), "cancelled");
+        }
     }
 
     /// Commands without a calculation end at once, as any program does.

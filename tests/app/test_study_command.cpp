@@ -138,7 +138,7 @@ private slots:
         row("a bad target", {"study", "hysteresis", "fig10a", "--out", "no/such.h5"}, "no/such.h5");
         row("a directory as target", {"study", "hysteresis", "fig10a", "--csv", "."}, "--csv: ");
         row("the study itself", {"study", "hysteresis", "a.toml", "--csv", "a.toml"},
-            "--csv: a.toml is the case file itself");
+            "--csv: a.toml is read by this command");
         row("one file for two", {"study", "hysteresis", "fig10a", "--out", "a", "--csv", "a"},
             "--out and --csv: both name a");
         row("no jobs", {"study", "hysteresis", "fig10a", "--jobs", "0"}, "--jobs");

@@ -91,6 +91,8 @@ void TestWorkbench::refusesBadInput_data()
         << QStringList{"--study", "work-precision", "fig10a"} << QByteArray("--pictures");
     QTest::newRow("unknown study") << QStringList{"--study", "speed", "--pictures", folder_.filePath("s"), "fig10a"}
                                    << QByteArray("speed");
+    QTest::newRow("a folder without a name")
+        << QStringList{"fig10a", "--export", ""} << QByteArray("the value of --export is empty");
     QTest::newRow("unknown theme") << QStringList{"--theme", "pink"} << QByteArray("pink");
 }
 

@@ -4,6 +4,10 @@
 #include <functional>
 #include <numeric>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -48,6 +52,31 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(file.get("none"), Hdf5Error);
     }
 
+    void anExistingFileIsNotReplaced()
+    {
+        const Hdf5Access access;
+        createHdf5File(path("c.h5")).set("status", "first");
+        QVERIFY_EXCEPTION_THROWN(createHdf5File(path("c.h5")), Hdf5Error);
+        QCOMPARE(openHdf5File(path("c.h5")).attribute("status"), std::string("first"));
+    }
+
+    /// As HDF5 itself locks a file that it writes.
+    void aLockIsNamed()
+    {
+        const Hdf5Access access;
+        createHdf5File(path("d.h5")).close();
+        const int descriptor = ::open(path("d.h5").c_str(), O_RDONLY | O_CLOEXEC);
+        QCOMPARE(::flock(descriptor, LOCK_EX | LOCK_NB), 0);
+        std::string problem;
+        try {
+            openHdf5File(path("d.h5"));
+        } catch (const Hdf5Error& error) {
+            problem = error.what();
+        }
+        ::close(descriptor);
+        QCOMPARE(problem, std::string("another program has it open"));
+    }
+
     void table()
     {
         const Hdf5Access access;
@@ -76,6 +105,7 @@ private slots:
         QFETCH(int, entries);
         const auto size = std::accumulate(entry.begin(), entry.end(), std::size_t{1}, std::multiplies<>());
         const Hdf5Access access;
+        for (const char* name : {"from.h5", "to.h5"}) std::filesystem::remove(path(name));
         const Hdf5Group from = createHdf5File(path("from.h5")), to = createHdf5File(path("to.h5"));
         const Hdf5Dataset source = from.growing("a", "m", "An array", entry);
         const Hdf5Dataset target = to.growing("a", "m", "An array", entry);

@@ -49,6 +49,7 @@ class TestHeightMapHdf5 : public QObject {
     {
         const std::filesystem::path path = folder_.filePath("map.h5").toStdString();
         const Hdf5Access access;
+        std::filesystem::remove(path);
         write(createHdf5File(path));
         return path;
     }

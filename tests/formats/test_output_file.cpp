@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/output_file.h"
 
+#include <cerrno>
 #include <fstream>
 #include <memory>
+#include <stdexcept>
 #include <system_error>
 
+#include <unistd.h>
+
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -71,29 +76,104 @@ private slots:
         QCOMPARE(read(path("a")), std::string("new"));
         QVERIFY(fs::is_symlink(path("link")));
         QCOMPARE(fs::status(path("a")).permissions(), fs::perms(0640));
-        QVERIFY(!fs::exists(path("a.part")));
     }
 
     void anUnfinishedFileIsRemoved()
     {
         write(path("a"), "old");
-        write(path("a.part"), "of an interrupted program");
         {
             const PartFile part(path("a"));
-            QVERIFY(!fs::exists(path("a.part")));
             write(part.path(), "half");
         }
-        QVERIFY(!fs::exists(path("a.part")));
         QCOMPARE(read(path("a")), std::string("old"));
+        QCOMPARE(files(), QStringList{"a"});
     }
 
     void aFailureIsThrown()
     {
-        PartFile part(path("none/a"));
-        QVERIFY_EXCEPTION_THROWN(part.show(), std::system_error);
+        QVERIFY_EXCEPTION_THROWN(PartFile(path("none/a")), std::system_error);
+        const PartFile part(path("a"));
+        QVERIFY_EXCEPTION_THROWN(part.show(), std::system_error); // it was never created
+    }
+
+    void aPartHasTheModeOfTheOldFileFromTheBeginning()
+    {
+        write(path("a"), "old");
+        fs::permissions(path("a"), fs::perms(0600));
+        const PartFile part(path("a"));
+        const int descriptor = part.create();
+        QVERIFY(descriptor >= 0);
+        ::close(descriptor);
+        QCOMPARE(fs::status(part.path()).permissions(), fs::perms(0600));
+        QCOMPARE(part.create(), -1);
+        QCOMPARE(errno, EEXIST);
+    }
+
+    void oneWriterAtATime()
+    {
+        fs::create_symlink("a", path("link"));
+        write(path("a"), "old");
+        {
+            const PartFile first(path("a"));
+            QVERIFY_EXCEPTION_THROWN(PartFile(path("a")), std::runtime_error);
+            QVERIFY_EXCEPTION_THROWN(PartFile(path("link")), std::runtime_error);
+            QVERIFY_EXCEPTION_THROWN(OutputLock(path("a")), std::runtime_error);
+            const PartFile other(path("b"));
+            write(first.path(), "new"); // the refused ones touched nothing
+            first.show();
+            QVERIFY_EXCEPTION_THROWN(PartFile(path("a")), std::runtime_error); // until its end
+        }
+        QCOMPARE(read(path("a")), std::string("new"));
+        QVERIFY(PartFile(path("a")).target() == fs::canonical(path("a")));
+        QCOMPARE(files(), (QStringList{"a", "link"}));
+    }
+
+    /// Only its own, of this file, and no links.
+    void partsOfKilledProgramsAreRemoved()
+    {
+        write(path("a.touchdown.0123abcd.part"), "half");
+        write(path("a.touchdown.lock"), "");
+        const QStringList others{"a.part", "a.touchdown.0123abcx.part", "a.touchdown.0123abcd.partly",
+                                 "b.touchdown.0123abcd.part", "precious"};
+        for (const QString& other : others) write(path(qPrintable(other)), "mine");
+        fs::create_symlink("precious", path("a.touchdown.89abcdef.part"));
+        static_cast<void>(PartFile(path("a")));
+        QStringList left = others + QStringList{"a.touchdown.89abcdef.part"};
+        left.sort();
+        QCOMPARE(files(), left);
+        for (const QString& other : others) QCOMPARE(read(path(qPrintable(other))), std::string("mine"));
+    }
+
+    void whatIsNoLockStays_data()
+    {
+        QTest::addColumn<bool>("link");
+        QTest::newRow("a file") << false;
+        QTest::newRow("a symbolic link") << true;
+    }
+    void whatIsNoLockStays()
+    {
+        QFETCH(const bool, link);
+        write(path("mine"), "mine");
+        if (link)
+            fs::create_symlink("mine", path("a.touchdown.lock"));
+        else
+            write(path("a.touchdown.lock"), "mine");
+        QVERIFY_EXCEPTION_THROWN(PartFile(path("a")), std::runtime_error);
+        QCOMPARE(read(path("a.touchdown.lock")), std::string("mine"));
+        QCOMPARE(fs::is_symlink(path("a.touchdown.lock")), link);
+    }
+
+    void theLongestName()
+    {
+        const std::string name(255, 'a');
+        const PartFile part(path(name.c_str()));
+        write(part.path(), "new");
+        part.show();
+        QCOMPARE(read(path(name.c_str())), std::string("new"));
     }
 
 private:
+    QStringList files() const { return QDir(folder_->path()).entryList(QDir::Files | QDir::System, QDir::Name); }
     fs::path path(const char* name) const { return fs::path(folder_->path().toStdString()) / name; }
     std::unique_ptr<QTemporaryDir> folder_;
 };

@@ -15,6 +15,31 @@ class TestQuotation : public QObject {
 private slots:
     void shortTextStays() { QCOMPARE(inQuotes("7 µm"), std::string("\"7 µm\"")); }
     void controlCharactersAreHidden() { QCOMPARE(inQuotes("a\n\x1b[2J"), std::string("\"a??[2J\"")); }
+    void whatTurnsTheDirectionIsHidden() { QCOMPARE(inQuotes("a\u202eb\u2066c\u009bd"), std::string("\"a?b?c?d\"")); }
+    void printable_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("shown");
+        QTest::newRow("letters") << QByteArray("7 µm, 𝛑 \u2065\u202f") << QByteArray("7 µm, 𝛑 \u2065\u202f");
+        QTest::newRow("an escape sequence") << QByteArray("\x1b]0;title\x07") << QByteArray("\\u001b]0;title\\u0007");
+        QTest::newRow("delete, C1") << QByteArray("\x7f\u0080\u009b\u00a0")
+                                    << QByteArray("\\u007f\\u0080\\u009b\u00a0");
+        QTest::newRow("direction") << QByteArray("\u202a\u202e\u2066\u2069")
+                                   << QByteArray("\\u202a\\u202e\\u2066\\u2069");
+        QTest::newRow("C1 as a single byte") << QByteArray("a\x9b"
+                                                           "1m")
+                                             << QByteArray("a\\x9b1m");
+        QTest::newRow("cut off") << QByteArray("a\xe2\x80") << QByteArray("a\\xe2\\x80");
+        QTest::newRow("lines") << QByteArray("a\nb\r\t") << QByteArray("a\\u000ab\\u000d\t");
+    }
+    void printable()
+    {
+        QFETCH(const QByteArray, text);
+        QFETCH(const QByteArray, shown);
+        const auto is = touchdown::printable({text.constData(), static_cast<std::size_t>(text.size())});
+        QCOMPARE(QByteArray::fromStdString(is), shown);
+    }
+    void linesMayStay() { QCOMPARE(touchdown::printable("a\nb\r", true), std::string("a\nb\\u000d")); }
     void invalidBytesAreHidden() { QCOMPARE(inQuotes("a\xff"), std::string("\"a?\"")); }
     void longTextIsCutBetweenCharacters()
     {

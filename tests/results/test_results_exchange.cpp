@@ -23,6 +23,7 @@ class TestResultsExchange : public QObject {
 private slots:
     void init();
     void oldFileStaysUntilTheNewOneIsWhole();
+    void theFileIsThereFromTheFirstMoment();
     void readersDuringARunDisturbNothing();
     void symbolicLinkStaysALink();
     void secondWriterToOneName();
@@ -30,6 +31,7 @@ private slots:
     void fullDisk();
 
 private:
+    QStringList files() const { return QDir(folder_->path()).entryList(QDir::Files); }
     fs::path path(const char* name = "run.h5") const { return fs::path(folder_->path().toStdString()) / name; }
     std::unique_ptr<QTemporaryDir> folder_;
 };
@@ -43,12 +45,38 @@ void TestResultsExchange::init()
 void TestResultsExchange::oldFileStaysUntilTheNewOneIsWhole()
 {
     put(path(), "older results");
-    ResultsWriter writer(std::chrono::hours(1));
+    {
+        ResultsWriter unfinished(std::nullopt);
+        QCOMPARE(unfinished.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+        QCOMPARE(unfinished.append(sampleBatch(0, 10)), std::string());
+    }
+    QCOMPARE(bytes(path()), std::string("older results"));
+    QCOMPARE(files(), QStringList{"run.h5"});
+    ResultsWriter writer(std::nullopt);
     QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
-    QCOMPARE(writer.append(sampleBatch(0, 10)), std::string());
+    // So many that some are written early.
+    const std::size_t many = 1'000'000;
+    for (std::size_t k = 0; k < many; k += many / 4) QCOMPARE(writer.append(sampleBatch(k, many / 4)), std::string());
     QCOMPARE(bytes(path()), std::string("older results"));
     QCOMPARE(writer.finish(sampleSummary()), std::string());
-    QCOMPARE(readResults(path()).samples.size(), std::size_t{10});
+    QCOMPARE(readResults(path()).samples.size(), many);
+    QCOMPARE(wrongSample(readResults(path()).samples), QString());
+}
+
+void TestResultsExchange::theFileIsThereFromTheFirstMoment()
+{
+    put(path(), "older results");
+    fs::permissions(path(), fs::perms(0640));
+    ResultsWriter writer(std::chrono::hours(1));
+    QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
+    const StoredRun run = readResults(path());
+    QCOMPARE(run.problem, std::string());
+    QCOMPARE(run.status, std::string("interrupted"));
+    QCOMPARE(run.title, sampleCase().title);
+    QCOMPARE(run.samples.size(), std::size_t{0});
+    QCOMPARE(writer.append(sampleBatch(0, 10)), std::string());
+    QCOMPARE(writer.finish(sampleSummary()), std::string());
+    QCOMPARE(fs::status(path()).permissions(), fs::perms(0640));
 }
 
 void TestResultsExchange::readersDuringARunDisturbNothing()
@@ -100,11 +128,12 @@ void TestResultsExchange::secondWriterToOneName()
     ResultsWriter first(std::chrono::hours(1));
     ResultsWriter second(std::chrono::hours(1));
     QCOMPARE(first.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
-    QCOMPARE(second.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
-    QVERIFY(first.finish(sampleSummary()).find("another run writes to it") != std::string::npos);
-    QCOMPARE(second.append(sampleBatch(0, 5)), std::string());
-    QCOMPARE(second.finish(sampleSummary()), std::string());
+    const std::string refusal = second.open(path(), sampleCase(), sampleCaseText, sampleQuantities);
+    QVERIFY2(refusal.find("another run writes to it") != std::string::npos, refusal.c_str());
+    QCOMPARE(first.append(sampleBatch(0, 5)), std::string());
+    QCOMPARE(first.finish(sampleSummary()), std::string());
     QCOMPARE(readResults(path()).samples.size(), std::size_t{5});
+    QCOMPARE(second.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
 }
 
 void TestResultsExchange::fileRemovedDuringARun()
@@ -131,7 +160,7 @@ void TestResultsExchange::fullDisk()
     ResultsWriter writer(0ms);
     QCOMPARE(writer.open(path(), sampleCase(), sampleCaseText, sampleQuantities), std::string());
     QCOMPARE(writer.append(sampleBatch(0, 1000)), std::string());
-    QTRY_VERIFY(fs::exists(path()));
+    QTRY_COMPARE(readResults(path()).samples.size(), std::size_t{1000});
     setrlimit(RLIMIT_FSIZE, &small);
     std::string problem;
     std::size_t k = 1000;
@@ -148,7 +177,7 @@ void TestResultsExchange::fullDisk()
     QVERIFY2(problem.find("File too large") != std::string::npos, problem.c_str());
     QVERIFY2(problem.find("run.h5") != std::string::npos, problem.c_str());
     QVERIFY2(atOnce.find("File too large") != std::string::npos, atOnce.c_str());
-    QVERIFY(!fs::exists(path("other.h5")) && !fs::exists(path("other.h5.part")));
+    QCOMPARE(QDir(folder_->path()).entryList({"other*"}, QDir::Files), QStringList());
     // The last state that fitted is whole.
     const StoredRun run = readResults(path());
     QCOMPARE(run.problem, std::string());

@@ -184,8 +184,9 @@ private slots:
         QTest::newRow("no case") << "steps = 3"
                                  << "a.toml: case: is missing; the file of a case, or the name of a sample case, in "
                                     "quotation marks is needed\n";
-        QTest::newRow("no such case") << "case = \"fig10q\""
-                                      << "fig10q: is neither a file nor a sample case; did you mean fig10a?\n";
+        QTest::newRow("no such case")
+            << "case = \"fig10q\""
+            << "a.toml:1: case: \"fig10q\" is neither a file nor a sample case; did you mean fig10a?\n";
         QTest::newRow("another kind") << "kind = \"stability\"\ncase = \"fig10a\""
                                       << "a.toml:1: kind: is \"stability\", not \"hysteresis\"\n";
         QTest::newRow("no kind at all") << "kind = 3\ncase = \"fig10a\""
@@ -205,7 +206,7 @@ private slots:
             << "case = \"fig10a\"\n[set]\nrun.step = \"1 ns\"\nrun.duration = \"1 nm\""
             << "a.toml:4: set.run.duration: ";
         QTest::newRow("a directory as case") << "case = \"..\""
-                                             << "./..: ";
+                                             << "a.toml:1: case: \"..\" is a directory";
     }
     void problems()
     {

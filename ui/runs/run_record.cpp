@@ -137,7 +137,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
 QString saveHdf5(const RunRecord& record, const QString& file)
 {
     if (!record.complete() || !record.fieldsComplete()) return incompleteProblem(record);
-    ResultsWriter writer;
+    ResultsWriter writer(std::nullopt);
     std::vector<RecordedFields> sets;
     for (const FieldHistory& history : record.fields) sets.push_back(history.fields);
     std::string problem =

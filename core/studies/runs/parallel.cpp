@@ -5,7 +5,9 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -18,24 +20,40 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     std::condition_variable ended;
     std::size_t next = 0, done = 0;
     std::atomic<bool> stopped = false;
+    std::exception_ptr failure; // the first one
     const GoOn goOn = [&] { return !stopped; };
     const auto work = [&] {
         std::unique_lock lock(mutex);
         while (next < count && !stopped) {
             const std::size_t mine = next++;
             lock.unlock();
-            task(mine, goOn);
+            std::exception_ptr its;
+            try {
+                task(mine, goOn);
+            } catch (...) {
+                its = std::current_exception();
+            }
             lock.lock();
+            if (its && !failure) {
+                failure = its;
+                stopped = true;
+            }
             ++done;
             ended.notify_one();
         }
     };
 
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i)
-        threads.emplace_back(work);
+    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i) {
+        try {
+            threads.emplace_back(work);
+        } catch (const std::system_error&) { // no memory for one more
+            if (threads.empty()) throw;
+            break;
+        }
+    }
     std::unique_lock lock(mutex);
-    while (done < count) {
+    while (done < count && !failure) {
         ended.wait_for(lock, std::chrono::milliseconds(50));
         const std::size_t now = done;
         lock.unlock();
@@ -47,6 +65,7 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     }
     if (lock.owns_lock()) lock.unlock();
     threads.clear();
+    if (failure) std::rethrow_exception(failure);
     return !stopped;
 }
 

@@ -94,7 +94,16 @@ std::optional<CaseDocument> openStudyCase(StudyReader& reader)
     if (!namesCase(reader)) reader.add("case", std::string("is missing; ") + neededCase + " is needed");
     const auto name = reader.text("case", neededCase);
     if (!name) return {};
-    return openFurtherCase(reader, *name);
+    CaseDocument document = openFurtherCase(reader, *name);
+    for (InputProblem& problem : document.problems) {
+        // Of the whole file, such as that there is none: one of the study, which names it.
+        if (problem.file != document.name || problem.line > 0 || !problem.key.empty()) continue;
+        problem.file = reader.name();
+        problem.line = reader.lineOf("case");
+        problem.key = "case";
+        problem.message = inQuotes(*name) + ' ' + problem.message;
+    }
+    return document;
 }
 
 CaseDocument openFurtherCase(StudyReader& reader, const std::string& name)
@@ -102,12 +111,14 @@ CaseDocument openFurtherCase(StudyReader& reader, const std::string& name)
     return changedStudyCase(reader, openCaseBeside(reader, name));
 }
 
-CaseDocument openCaseBeside(const StudyReader& reader, const std::string& name)
+CaseDocument openCaseBeside(StudyReader& reader, const std::string& name)
 {
     std::error_code error;
     const std::filesystem::path beside = reader.folder() / name;
     const bool isBeside = !reader.folder().empty() && !name.empty() && std::filesystem::exists(beside, error);
-    return openCase(isBeside ? beside.string() : name);
+    CaseDocument document = openCase(isBeside ? beside.string() : name);
+    reader.addInputs(document.inputs());
+    return document;
 }
 
 CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start)

@@ -33,7 +33,7 @@ std::optional<CaseDocument> openStudyCase(StudyReader& reader);
 /// Another case, found by the same rules and with the same changes.
 CaseDocument openFurtherCase(StudyReader& reader, const std::string& name);
 /// The same without the changes.
-CaseDocument openCaseBeside(const StudyReader& reader, const std::string& name);
+CaseDocument openCaseBeside(StudyReader& reader, const std::string& name);
 
 /// The same changes of a case that is there already.
 CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start);

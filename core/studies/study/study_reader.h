@@ -40,6 +40,12 @@ public:
     }
     const std::filesystem::path& folder() const { return folder_; }
     const std::vector<std::string>& caseSettings() const { return caseSettings_; }
+    /// The files of the cases that the study names; some more than once.
+    const std::vector<std::filesystem::path>& inputs() const { return inputs_; }
+    void addInputs(const std::vector<std::filesystem::path>& files)
+    {
+        inputs_.insert(inputs_.end(), files.begin(), files.end());
+    }
     /// The keys of the study for this case.
     void setKeys(std::vector<StudyKey> keys);
 
@@ -92,6 +98,7 @@ private:
     std::vector<InputProblem>& problems_;
     std::filesystem::path folder_;
     std::vector<std::string> caseSettings_;
+    std::vector<std::filesystem::path> inputs_;
     std::map<std::string, const TomlEntry*> entries_;
     std::map<std::string, const TomlTable*> tables_;
     std::vector<StudyKey> keys_;

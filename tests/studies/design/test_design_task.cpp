@@ -160,7 +160,7 @@ private slots:
         row("empty", "",
             "a.toml: case: is missing; the file of a case, or the name of a sample case, in quotation marks is needed");
         row("a case that is not there", with("\"film_pico\"", "\"film_pigo\""),
-            "film_pigo: is neither a file nor a sample case; did you mean film_pico?");
+            "a.toml:2: case: \"film_pigo\" is neither a file nor a sample case; did you mean film_pico?");
         row("a case without a film", with("\"film_pico\"", "\"fig10a\""),
             "a.toml:2: case: a design study takes a case of model \"film\", whose static state it looks for");
         row("case is a number", with("\"film_pico\"", "7"),

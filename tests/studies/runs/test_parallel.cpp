@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <new>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include <QTest>
@@ -50,6 +52,19 @@ private slots:
         for (const auto& each : calls) QCOMPARE(each.load(), 1);
         QVERIFY(most <= std::max(jobs, 1));
         QVERIFY(told <= calls.size());
+    }
+
+    /// As of a solution that does not fit into the memory: it ends the others and reaches the caller.
+    void whatATaskThrowsIsThrownOn()
+    {
+        std::atomic<int> begun = 0;
+        const auto task = [&](std::size_t i, const GoOn& goOn) {
+            ++begun;
+            if (i == 1) throw std::bad_alloc();
+            while (goOn()) std::this_thread::yield();
+        };
+        QVERIFY_EXCEPTION_THROWN(runParallel(1000, 2, task, [](std::size_t) { return true; }), std::bad_alloc);
+        QCOMPARE(begun.load(), 2);
     }
 
     void oneThreadKeepsTheOrder()

@@ -152,7 +152,7 @@ private slots:
         QVERIFY(!writeStudyCsv(path("no/such.csv"), someReport()).empty());
         QVERIFY(writeStudyCsv(path("b.csv"), StudyReport{}).ends_with("the study has no table to write"));
         QVERIFY(!folder.exists("b.csv"));
-        QVERIFY(folder.entryList({"*.part"}, QDir::Files).isEmpty());
+        QVERIFY(folder.entryList({"*.touchdown.*"}, QDir::Files).isEmpty());
     }
 
 private:
