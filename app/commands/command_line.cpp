@@ -29,6 +29,7 @@
 #include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
+#include "core/results/reader_program.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
@@ -278,6 +279,7 @@ int commandLine(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    if (const auto code = touchdown::runReader(argc, argv)) return *code;
     touchdown::keepFreedMemory();
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     try {

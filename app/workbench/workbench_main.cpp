@@ -15,6 +15,7 @@
 #include "app/terminal/console.h"
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
+#include "core/results/reader_program.h"
 #include "core/results/results_reader.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
@@ -126,6 +127,7 @@ void checkRun(const QString& file, bool pictures)
 int main(int argc, char** argv)
 {
     using namespace touchdown;
+    if (const auto code = runReader(argc, argv)) return *code;
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     // Before anything that needs a display.
     const Arguments arguments = [&] {
