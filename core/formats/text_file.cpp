@@ -85,7 +85,10 @@ std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::u
 {
     std::error_code error;
     if (std::string problem = notRegularFile(file); !problem.empty()) return FileProblem{std::move(problem)};
-    const std::string tooLarge = "is larger than " + std::to_string(largest >> 10) + " KiB, so it is not a case file";
+    const std::string tooLarge =
+        content == FileContent::Text
+            ? "is larger than " + std::to_string(largest >> 20) + " MiB, the most that is read"
+            : "is larger than " + std::to_string(largest >> 10) + " KiB, so it is not a case file";
     if (const auto size = fs::file_size(file, error); !error && size > largest) return FileProblem{tooLarge};
 
     const Descriptor descriptor(::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));

@@ -247,12 +247,6 @@ HeightMapDocument readHeightMap(const fs::path& file, const std::string& name, c
     if (ending == ".h5" || ending == ".hdf5")
         return readBy(name, unit, [&](const ColumnUnits&) { return mapByReader(file, unit); });
     HeightMapDocument document;
-    std::error_code error;
-    if (const auto size = fs::file_size(file, error);
-        !error && fs::is_regular_file(file, error) && size > largestFile) {
-        document.problems.push_back({name, 0, "", "is larger than 1 GiB; a surface is read from at most that"});
-        return document;
-    }
     auto text = readTextFile(file, largestFile, FileContent::Text);
     if (const auto* problem = std::get_if<FileProblem>(&text)) {
         document.problems.push_back({name, 0, "", problem->message});
