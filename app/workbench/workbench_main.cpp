@@ -98,11 +98,12 @@ void useNames()
     QCoreApplication::setApplicationVersion(QStringLiteral(TOUCHDOWN_VERSION));
 }
 
-/// Ends the program with a sentence for each problem when the case is not valid.
-touchdown::CaseDocument readCase(const QString& fileOrSample)
+/// Ends the program with a sentence for each problem when the case is not valid. With `asks`, the window will ask about
+/// files outside the folder of the case.
+touchdown::CaseDocument readCase(const QString& fileOrSample, bool asks)
 {
     touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString());
-    if (!document.valid()) {
+    if (!document.valid() && !(asks && !document.outsideFiles.empty())) {
         for (const touchdown::InputProblem& problem : document.problems) std::cerr << problem.text() << '\n';
         std::exit(touchdown::exitWrongInput);
     }
@@ -150,9 +151,9 @@ int main(int argc, char** argv)
     if (isRun) checkRun(arguments.file, pictures);
     CaseDocument document;
     if (!arguments.file.isEmpty() && !isRun)
-        document = readCase(arguments.file);
+        document = readCase(arguments.file, !pictures);
     else if (pictures)
-        document = readCase(defaultCase);
+        document = readCase(defaultCase, false);
 
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the user's, in which the core would print a decimal comma
@@ -166,17 +167,21 @@ int main(int argc, char** argv)
     if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
 
     const QFileInfo info(arguments.file);
-    if (!document.name.empty())
+    if (!document.valid()) {
+        window.openFile(defaultCase);
+        window.openFile(arguments.file); // asks
+    } else if (!document.name.empty()) {
         window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
-    else
+    } else {
         window.openLastCase();
+    }
 
     const bool staticState = arguments.staticState && document.value.model == ModelKind::Film;
     if (pictures)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
     window.show();
     if (isRun) window.openResults(arguments.file);
-    if (arguments.run)
+    if (arguments.run && document.valid())
         QTimer::singleShot(0, &window, [&] { staticState ? window.solveStaticState() : window.startRun(); });
     return QApplication::exec();
 }

@@ -19,8 +19,9 @@ struct CaseDocument {
     std::string name;             // of the file or the sample case
     std::filesystem::path folder; // of the files that the text names
     std::vector<InputProblem> problems;
-    std::vector<InputProblem> warnings; // parts of the input that are not modelled
-    std::vector<InputProblem> unused;   // values without effect
+    std::vector<std::string> outsideFiles; // named by the text, but outside its folder; each is one of the problems
+    std::vector<InputProblem> warnings;    // parts of the input that are not modelled
+    std::vector<InputProblem> unused;      // values without effect
     bool valid() const { return problems.empty(); }
 };
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/cml_case.h"
 
-#include <unistd.h>
-
 #include <cctype>
-#include <cerrno>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -143,7 +140,7 @@ std::string asToml(const CaseDocument& document, const std::string& comments)
 /// The files that a path leads to, or why there are none.
 class CmlFinder {
 public:
-    explicit CmlFinder(CaseDocument& document) : document_(document) {}
+    CmlFinder(CaseDocument& document, OutsidePaths outside) : document_(document), outside_(outside) {}
 
     std::optional<CmlFiles> find(const fs::path& path)
     {
@@ -156,9 +153,16 @@ public:
         for (const std::string member : {"rail.dat", "run.dat", "dynamics.def"}) {
             if (member == named)
                 found.emplace_back(member, path);
-            else if (auto file = findMember(folder, member))
+            else if (auto file = findMember(folder, member)) {
+                if (outside_ == OutsidePaths::Refused && leadsOutside(folder, file->filename())) {
+                    document_.outsideFiles.push_back(file->string());
+                    refuse(file->string(), outsideProblem(file->filename().string(), "the other files"));
+                    continue;
+                }
                 found.emplace_back(member, *file);
+            }
         }
+        if (!document_.outsideFiles.empty()) return {};
         return choose(found, named);
     }
 
@@ -232,10 +236,21 @@ private:
     void warn(std::string message) { document_.warnings.push_back({document_.name, 0, "", std::move(message)}); }
 
     CaseDocument& document_;
+    OutsidePaths outside_;
 };
 
+/// A surface that the comments of run.dat name, which may lie anywhere.
+void checkKeptSurface(CaseDocument& document, const CmlFiles::File& run)
+{
+    std::string& file = document.value.diskSurface.file;
+    if (file.empty() || !leadsOutside(document.value.folder, file)) return;
+    document.outsideFiles.push_back(file);
+    document.problems.push_back({run.name, 0, surfaceFileKey, outsideProblem(file, "the case")});
+    file.clear();
+}
+
 /// The wave.def beside the other files, by its absolute path, so that the case may be moved.
-void findTrackProfile(const fs::path& path, CmlParameters& parameters)
+void findTrackProfile(const fs::path& path, OutsidePaths outside, CmlParameters& parameters, CaseDocument& document)
 {
     const Case& c = parameters.value();
     if (c.diskSurface.file.empty()) return;
@@ -245,6 +260,11 @@ void findTrackProfile(const fs::path& path, CmlParameters& parameters)
                             : path.parent_path().empty()  ? fs::path(".")
                                                           : path.parent_path();
     const auto file = isArchive(path) ? std::nullopt : findMember(folder, c.diskSurface.file);
+    if (file && outside == OutsidePaths::Refused && leadsOutside(folder, file->filename())) {
+        document.outsideFiles.push_back(file->string());
+        parameters.addProblem(line, outsideProblem(file->filename().string(), "the other files"));
+        return;
+    }
     if (file) {
         parameters.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
         const DiskFileCheck disk = checkDiskFile(c);
@@ -267,48 +287,6 @@ std::string titleOf(const fs::path& path)
     if (isArchive(path)) return absolute.stem().string();
     if (isCmlMember(lowerCase(absolute.filename().string()))) absolute = absolute.parent_path();
     return absolute.filename().string();
-}
-
-/// A new folder, which the destructor removes with its content.
-class StagingFolder {
-public:
-    explicit StagingFolder(const fs::path& inside) : name_((inside / ".touchdown.XXXXXX").string())
-    {
-        made_ = ::mkdtemp(name_.data()) != nullptr;
-        if (!made_) problem_ = "cannot be written: " + std::generic_category().message(errno);
-    }
-    ~StagingFolder()
-    {
-        std::error_code ignored;
-        if (made_) fs::remove_all(name_, ignored);
-    }
-    StagingFolder(const StagingFolder&) = delete;
-    StagingFolder& operator=(const StagingFolder&) = delete;
-    fs::path path() const { return name_; }
-    const std::string& problem() const { return problem_; }
-
-private:
-    std::string name_;
-    std::string problem_;
-    bool made_ = false;
-};
-
-std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& members)
-{
-    for (const CmlMember& member : members)
-        if (fs::is_directory(folder / member.name))
-            return (folder / member.name).string() + ": is a directory, not a file";
-    const StagingFolder staging(folder);
-    if (!staging.problem().empty()) return folder.string() + ": " + staging.problem();
-    for (const CmlMember& member : members)
-        if (const std::string problem = writeTextFile(staging.path() / member.name, member.text); !problem.empty())
-            return (folder / member.name).string() + ": " + problem;
-    for (const CmlMember& member : members) {
-        std::error_code error;
-        fs::rename(staging.path() / member.name, folder / member.name, error);
-        if (error) return (folder / member.name).string() + ": cannot be written: " + error.message();
-    }
-    return {};
 }
 
 } // namespace
@@ -336,64 +314,22 @@ void readCmlFiles(const CmlFiles& files, CmlParameters& parameters)
     if (parameters.problems.empty()) parameters.checkCombinations();
 }
 
-CaseDocument readCmlCase(const fs::path& path)
+CaseDocument readCmlCase(const fs::path& path, OutsidePaths outside)
 {
     CaseDocument document;
     document.name = path.string();
     document.value = defaultsOf(ModelKind::Film);
-    const auto files = CmlFinder(document).find(path);
+    const auto files = CmlFinder(document, outside).find(path);
     if (!files) return document;
     CmlParameters parameters(document.value);
     readCmlFiles(*files, parameters);
-    if (!files->dynamics.name.empty()) findTrackProfile(path, parameters);
+    if (!files->dynamics.name.empty()) findTrackProfile(path, outside, parameters, document);
     if (document.value.title == Case{}.title) parameters.choose("title", titleOf(path), 0);
     document.problems = std::move(parameters.problems);
+    if (outside == OutsidePaths::Refused && files->dynamics.name.empty()) checkKeptSurface(document, files->run);
     document.warnings.insert(document.warnings.end(), parameters.warnings.begin(), parameters.warnings.end());
     document.text = asToml(document, parameters.comments);
     return document;
-}
-
-CmlOutput formatCmlCase(const Case& c)
-{
-    CmlOutput output;
-    if (c.model != ModelKind::Film) {
-        output.problem = "model is " + toText(c, *findParameter("model")) +
-                         "; the established program's files describe an air film (model = \"film\")";
-        return output;
-    }
-    CmlFiles files;
-    files.rail = {"rail.dat", formatCmlRails(c.slider.length, c.slider.width, c.slider.thickness, c.surface)};
-    files.run = {"run.dat", formatCmlRun(c, "")};
-    Case read = defaultsOf(ModelKind::Film);
-    CmlParameters parameters(read);
-    readCmlFiles(files, parameters);
-    if (!parameters.problems.empty()) {
-        output.problem = "does not fit into the established program's files: " + parameters.problems.front().text();
-        return output;
-    }
-    const CmlKeptValues kept = keepValues(c, read);
-    output.members = {{"rail.dat", std::move(files.rail.text)}, {"run.dat", formatCmlRun(c, kept.comments)}};
-    output.keptKeys = kept.keys;
-    return output;
-}
-
-std::string writeCmlCase(const fs::path& path, const std::vector<CmlMember>& members)
-{
-    if (isCmlPath(path) && !fs::is_directory(path)) {
-        if (isCmlMember(path.filename().string())) return path.string() + ": name the folder in which it is to stand";
-        const auto bytes = formatCmlArchive(members);
-        if (const auto* problem = std::get_if<FileProblem>(&bytes)) return path.string() + ": " + problem->message;
-        const std::string problem = writeTextFile(path, std::get<std::string>(bytes));
-        return problem.empty() ? problem : path.string() + ": " + problem;
-    }
-    std::error_code error;
-    if (fs::exists(path, error) && !fs::is_directory(path, error))
-        return path.string() + ": is a file; a folder, a .cml archive or a .toml case file is needed";
-    const bool made = fs::create_directories(path, error);
-    if (error) return path.string() + ": cannot be made: " + error.message();
-    std::string problem = writeInto(path, members);
-    if (!problem.empty() && made) fs::remove(path, error);
-    return problem;
 }
 
 } // namespace touchdown
