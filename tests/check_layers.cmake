@@ -14,6 +14,7 @@ set(rooms
     core/physics/film
     core/physics/contact
     core/formats
+    core/formats/surfaces
     core/case
     core/case_files/cml
     core/case_files

@@ -53,7 +53,7 @@ int validateStudy(const CommandArguments& arguments, const StudySource& study)
     if (const auto problem = kindProblem(arguments.name, study))
         plan.problems.push_back(*problem);
     else
-        plan = openStudy(study.kind, arguments.name, arguments.settings);
+        plan = openStudy(study.kind, arguments.name, arguments.settings, {}, arguments.outside());
     CaseDocument& start = plan.start;
     start.name = arguments.name;
     warnOf(plan);
@@ -69,11 +69,16 @@ int validateStudy(const CommandArguments& arguments, const StudySource& study)
 }
 
 /// Writes a case file whose file names fit the folder of `to`. Returns the problem, or "".
-std::string writeToml(const CaseDocument& document, const fs::path& to)
+std::string writeToml(CaseDocument& document, const fs::path& to)
 {
     const fs::path folder = to.parent_path().empty() ? fs::path(".") : to.parent_path();
+    std::string& surface = document.value.diskSurface.file; // absolute where it was found beside files of CML
+    const bool outside = leadsOutside(folder, surface);
+    if (fs::path(surface).is_absolute() && !outside) surface = fs::proximate(surface, folder).string();
     const std::string text = updateCaseText(document.text, document.value, folder);
-    const CaseDocument written = parseCase(text, to.string(), folder);
+    const CaseDocument written = parseCase(text, to.string(), folder, OutsidePaths::Allowed);
+    if (written.valid() && outside)
+        complain("warning: " + to.string() + ": " + surfaceFileKey + ": " + outsideProblem(surface, "the case"));
     if (!written.valid()) return "does not fit into a case file: " + written.problems.front().text();
     return writeCaseFile(to, text);
 }
@@ -104,9 +109,11 @@ std::string writeCml(const CaseDocument& document, const fs::path& to)
 
 } // namespace
 
-CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings)
+CaseDocument openCaseToKeep(const CommandArguments& arguments)
 {
-    CaseDocument document = openCase(name);
+    const std::string& name = arguments.name;
+    const std::vector<std::string>& settings = arguments.settings;
+    CaseDocument document = openCase(name, arguments.outside());
     if (const auto study = document.valid() ? std::nullopt : findStudySource(name)) {
         const std::string kind = study->kind.empty() ? "KIND" : study->kind;
         document.problems = {{document.name, 0, "",
@@ -120,7 +127,7 @@ CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::stri
 
 CaseDocument openCaseToUse(const CommandArguments& arguments)
 {
-    CaseDocument document = openCaseToKeep(arguments.name, arguments.settings);
+    CaseDocument document = openCaseToKeep(arguments);
     complainOf(document.unused, "warning: ");
     return document;
 }
@@ -168,10 +175,10 @@ int validateCommand(const CommandArguments& arguments)
     return document.valid() ? exitDone : exitWrongInput;
 }
 
-int convertCommand(const std::string& from, const std::string& to, bool force)
+int convertCommand(const CommandArguments& arguments, const std::string& to, bool force)
 {
     // Values without effect are kept, so that converting back loses nothing.
-    const CaseDocument document = openCaseToKeep(from);
+    CaseDocument document = openCaseToKeep(arguments);
     if (!document.valid()) return refuse(document.problems, false);
     const bool toml = fs::path(to).extension() == ".toml";
     if (const std::string problem = replacementProblem(document, to, toml, force); !problem.empty())

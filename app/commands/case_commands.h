@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/case_files/outside_path.h"
+
 namespace touchdown {
 
 struct CaseDocument;
@@ -24,11 +26,14 @@ struct CommandArguments {
     bool fixedAttitude = false;
     bool asTemplate = false; // print a study of the case instead
     bool progress = false;
+    bool allowPaths = false; // files outside the folders of case and study
     bool json = false;
+
+    OutsidePaths outside() const { return allowPaths ? OutsidePaths::Allowed : OutsidePaths::Refused; }
 };
 
 /// The case with its settings. Keys without effect are not reported.
-CaseDocument openCaseToKeep(const std::string& name, const std::vector<std::string>& settings = {});
+CaseDocument openCaseToKeep(const CommandArguments& arguments);
 /// The same; keys without effect are reported.
 CaseDocument openCaseToUse(const CommandArguments& arguments);
 /// The same for a case that must have an air film.
@@ -37,9 +42,9 @@ CaseDocument openFilmCase(const CommandArguments& arguments);
 int listCommand(bool json);
 /// Every problem of a case, or of a study and its case.
 int validateCommand(const CommandArguments& arguments);
-/// Between case files and the files of the established slider program (CML), both ways: `from` is any case; `to` is a
-/// case file if it ends with .toml, an archive if it ends with .cml, else a folder.
-/// Files of the established program that stand there are replaced only with `force`; a file of `from` never is.
-int convertCommand(const std::string& from, const std::string& to, bool force);
+/// Between case files and the files of the established slider program (CML), both ways: the name is that of any case;
+/// `to` is a case file if it ends with .toml, an archive if it ends with .cml, else a folder.
+/// Files of the established program that stand there are replaced only with `force`; a file that is read never is.
+int convertCommand(const CommandArguments& arguments, const std::string& to, bool force);
 
 } // namespace touchdown

@@ -31,14 +31,22 @@
 #include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
+#include "core/results/reader_program.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {
 
 namespace {
 
+void addPaths(CLI::App& command, CommandArguments& arguments)
+{
+    command.add_flag("--allow-paths", arguments.allowPaths,
+                     "Also reads files that a case or a study names outside its own folder");
+}
+
 void addCase(CLI::App& command, CommandArguments& arguments)
 {
+    addPaths(command, arguments);
     command.add_option("CASE", arguments.name, "A case file, or the name of a sample case (see `touchdown list`)");
     command.add_option("--set", arguments.settings, "Changes a value of the case, such as springs.cutoff=\"0.3 nm\"")
         ->type_name("KEY=VALUE");
@@ -78,6 +86,7 @@ void addJson(CLI::App& command, CommandArguments& arguments)
 void addStudy(CLI::App& command, CommandArguments& arguments, const std::string& name, const StudyKind& kind)
 {
     command.add_option(name, arguments.name, "A study, a case, or the name of a sample (see `touchdown list`)");
+    addPaths(command, arguments);
     command.add_option("--set", arguments.settings, "Changes a value of the case, such as run.duration=\"1 ms\"")
         ->type_name("KEY=VALUE");
     command.add_option("--option", arguments.options, "Changes a value of the study, such as repeats=3")
@@ -234,10 +243,12 @@ int commandLine(int argc, char** argv)
         if (kind.name == "advise")
             addKind(app, kind, "Finds the cheapest model of a film case whose error is within a tolerance");
 
-    std::string from, to;
+    std::string to;
     CLI::App& convert = *app.add_subcommand(
         "convert", "Converts between case files and files of the established program (rail.dat, run.dat, .cml)");
-    convert.add_option("FROM", from, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")
+    addPaths(convert, arguments);
+    convert
+        .add_option("FROM", arguments.name, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")
         ->required();
     convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")
         ->required()
@@ -293,7 +304,7 @@ int commandLine(int argc, char** argv)
         if (steady.parsed()) return steadyCommand(arguments);
         if (modes.parsed()) return modesCommand(arguments);
         if (!arguments.kind.empty()) return studyCommand(arguments);
-        if (convert.parsed()) return convertCommand(from, to, force);
+        if (convert.parsed()) return convertCommand(arguments, to, force);
         if (validate.parsed()) return validateCommand(arguments);
         if (list.parsed()) return listed.empty() ? listCommand(arguments.json) : lessonCommand(arguments.json);
         return describeCommand(joined(key, "."), arguments.json);
@@ -312,6 +323,7 @@ int commandLine(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+    if (const auto code = touchdown::runReader(argc, argv)) return *code;
     touchdown::keepStandardStreams();
     touchdown::keepFreedMemory();
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is

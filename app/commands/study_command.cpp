@@ -236,7 +236,7 @@ std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArgumen
 /// Prints the study that the arguments name, or one of their case with the defaults.
 int printTemplate(const CommandArguments& arguments)
 {
-    const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings);
+    const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings, {}, arguments.outside());
     warnOf(plan);
     std::vector<InputProblem> problems = plan.problems;
     const bool isStudy = !plan.text.empty();
@@ -281,7 +281,8 @@ void warnOf(const StudyPlan& plan)
 int studyCommand(const CommandArguments& arguments)
 {
     if (arguments.asTemplate) return printTemplate(arguments);
-    const StudyPlan plan = openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options);
+    const StudyPlan plan =
+        openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options, arguments.outside());
     warnOf(plan);
     if (const auto problems = problemsOf(plan, arguments); !problems.empty()) return refuse(problems, arguments.json);
     TargetLocks locks(targetsOf(arguments));

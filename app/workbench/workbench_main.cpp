@@ -17,6 +17,7 @@
 #include "app/terminal/standard_streams.h"
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
+#include "core/results/reader_program.h"
 #include "core/results/results_reader.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
@@ -103,11 +104,12 @@ void useNames()
     QCoreApplication::setApplicationVersion(QStringLiteral(TOUCHDOWN_VERSION));
 }
 
-/// Ends the program with a sentence for each problem when the case is not valid.
-touchdown::CaseDocument readCase(const QString& fileOrSample)
+/// Ends the program with a sentence for each problem when the case is not valid. With `asks`, the window will ask about
+/// files outside the folder of the case.
+touchdown::CaseDocument readCase(const QString& fileOrSample, bool asks)
 {
     touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString());
-    if (!document.valid()) {
+    if (!document.valid() && !(asks && !document.outsideFiles.empty())) {
         touchdown::complainOf(document.problems);
         std::exit(touchdown::exitWrongInput);
     }
@@ -132,6 +134,7 @@ void checkRun(const QString& file, bool pictures)
 int main(int argc, char** argv)
 {
     using namespace touchdown;
+    if (const auto code = runReader(argc, argv)) return *code;
     keepStandardStreams();
     std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a problem of its writer, as a full disk is
     // Before anything that needs a display.
@@ -155,9 +158,9 @@ int main(int argc, char** argv)
     if (isRun) checkRun(arguments.file, pictures);
     CaseDocument document;
     if (!arguments.file.isEmpty() && !isRun)
-        document = readCase(arguments.file);
+        document = readCase(arguments.file, !pictures);
     else if (pictures)
-        document = readCase(defaultCase);
+        document = readCase(defaultCase, false);
 
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the user's, in which the core would print a decimal comma
@@ -171,17 +174,21 @@ int main(int argc, char** argv)
     if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
 
     const QFileInfo info(arguments.file);
-    if (!document.name.empty())
+    if (!document.valid()) {
+        window.openFile(defaultCase);
+        window.openFile(arguments.file); // asks
+    } else if (!document.name.empty()) {
         window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
-    else
+    } else {
         window.openLastCase();
+    }
 
     const bool staticState = arguments.staticState && document.value.model == ModelKind::Film;
     if (pictures)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
     window.show();
     if (isRun) window.openResults(arguments.file);
-    if (arguments.run)
+    if (arguments.run && document.valid())
         QTimer::singleShot(0, &window, [&] { staticState ? window.solveStaticState() : window.startRun(); });
     return QApplication::exec();
 }

@@ -20,8 +20,9 @@ struct CaseDocument {
     std::filesystem::path folder;             // of the files that the text names
     std::vector<std::filesystem::path> files; // that were read, without the file of a measured surface
     std::vector<InputProblem> problems;
-    std::vector<InputProblem> warnings; // parts of the input that are not modelled
-    std::vector<InputProblem> unused;   // values without effect
+    std::vector<std::string> outsideFiles; // named by the text, but outside its folder; each is one of the problems
+    std::vector<InputProblem> warnings;    // parts of the input that are not modelled
+    std::vector<InputProblem> unused;      // values without effect
     bool valid() const { return problems.empty(); }
     /// All files of the case, none of a sample case: what the program writes must not take their place.
     std::vector<std::filesystem::path> inputs() const

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
+#include <stdexcept>
+#include <utility>
+
 #include "core/case/parameters.h"
-#include "core/formats/height_map_file.h"
+#include "core/formats/surfaces/height_map_file.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
@@ -36,8 +39,10 @@ DiskFileCheck checkDiskFile(const Case& c)
 
 DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn)
 {
-    if (readsFile(c)) return DiskTopography(c.diskSurface, readMap(c).map, goOn);
-    return DiskTopography(c.diskSurface, {}, goOn);
+    if (!readsFile(c)) return DiskTopography(c.diskSurface, {}, goOn);
+    HeightMapDocument document = readMap(c);
+    if (!document.valid()) throw std::runtime_error(document.problems.front().text());
+    return DiskTopography(c.diskSurface, std::move(document.map), goOn);
 }
 
 } // namespace touchdown

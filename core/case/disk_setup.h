@@ -19,7 +19,8 @@ struct DiskFileCheck {
 };
 DiskFileCheck checkDiskFile(const Case& c);
 
-/// `c` and its file are valid. Generating roughness may take seconds; it stops when `goOn` returns false.
+/// `c` and its file are valid. Generating roughness may take seconds; it stops when `goOn` returns false. Throws
+/// std::runtime_error, a sentence, where the file has changed since it was checked and can no longer be read.
 DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn = {});
 
 } // namespace touchdown

@@ -16,7 +16,7 @@ constexpr std::uintmax_t largestCaseFile = 1 << 20; // [byte]
 
 } // namespace
 
-CaseDocument readCaseFile(const std::filesystem::path& file)
+CaseDocument readCaseFile(const std::filesystem::path& file, OutsidePaths outside)
 {
     const auto refuse = [&](std::string message) {
         CaseDocument document;
@@ -30,12 +30,12 @@ CaseDocument readCaseFile(const std::filesystem::path& file)
     std::string& text = std::get<std::string>(content);
     if (text.find_first_not_of(" \t\r\n") == std::string::npos) return refuse("is empty");
     const std::filesystem::path folder = file.parent_path();
-    CaseDocument document = parseCase(std::move(text), file.string(), folder.empty() ? "." : folder);
+    CaseDocument document = parseCase(std::move(text), file.string(), folder.empty() ? "." : folder, outside);
     document.files.push_back(file);
     return document;
 }
 
-CaseDocument openCase(const std::string& fileOrName)
+CaseDocument openCase(const std::string& fileOrName, OutsidePaths outside)
 {
     std::error_code error;
     const auto sample = std::ranges::find(sampleCases(), fileOrName, &SampleCase::name);
@@ -44,8 +44,8 @@ CaseDocument openCase(const std::string& fileOrName)
     const bool isFile =
         std::filesystem::exists(fileOrName, error) && !(isSample && std::filesystem::is_directory(fileOrName, error));
     if (isSample && !isFile) return parseCase(sample->text, sample->name);
-    if (isFile && isCmlPath(fileOrName)) return readCmlCase(fileOrName);
-    CaseDocument document = readCaseFile(fileOrName);
+    if (isFile && isCmlPath(fileOrName)) return readCmlCase(fileOrName, outside);
+    CaseDocument document = readCaseFile(fileOrName, outside);
     if (!isFile && !error && !fileOrName.empty() && fileOrName.find('/') == std::string::npos) {
         std::vector<std::string> names;
         for (const SampleCase& each : sampleCases()) names.push_back(each.name);

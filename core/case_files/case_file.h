@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/case/case_document.h"
+#include "core/case_files/outside_path.h"
 
 #include <filesystem>
 #include <string>
@@ -23,10 +24,10 @@ inline constexpr std::string_view defaultCaseName = "fig10a";
 
 /// A case file (TOML), files of the established program, or a sample case by its name. A name that is none of them is
 /// a problem of the kind NotFound.
-CaseDocument openCase(const std::string& fileOrName);
+CaseDocument openCase(const std::string& fileOrName, OutsidePaths outside = OutsidePaths::Refused);
 
 /// Reads a TOML file; a directory, an unreadable, empty, binary or oversized file is a problem that names the file.
-CaseDocument readCaseFile(const std::filesystem::path& file);
+CaseDocument readCaseFile(const std::filesystem::path& file, OutsidePaths outside = OutsidePaths::Refused);
 
 /// Writes through a temporary file and a rename, so that a failure leaves the old file unchanged. Returns the problem,
 /// or "".

@@ -98,7 +98,8 @@ std::vector<std::string> groups()
 
 class CaseReader {
 public:
-    explicit CaseReader(CaseDocument& document) : document_(document), groups_(groups()) {}
+    CaseReader(CaseDocument& document, OutsidePaths outside) : document_(document), outside_(outside), groups_(groups())
+    {}
 
     void read()
     {
@@ -131,6 +132,15 @@ private:
         wrongKeys_.insert(key);
     }
 
+    /// Whether a file that the text names is not to be read; then that is a problem.
+    bool refusesFile(const TomlEntry& entry, const std::string& file)
+    {
+        if (file.empty() || outside_ == OutsidePaths::Allowed || !leadsOutside(document_.folder, file)) return false;
+        document_.outsideFiles.push_back(file);
+        add(entry.line, entry.key, outsideProblem(file, "the case"));
+        return true;
+    }
+
     /// Missing values have the default of the model.
     static ModelKind modelOf(const TomlDocument& toml)
     {
@@ -152,6 +162,7 @@ private:
             if (table.key == "abs.rail" || table.key == "abs.wall")
                 return refuse("rails come from a file or from [[abs.rail]], not from both");
         if (document_.folder.empty()) return refuse("names a file, but this text has no folder");
+        if (refusesFile(*entry, *name)) return;
         const std::filesystem::path file = document_.folder / *name;
         document_.files.push_back(file);
         const auto content = readTextFile(file, maximumCmlFileSize);
@@ -192,6 +203,8 @@ private:
         } else if (const Parameter* parameter = findParameter(entry.key)) {
             if (auto problem = setFromToml(document_.value, *parameter, entry.value))
                 add(entry.line, entry.key, *problem);
+            else if (entry.key == surfaceFileKey && refusesFile(entry, document_.value.diskSurface.file))
+                document_.value.diskSurface.file.clear();
         } else {
             // Each suggestion searches all keys; a text with many unknown keys is not a case with typing errors.
             constexpr int mostSuggestions = 50;
@@ -272,6 +285,7 @@ private:
     }
 
     CaseDocument& document_;
+    OutsidePaths outside_;
     std::vector<std::string> groups_;
     std::set<std::string, std::less<>> unknownTables_;
     std::set<std::string, std::less<>> wrongKeys_;
@@ -291,13 +305,13 @@ std::string shortenedKey(std::string_view key)
     return key.size() <= longest ? std::string(key) : std::string(key.substr(0, longest)) + "...";
 }
 
-CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder)
+CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder, OutsidePaths outside)
 {
     CaseDocument document;
     document.text = std::move(text);
     document.name = std::move(name);
     document.folder = folder;
-    CaseReader(document).read();
+    CaseReader(document, outside).read();
     return document;
 }
 

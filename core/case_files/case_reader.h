@@ -5,6 +5,7 @@
 
 #include "core/case/case_document.h"
 #include "core/case/parameters.h"
+#include "core/case_files/outside_path.h"
 #include "core/formats/toml_document.h"
 
 #include <filesystem>
@@ -15,8 +16,9 @@
 namespace touchdown {
 
 /// Reads TOML text. `name` appears in the problems. Files that the text names (abs.rails) are looked up in `folder`;
-/// without a folder they are a problem.
-CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder = {});
+/// without a folder they are a problem, and so are files outside it unless they are allowed.
+CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder = {},
+                       OutsidePaths outside = OutsidePaths::Refused);
 
 /// Sets a parameter from a value of a case file; returns what is wrong with it, in a sentence without the key.
 std::optional<std::string> setFromToml(Case& target, const Parameter& parameter, const TomlValue& value);

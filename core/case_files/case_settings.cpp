@@ -5,6 +5,7 @@
 #include "core/case/disk_setup.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
+#include "core/case_files/outside_path.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
@@ -29,8 +30,16 @@ std::variant<Parameter, std::string> settingKey(const Case& c, std::string_view 
     return found;
 }
 
+/// Why a file's setting of this key is refused; "" where it is not.
+std::string pathProblem(const Case& c, std::string_view key)
+{
+    const std::string& file = c.diskSurface.file;
+    if (key != surfaceFileKey || file.empty() || !leadsOutside(c.folder, file)) return {};
+    return outsideProblem(file, "the case");
+}
+
 /// Applies one "key=value"; returns its problem.
-std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
+std::optional<InputProblem> applySetting(Case& target, std::string_view setting, SettingSource source)
 {
     const auto problem = [](std::string_view key, std::string message) {
         return InputProblem{"--set", 0, shortenedKey(key), std::move(message), ProblemKind::Setting};
@@ -49,8 +58,11 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting)
     const auto message = quoted && parameter->kind == ParameterKind::Number
                              ? setFromToml(target, *parameter, std::string(value))
                              : setFromText(target, *parameter, value);
-    if (!message) return {};
-    return problem(key, *message);
+    if (message) return problem(key, *message);
+    std::string outside = source == SettingSource::File ? pathProblem(target, key) : "";
+    if (outside.empty()) return {};
+    target.diskSurface.file.clear();
+    return problem(key, std::move(outside));
 }
 
 /// Where settings changed the surface or the slider's size.
@@ -95,16 +107,20 @@ void renewWarnings(CaseDocument& document, const std::vector<std::string>& setti
 
 } // namespace
 
-void applySettings(CaseDocument& document, const std::vector<std::string>& settings)
+void applySettings(CaseDocument& document, const std::vector<std::string>& settings, SettingSource source)
 {
     // A setting may remove a contradiction of the file, or make one.
     const auto isCombination = [](const InputProblem& problem) { return problem.kind == ProblemKind::Combination; };
     const auto isOfDisk = [](const InputProblem& problem) { return problem.kind == ProblemKind::MeasuredDisk; };
     std::erase_if(document.problems,
                   [&](const InputProblem& problem) { return isCombination(problem) || isOfDisk(problem); });
+    // Another surface takes the place of one that the case may not read.
+    if (std::ranges::find(settings, surfaceFileKey, keyOf) != settings.end() && !document.outsideFiles.empty())
+        std::erase_if(document.problems, [](const InputProblem& problem) { return problem.key == surfaceFileKey; });
     const bool readable = document.valid();
     for (const std::string& setting : settings)
-        if (auto problem = applySetting(document.value, setting)) document.problems.push_back(std::move(*problem));
+        if (auto problem = applySetting(document.value, setting, source))
+            document.problems.push_back(std::move(*problem));
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
         document.problems.push_back(problem.in(document.name));
@@ -136,6 +152,8 @@ std::string changeCase(Case& c, const std::vector<CaseSetting>& settings)
         if (const auto* problem = std::get_if<std::string>(&found)) return setting.key + ": " + *problem;
         if (const auto problem = setFromText(changed, std::get<Parameter>(found), setting.value))
             return setting.key + ": " + *problem;
+        if (const std::string problem = pathProblem(changed, setting.key); !problem.empty())
+            return setting.key + ": " + problem;
     }
     for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
     c = std::move(changed);

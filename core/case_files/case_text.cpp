@@ -116,7 +116,7 @@ std::string changedText(const std::string& text, const TomlDocument& toml, const
     const bool readFile =
         fromFile && std::ranges::find(old.problems, railFileKey, &InputProblem::key) == old.problems.end();
     const bool keepsFile = readFile && outline(old.value.surface) == outline(c.surface);
-    const CaseDocument base = fromFile && !keepsFile ? parseCase(text, "") : old;
+    const CaseDocument base = fromFile && !keepsFile ? parseCase(text, "", {}, OutsidePaths::Allowed) : old;
     Case defaults = defaultsOf(c.model);
     defaults.model = Case{}.model;
     TomlEditor editor(text, toml);
@@ -166,9 +166,10 @@ std::string updateCaseText(const std::string& text, const Case& c, const std::fi
 {
     const TomlDocument toml = readToml(text);
     if (!toml.problem.empty()) return formatCase(c);
-    const std::string updated = changedText(text, toml, parseCase(text, "", folder), c);
+    // The text was accepted when it was opened, with all files that it names.
+    const std::string updated = changedText(text, toml, parseCase(text, "", folder, OutsidePaths::Allowed), c);
     // A new text is better than a wrong one, should the editor not handle some form of TOML.
-    CaseDocument check = parseCase(updated, "", folder);
+    CaseDocument check = parseCase(updated, "", folder, OutsidePaths::Allowed);
     check.value.folder = c.folder; // a text does not say where it is
     const bool broken =
         std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });

@@ -128,7 +128,7 @@ std::string asToml(const CaseDocument& document, const std::string& comments)
 /// The files that a path leads to, or why there are none.
 class CmlFinder {
 public:
-    explicit CmlFinder(CaseDocument& document) : document_(document) {}
+    CmlFinder(CaseDocument& document, OutsidePaths outside) : document_(document), outside_(outside) {}
 
     std::optional<CmlFiles> find(const fs::path& path)
     {
@@ -141,9 +141,16 @@ public:
         for (const std::string member : {"rail.dat", "run.dat", "dynamics.def"}) {
             if (member == named)
                 found.emplace_back(member, path);
-            else if (auto file = findCmlMember(folder, member))
+            else if (auto file = findCmlMember(folder, member)) {
+                if (outside_ == OutsidePaths::Refused && leadsOutside(folder, file->filename())) {
+                    document_.outsideFiles.push_back(file->string());
+                    refuse(file->string(), outsideProblem(file->filename().string(), "the other files"));
+                    continue;
+                }
                 found.emplace_back(member, *file);
+            }
         }
+        if (!document_.outsideFiles.empty()) return {};
         return choose(found, named);
     }
 
@@ -219,10 +226,21 @@ private:
     void warn(std::string message) { document_.warnings.push_back({document_.name, 0, "", std::move(message)}); }
 
     CaseDocument& document_;
+    OutsidePaths outside_;
 };
 
+/// A surface that the comments of run.dat name, which may lie anywhere.
+void checkKeptSurface(CaseDocument& document, const CmlFiles::File& run)
+{
+    std::string& file = document.value.diskSurface.file;
+    if (file.empty() || !leadsOutside(document.value.folder, file)) return;
+    document.outsideFiles.push_back(file);
+    document.problems.push_back({run.name, 0, surfaceFileKey, outsideProblem(file, "the case")});
+    file.clear();
+}
+
 /// The wave.def beside the other files, by its absolute path, so that the case may be moved.
-void findTrackProfile(const fs::path& path, CmlParameters& parameters)
+void findTrackProfile(const fs::path& path, OutsidePaths outside, CmlParameters& parameters, CaseDocument& document)
 {
     const Case& c = parameters.value();
     if (c.diskSurface.file.empty()) return;
@@ -232,6 +250,11 @@ void findTrackProfile(const fs::path& path, CmlParameters& parameters)
                             : path.parent_path().empty()  ? fs::path(".")
                                                           : path.parent_path();
     const auto file = isArchive(path) ? std::nullopt : findCmlMember(folder, c.diskSurface.file);
+    if (file && outside == OutsidePaths::Refused && leadsOutside(folder, file->filename())) {
+        document.outsideFiles.push_back(file->string());
+        parameters.addProblem(line, outsideProblem(file->filename().string(), "the other files"));
+        return;
+    }
     if (file) {
         parameters.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
         const DiskFileCheck disk = checkDiskFile(c);
@@ -292,45 +315,22 @@ void readCmlFiles(const CmlFiles& files, CmlParameters& parameters)
     if (parameters.problems.empty()) parameters.checkCombinations();
 }
 
-CaseDocument readCmlCase(const fs::path& path)
+CaseDocument readCmlCase(const fs::path& path, OutsidePaths outside)
 {
     CaseDocument document;
     document.name = path.string();
     document.value = defaultsOf(ModelKind::Film);
-    const auto files = CmlFinder(document).find(path);
+    const auto files = CmlFinder(document, outside).find(path);
     if (!files) return document;
     CmlParameters parameters(document.value);
     readCmlFiles(*files, parameters);
-    if (!files->dynamics.name.empty()) findTrackProfile(path, parameters);
+    if (!files->dynamics.name.empty()) findTrackProfile(path, outside, parameters, document);
     if (document.value.title == Case{}.title) parameters.choose("title", titleOf(path), 0);
     document.problems = std::move(parameters.problems);
+    if (outside == OutsidePaths::Refused && files->dynamics.name.empty()) checkKeptSurface(document, files->run);
     document.warnings.insert(document.warnings.end(), parameters.warnings.begin(), parameters.warnings.end());
     document.text = asToml(document, parameters.comments);
     return document;
-}
-
-CmlOutput formatCmlCase(const Case& c)
-{
-    CmlOutput output;
-    if (c.model != ModelKind::Film) {
-        output.problem = "model is " + toText(c, *findParameter("model")) +
-                         "; the established program's files describe an air film (model = \"film\")";
-        return output;
-    }
-    CmlFiles files;
-    files.rail = {"rail.dat", formatCmlRails(c.slider.length, c.slider.width, c.slider.thickness, c.surface)};
-    files.run = {"run.dat", formatCmlRun(c, "")};
-    Case read = defaultsOf(ModelKind::Film);
-    CmlParameters parameters(read);
-    readCmlFiles(files, parameters);
-    if (!parameters.problems.empty()) {
-        output.problem = "does not fit into the established program's files: " + parameters.problems.front().text();
-        return output;
-    }
-    const CmlKeptValues kept = keepValues(c, read);
-    output.members = {{"rail.dat", std::move(files.rail.text)}, {"run.dat", formatCmlRun(c, kept.comments)}};
-    output.keptKeys = kept.keys;
-    return output;
 }
 
 } // namespace touchdown

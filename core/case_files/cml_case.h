@@ -13,6 +13,7 @@
 #include "core/case/case_document.h"
 #include "core/case_files/cml/cml_archive.h"
 #include "core/case_files/cml/cml_parameters.h"
+#include "core/case_files/outside_path.h"
 
 namespace touchdown {
 
@@ -24,7 +25,7 @@ bool isCmlPath(const std::filesystem::path& path);
 
 /// Reads the case. If there are both run.dat and dynamics.def, the file that the path names is read, else run.dat.
 /// `text` of the document is the same case as TOML.
-CaseDocument readCmlCase(const std::filesystem::path& path);
+CaseDocument readCmlCase(const std::filesystem::path& path, OutsidePaths outside = OutsidePaths::Refused);
 
 /// The program's files, each with the name for its problems.
 struct CmlFiles {

@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files of a case are formatted and written.
 #include "core/case_files/cml_case.h"
 
 #include <exception>
 #include <memory>
 #include <system_error>
+#include <utility>
 
+#include "core/case/parameters.h"
+#include "core/case_files/cml/cml_kept_values.h"
+#include "core/case_files/cml/cml_rail_file.h"
+#include "core/case_files/cml/cml_run_file.h"
 #include "core/formats/output_file.h"
 #include "core/formats/text_file.h"
 
@@ -35,6 +42,30 @@ std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& memb
 }
 
 } // namespace
+
+CmlOutput formatCmlCase(const Case& c)
+{
+    CmlOutput output;
+    if (c.model != ModelKind::Film) {
+        output.problem = "model is " + toText(c, *findParameter("model")) +
+                         "; the established program's files describe an air film (model = \"film\")";
+        return output;
+    }
+    CmlFiles files;
+    files.rail = {"rail.dat", formatCmlRails(c.slider.length, c.slider.width, c.slider.thickness, c.surface)};
+    files.run = {"run.dat", formatCmlRun(c, "")};
+    Case read = defaultsOf(ModelKind::Film);
+    CmlParameters parameters(read);
+    readCmlFiles(files, parameters);
+    if (!parameters.problems.empty()) {
+        output.problem = "does not fit into the established program's files: " + parameters.problems.front().text();
+        return output;
+    }
+    const CmlKeptValues kept = keepValues(c, read);
+    output.members = {{"rail.dat", std::move(files.rail.text)}, {"run.dat", formatCmlRun(c, kept.comments)}};
+    output.keptKeys = kept.keys;
+    return output;
+}
 
 std::vector<fs::path> replacedCmlFiles(const fs::path& path)
 {

@@ -39,7 +39,12 @@ std::string lastError()
 Hdf5Access::Hdf5Access() : lock_(library())
 {
     // Without its own clean-up at exit: a file that could not be written (disk full) would be tried once more there.
-    static const herr_t once = H5dont_atexit();
+    // And no filters from elsewhere: a file names them, and the library would run them.
+    static const bool once = [] {
+        H5dont_atexit();
+        H5PLset_loading_state(0);
+        return true;
+    }();
     static_cast<void>(once);
     H5Eget_auto2(H5E_DEFAULT, &printer_, &printerData_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -13,6 +13,9 @@ namespace {
 
 using Extent = std::vector<hsize_t>;
 
+constexpr hssize_t mostAttributeNumbers = 1000;
+constexpr std::size_t longestText = 1 << 24; // [byte]
+
 Hdf5Handle createAttribute(hid_t object, const std::string& name, hid_t type)
 {
     if (H5Aexists(object, name.c_str()) > 0) checkHdf5(H5Adelete(object, name.c_str()));
@@ -33,6 +36,7 @@ std::string readText(hid_t type, hid_t space, Read read)
         H5free_memory(text);
         return result;
     }
+    if (H5Tget_size(type) > longestText) throw Hdf5Error("a text is too long");
     std::string result(H5Tget_size(type), '\0');
     checkHdf5(read(type, result.data()));
     result.resize(std::min(result.size(), result.find('\0')));
@@ -119,6 +123,7 @@ std::vector<double> Hdf5Object::numberAttributes(const std::string& name) const
     const H5T_class_t kind = H5Tget_class(type);
     const hssize_t count = H5Sget_simple_extent_npoints(space);
     if ((kind != H5T_FLOAT && kind != H5T_INTEGER) || count < 1) return {};
+    if (count > mostAttributeNumbers) throw Hdf5Error("the attribute \"" + name + "\" is too long");
     std::vector<double> values(static_cast<std::size_t>(count));
     checkHdf5(H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()));
     return values;
@@ -155,8 +160,10 @@ std::string Hdf5Dataset::text() const
 
 void Hdf5Dataset::checkStored() const
 {
-    // Compressed numbers take at least a bit or so each.
-    if (product(shape()) / 1024 > storedBytes()) throw Hdf5Error("an array holds fewer numbers than it says");
+    constexpr hsize_t mostPacked = 1032; // what deflate makes of a byte, at most
+    const Hdf5Handle type(H5Dget_type(*this), H5Tclose);
+    if (product(shape()) / mostPacked * H5Tget_size(type) > storedBytes())
+        throw Hdf5Error("an array holds fewer numbers than it says");
 }
 
 std::vector<double> Hdf5Dataset::numbers() const

@@ -8,6 +8,8 @@
 
 #include "core/case/parameters.h"
 #include "core/formats/hdf5_file.h"
+#include "core/formats/reader_process.h"
+#include "core/formats/text_file.h"
 
 namespace touchdown {
 namespace {
@@ -70,7 +72,7 @@ std::string notHdf5(const std::filesystem::path& path)
     const std::filesystem::file_status status = std::filesystem::status(path, none);
     if (!std::filesystem::exists(status)) return name + ": there is no such file";
     if (std::filesystem::is_directory(status)) return name + " is a directory, not a results file";
-    if (!std::filesystem::is_regular_file(status)) return name + " is no regular file";
+    if (!notRegularFile(path).empty()) return name + " is no regular file";
     if (!std::ifstream(path, std::ios::binary)) return name + " cannot be read: no permission";
     if (H5Fis_hdf5(path.c_str()) <= 0) return name + " is not an HDF5 file";
     return {};
@@ -92,6 +94,17 @@ std::string foreignFile(const std::filesystem::path& path, const Hdf5Group& file
 }
 
 std::string formatOf(const std::filesystem::path& path)
+{
+    std::string format;
+    try {
+        readAnswer({"format", path, ""}, format);
+    } catch (const ReaderFailure&) {
+        return {};
+    }
+    return format;
+}
+
+std::string formatDirectly(const std::filesystem::path& path)
 {
     const Hdf5Access access;
     if (!notHdf5(path).empty()) return {};

@@ -28,6 +28,8 @@ std::string notHdf5(const std::filesystem::path& path);
 std::string foreignFile(const std::filesystem::path& path, const Hdf5Group& file, const std::string& format, int major,
                         const std::string& what);
 /// The format that an HDF5 file says it has; "" if it says none, or is none. Throws nothing, takes a Hdf5Access itself.
+/// The first reads it in a process of its own (core/formats/reader_process.h).
 std::string formatOf(const std::filesystem::path& path);
+std::string formatDirectly(const std::filesystem::path& path);
 
 } // namespace touchdown

@@ -1,17 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/results/results_reader.h"
 
+#include <algorithm>
 #include <new>
 
 #include "core/formats/hdf5_file.h"
+#include "core/formats/hdf5_inspection.h"
+#include "core/formats/reader_process.h"
 #include "core/results/file_header.h"
 #include "core/results/results_layout.h"
 #include "core/results/results_samples.h"
+#include "core/results/stored_values.h"
 
 namespace touchdown {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// The lengths are those that the reader found.
+bool fits(const StoredRun& run)
+{
+    const auto isColumn = [&](const std::vector<double>& column) { return column.size() == run.samples.size(); };
+    const auto isSnapshot = [&](const FieldSnapshot& snapshot) {
+        if (snapshot.set >= run.recorded.size()) return false;
+        const RecordedFields& set = run.recorded[snapshot.set];
+        const auto isField = [&](const std::vector<double>& field) { return field.size() == set.grid.cells(); };
+        return snapshot.values.size() == set.quantities.size() && std::ranges::all_of(snapshot.values, isField);
+    };
+    const auto hasCells = [](const RecordedFields& set) { return set.grid.nx() > 0 && set.grid.ny() > 0; };
+    return run.samples.columns.size() == run.quantities.size() && std::ranges::all_of(run.samples.columns, isColumn) &&
+           std::ranges::all_of(run.recorded, hasCells) && std::ranges::all_of(run.fields, isSnapshot);
+}
+
+} // namespace
+
 StoredRun readResults(const fs::path& path)
+{
+    StoredRun run;
+    std::string problem;
+    try {
+        readAnswer({"run", path, ""}, run);
+        if (!fits(run)) problem = "is damaged: what was read from it does not fit together";
+    } catch (const ReaderFailure& failure) {
+        problem = failure.what();
+    } catch (const std::bad_alloc&) {
+        problem = "does not fit into memory";
+    }
+    if (problem.empty()) return run;
+    StoredRun nothing;
+    nothing.problem = path.string() + ' ' + problem;
+    return nothing;
+}
+
+StoredRun readResultsDirectly(const fs::path& path)
 {
     const Hdf5Access access;
     StoredRun run;
@@ -26,6 +67,7 @@ StoredRun readResults(const fs::path& path)
         if (std::string problem = foreignFile(path, file, resultsFormat, resultsFormatMajor, "the results of a run");
             !problem.empty())
             return refused(std::move(problem));
+        inspectHdf5File(file, readerLimits(path).data);
         run.title = file.attribute("title");
         run.status = file.attribute("status");
         run.message = file.attribute("message");

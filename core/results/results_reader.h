@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads a results file (HDF5).
+// Reads a results file (HDF5), in a process of its own (core/formats/reader_process.h).
 #pragma once
 
 #include <filesystem>
@@ -26,5 +26,7 @@ struct StoredRun {
     std::string problem;                  // "" when it was read; else one sentence, and nothing else is set
 };
 StoredRun readResults(const std::filesystem::path& file);
+/// The same in this process: for that process, and for files that this program wrote.
+StoredRun readResultsDirectly(const std::filesystem::path& file);
 
 } // namespace touchdown

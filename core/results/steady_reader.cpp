@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "core/formats/hdf5_file.h"
+#include "core/formats/hdf5_inspection.h"
+#include "core/formats/reader_process.h"
 #include "core/results/file_header.h"
 #include "core/results/steady_writer.h"
+#include "core/results/stored_values.h"
 #include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
@@ -115,9 +118,39 @@ SteadyResult readState(const Hdf5Group& state)
     return result;
 }
 
+/// The lengths are those that the reader found.
+bool fieldsFit(const StoredSteady& stored)
+{
+    return std::ranges::all_of(stored.states, [](const SteadyResult& state) {
+        if (state.grid.x.empty() && state.grid.y.empty())
+            return state.pressure.empty() && state.gap.empty() && state.recess.empty();
+        if (state.grid.x.size() < 2 || state.grid.y.size() < 2) return false;
+        const std::size_t cells = state.grid.cells();
+        return state.pressure.size() == cells && state.gap.size() == cells && state.recess.size() == cells;
+    });
+}
+
 } // namespace
 
 StoredSteady readSteady(const std::filesystem::path& path)
+{
+    StoredSteady stored;
+    std::string problem;
+    try {
+        readAnswer({"steady", path, ""}, stored);
+        if (!fieldsFit(stored)) problem = "is damaged: what was read from it does not fit together";
+    } catch (const ReaderFailure& failure) {
+        problem = failure.what();
+    } catch (const std::bad_alloc&) {
+        problem = "does not fit into memory";
+    }
+    if (problem.empty()) return stored;
+    StoredSteady nothing;
+    nothing.problem = path.string() + ' ' + problem;
+    return nothing;
+}
+
+StoredSteady readSteadyDirectly(const std::filesystem::path& path)
 {
     const Hdf5Access access;
     StoredSteady stored;
@@ -132,6 +165,7 @@ StoredSteady readSteady(const std::filesystem::path& path)
         if (std::string problem = foreignFile(path, file, steadyFormat, steadyFormatMajor, "static states");
             !problem.empty())
             return refused(std::move(problem));
+        inspectHdf5File(file, readerLimits(path).data);
         stored.title = file.attribute("title");
         stored.caseText = file.get("case/text").text();
         const Hdf5Group states = file.group("states");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads static states from a file (steady_writer.h says what it holds). Other equilibria are not in it.
+// Reads static states from a file (steady_writer.h says what it holds), in a process of its own
+// (core/formats/reader_process.h). Other equilibria are not in it.
 #pragma once
 
 #include <filesystem>
@@ -19,5 +20,7 @@ struct StoredSteady {
 };
 /// A field whose size does not fit the state's grid makes the file damaged.
 StoredSteady readSteady(const std::filesystem::path& file);
+/// The same in this process: for that process, and for files that this program wrote.
+StoredSteady readSteadyDirectly(const std::filesystem::path& file);
 
 } // namespace touchdown

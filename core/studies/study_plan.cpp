@@ -63,7 +63,7 @@ void checkGiven(CaseDocument& given)
 }
 
 StudyPlan planStudy(const std::string& kind, Source source, const std::vector<std::string>& settings,
-                    const std::vector<std::string>& options)
+                    const std::vector<std::string>& options, OutsidePaths outside)
 {
     StudyPlan plan;
     plan.kind = kind;
@@ -84,7 +84,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     appendTo(plan.problems, applyOptions(toml, options));
 
     StudyReader reader(toml, plan.name, plan.start.value, plan.problems);
-    reader.setPlace(source.folder, settings);
+    reader.setPlace(source.folder, settings, outside);
     const std::string title = reader.text("title").value_or("");
     if (!isOfKind(reader, kind)) return plan;
     const bool takesGiven = source.given && !namesCase(reader);
@@ -158,9 +158,9 @@ bool isFile(const std::string& name)
     return std::filesystem::is_regular_file(name, error);
 }
 
-CaseDocument openSample(const std::string& kind, const std::string& name)
+CaseDocument openSample(const std::string& kind, const std::string& name, OutsidePaths outside)
 {
-    CaseDocument document = openCase(name);
+    CaseDocument document = openCase(name, outside);
     if (document.valid() || document.problems.front().kind != ProblemKind::NotFound) return document;
     std::vector<std::string> names = sampleStudyNames(kind);
     for (const SampleCase& each : sampleCases()) names.push_back(each.name);
@@ -225,17 +225,17 @@ std::optional<StudySource> findStudySource(const std::string& fileOrName)
 }
 
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings,
-                    const std::vector<std::string>& options)
+                    const std::vector<std::string>& options, OutsidePaths outside)
 {
     if (isFile(fileOrName)) {
         const std::filesystem::path folder = std::filesystem::path(fileOrName).parent_path();
         if (auto study = studyInFile(fileOrName))
             return planStudy(kind, {std::move(study->text), fileOrName, folder.empty() ? "." : folder, {}}, settings,
-                             options);
+                             options, outside);
     } else if (const SampleStudy* sample = findSampleStudy(kind, fileOrName)) {
-        return planStudy(kind, {sample->text, sample->name, {}, {}}, settings, options);
+        return planStudy(kind, {sample->text, sample->name, {}, {}}, settings, options, outside);
     }
-    return planStudy(kind, {"", fileOrName, {}, openSample(kind, fileOrName)}, settings, options);
+    return planStudy(kind, {"", fileOrName, {}, openSample(kind, fileOrName, outside)}, settings, options, outside);
 }
 
 StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,
@@ -251,7 +251,7 @@ StudyPlan parseStudy(const std::string& kind, const std::string& text, const std
         source.given->folder = given->folder;
         checkGiven(*source.given);
     }
-    return planStudy(kind, std::move(source), settings, options);
+    return planStudy(kind, std::move(source), settings, options, OutsidePaths::Refused);
 }
 
 StudyForm studyForm(const std::string& kind, const Case& c)

@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/case/case_document.h"
+#include "core/case_files/outside_path.h"
 #include "core/studies/study/study.h"
 #include "core/studies/study/study_key.h"
 
@@ -60,9 +61,11 @@ std::optional<StudySource> findStudySource(const std::string& fileOrName);
 
 /// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample study of
 /// this kind or of a sample case. The settings are those of --set, on the case; the options are those of --option:
-/// "key=value" with a key of the study and a value as TOML or as bare text, over those of its file.
+/// "key=value" with a key of the study and a value as TOML or as bare text, over those of its file. `outside`: whether
+/// study and case may name files outside their folders (core/case_files/outside_path.h).
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName,
-                    const std::vector<std::string>& settings = {}, const std::vector<std::string>& options = {});
+                    const std::vector<std::string>& settings = {}, const std::vector<std::string>& options = {},
+                    OutsidePaths outside = OutsidePaths::Refused);
 /// A study's text that stands in `folder`. `given` is the case where the text names none.
 StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,
                      const std::filesystem::path& folder, const Case* given = nullptr,

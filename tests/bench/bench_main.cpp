@@ -36,6 +36,7 @@
 #include "core/case_files/case_reader.h"
 #include "core/formats/units.h"
 #include "core/numerics/cvode.h"
+#include "core/results/reader_program.h"
 #include "core/simulation/run.h"
 #include "tests/bench/contact_bench.h"
 #include "tests/bench/coupled_bench.h"
@@ -160,6 +161,7 @@ void benchmark(const std::string& name, const Case& c, int repeats)
 
 int main(int argc, char** argv)
 {
+    if (const auto code = touchdown::runReader(argc, argv)) return *code;
     touchdown::keepFreedMemory();
     std::string only;
     bool sweep = false;

@@ -53,10 +53,32 @@ private slots:
         QCOMPARE(problemOf(path("")), QString("is a directory, not a file"));
         QCOMPARE(problemOf("/dev/null"), QString("is not a regular file"));
     }
-    /// Memory at address zero: a regular file that even the superuser can open and not read.
-    void anUnreadableFileSaysWhy()
+    /// Files that the system makes up look like regular ones of size 0; some never end, some hold secrets.
+    void filesOfTheSystemAreNotRead()
     {
-        QCOMPARE(problemOf("/proc/self/mem"), QString("cannot be read: Input/output error"));
+        for (const char* file : {"/proc/self/mem", "/proc/self/environ", "/proc/self/maps"})
+            QCOMPARE(problemOf(file), QString("is not a regular file"));
+        std::filesystem::create_symlink("/proc/self/environ", path("link"));
+        QCOMPARE(problemOf(path("link")), QString("is not a regular file"));
+    }
+    /// A text is refused where it holds no text, before the rest is read.
+    void textAlone()
+    {
+        const auto isText = [&](const std::string& text) {
+            if (!writeTextFile(path("text"), text).empty()) return false;
+            return std::holds_alternative<std::string>(readTextFile(path("text"), 1 << 20, FileContent::Text));
+        };
+        const std::string zero(1, '\0');
+        QVERIFY(isText("a = 1\n"));
+        QVERIFY(!isText("a = 1" + zero));
+        QVERIFY(!isText(std::string(200'000, 'a') + zero));
+        QVERIFY(isText("\xff\xfe"
+                       "a" +
+                       zero + "\n" + zero));
+        QVERIFY(!isText("\xff\xfe"
+                        "a" +
+                        zero + zero + zero));
+        QVERIFY(!isText("\xfe\xff" + std::string(200'000, 'a') + zero + zero));
     }
 
     void aFailedWriteLeavesNothing()

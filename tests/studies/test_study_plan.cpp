@@ -105,6 +105,42 @@ private slots:
         QCOMPARE(ofCase.text, std::string());
         QCOMPARE(ofCase.start.value.run.duration, 1e-3);
     }
+    /// Within the folder above that of the study cases may stand, other files not.
+    void aCaseElsewhere()
+    {
+        const QTemporaryDir folder, other;
+        const std::string place = folder.path().toStdString(), study = place + "/a/b/study.toml";
+        std::filesystem::create_directories(place + "/a/b");
+        const std::string text = openCase("fig10a").text;
+        for (const std::string& file : {place + "/near.toml", place + "/a/near.toml", place + "/a/hidden.txt",
+                                        other.path().toStdString() + "/far.toml"})
+            QCOMPARE(writeCaseFile(file, text), std::string());
+        const auto planOf = [&](const std::string& name, OutsidePaths outside) {
+            [&] { QCOMPARE(writeCaseFile(study, "case = \"" + name + "\"\n"), std::string()); }();
+            return openStudy(kind, study, {}, {}, outside);
+        };
+        QVERIFY(planOf("../near.toml", OutsidePaths::Refused).valid());
+        for (const std::string& name :
+             {std::string("../../near.toml"), std::string("../hidden.txt"), other.path().toStdString() + "/far.toml"}) {
+            const StudyPlan refused = planOf(name, OutsidePaths::Refused);
+            QCOMPARE(refused.problems.size(), std::size_t{1});
+            QCOMPARE(refused.problems.front().key, std::string("case"));
+            QCOMPARE(refused.problems.front().line, 1);
+            QVERIFY(refused.problems.front().text().find("--allow-paths") != std::string::npos);
+            QVERIFY(planOf(name, OutsidePaths::Allowed).valid());
+        }
+    }
+    /// A study sets no path that leads out of the folder of its case.
+    void aSurfaceElsewhere()
+    {
+        const QTemporaryDir folder;
+        const std::string secret = folder.filePath("secret.txt").toStdString();
+        QCOMPARE(writeCaseFile(secret, "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n"), std::string());
+        const StudyPlan plan = parse("case = \"contact_hertz\"\n[set]\n\"disk.surface.file\" = \"" + secret + "\"\n");
+        QVERIFY2(said(plan).contains("lies outside the folder of the case"), qPrintable(said(plan)));
+        const StudyPlan asked = parse("case = \"contact_hertz\"\n", nullptr, {"disk.surface.file=" + secret});
+        QVERIFY2(!said(asked).contains("outside"), qPrintable(said(asked)));
+    }
     void aGivenCase()
     {
         Case c = openCase("fig10a").value;

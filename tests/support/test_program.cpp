@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 
+#include "core/results/reader_program.h"
+
 #ifdef QT_WIDGETS_LIB
 #include <QApplication>
 using Application = QApplication;
@@ -33,6 +35,7 @@ Program::Program(const char* file, Main main) { programs().emplace(std::filesyst
 int main(int argc, char** argv)
 {
     using touchdown::test::programs;
+    if (const auto code = touchdown::runReader(argc, argv)) return *code;
     const auto chosen = argc > 1 ? programs().find(argv[1]) : programs().end();
     if (chosen == programs().end()) {
         for (const auto& [name, main] : programs()) std::puts(name.c_str());

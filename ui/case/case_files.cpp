@@ -11,6 +11,7 @@
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
+#include "core/formats/quotation.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -68,7 +69,13 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
 
 bool CaseFiles::openNow(const QString& fileOrSample)
 {
-    const CaseDocument document = openCase(fileOrSample.toStdString());
+    const QString key = QFileInfo(fileOrSample).absoluteFilePath();
+    const CaseDocument document =
+        openCase(fileOrSample.toStdString(), allowed_.contains(key) ? OutsidePaths::Allowed : OutsidePaths::Refused);
+    if (!document.outsideFiles.empty()) {
+        askForOutsideFiles(fileOrSample, document.outsideFiles);
+        return false;
+    }
     if (!document.valid()) {
         showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), textsOf(document.problems));
         return false;
@@ -76,6 +83,27 @@ bool CaseFiles::openNow(const QString& fileOrSample)
     const QFileInfo info(fileOrSample);
     take(document, info.exists() ? info.absoluteFilePath() : QString());
     return true;
+}
+
+void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::string>& outside)
+{
+    QStringList names;
+    for (const std::string& name : outside) names << QString::fromStdString(inQuotes(name));
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Files outside the folder"),
+                                tr("This case reads %1 outside its folder. Read it?").arg(names.join(tr(" and "))),
+                                QMessageBox::Yes | QMessageBox::No, &window_);
+    box->setObjectName(QStringLiteral("outsideFiles"));
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("A case from another person could read a private file this way. Without the file the "
+                               "case cannot be opened."));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::No);
+    connect(box, &QMessageBox::buttonClicked, this, [this, box, file](QAbstractButton* button) {
+        if (box->standardButton(button) != QMessageBox::Yes) return;
+        allowed_.insert(QFileInfo(file).absoluteFilePath());
+        openNow(file);
+    });
+    box->open();
 }
 
 void CaseFiles::open(const QString& fileOrSample)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 
+#include <QSet>
 #include <QWidget>
 
 #include "ui/case/case_edits.h"
@@ -27,7 +28,8 @@ public:
     /// A case that was read elsewhere. `file` is empty for a sample case and a new one; an imported case has the path
     /// of its import.
     void take(const CaseDocument& document, const QString& file);
-    /// Opens a case file or a sample case at once; shows problems.
+    /// Opens a case file or a sample case at once; shows problems. A case that names files outside its folder is opened
+    /// after the person allowed it; asked once a session.
     bool openNow(const QString& fileOrSample);
     /// As openNow, after asking about changes.
     void open(const QString& fileOrSample);
@@ -71,6 +73,8 @@ signals:
     void exported(const QString& path, const QStringList& warnings);
 
 private:
+    /// Asks whether a case may read files outside its folder; on yes opens it.
+    void askForOutsideFiles(const QString& file, const std::vector<std::string>& outside);
     void askForFile(const QString& title, const QString& filter);
     bool write(const QString& file);
     void remember(const QString& file);
@@ -85,6 +89,7 @@ private:
     std::filesystem::path folder_; // of the files that it names
     Case saved_;                   // the values in it
     std::function<void()> afterSave_;
+    QSet<QString> allowed_; // cases that may read the files outside their folders which they name
 };
 
 } // namespace touchdown

@@ -75,7 +75,10 @@ void SolutionFiles::open(const QString& file)
         emit failed(sentence(stored.problem));
         return;
     }
-    const CaseDocument document = parseCase(stored.caseText, file.toStdString());
+    CaseDocument document = parseCase(stored.caseText, file.toStdString());
+    // A stored state is shown without the surface of its disk.
+    if (!document.outsideFiles.empty())
+        std::erase_if(document.problems, [](const InputProblem& each) { return each.key == surfaceFileKey; });
     if (!document.valid()) {
         emit failed(tr("The case in %1 cannot be read: %2")
                         .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text())));

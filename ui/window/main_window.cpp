@@ -95,6 +95,8 @@ void MainWindow::openCase(const CaseDocument& document, const QString& file) { f
 
 bool MainWindow::isResultsFile(const QString& file) { return CaseFiles::isResultsFile(file); }
 
+void MainWindow::openFile(const QString& file) { files_->openNow(file); }
+
 void MainWindow::openResults(const QString& file) { runFiles_->openResults(file); }
 
 RunsModel& MainWindow::runs() { return runs_->runs(); }
@@ -374,10 +376,11 @@ void MainWindow::openLastCase()
     const bool sample =
         std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
     // A file that was deleted or is no longer valid is no error at the start.
-    if (!last.isEmpty() && (sample || QFileInfo(last).isFile()) && touchdown::openCase(last.toStdString()).valid())
-        files_->openNow(last);
-    else
+    std::optional<CaseDocument> read;
+    if (!last.isEmpty() && (sample || QFileInfo(last).isFile())) read = touchdown::openCase(last.toStdString());
+    if (!read || !read->valid())
         files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+    if (read && (read->valid() || !read->outsideFiles.empty())) files_->openNow(last); // the latter after a question
 }
 
 } // namespace touchdown

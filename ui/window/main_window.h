@@ -57,6 +57,8 @@ public:
     void performLessonRun(const LessonRun& run);
     /// A case that was read elsewhere; `file` is empty for a sample case.
     void openCase(const CaseDocument& document, const QString& file);
+    /// Reads a case file; shows its problems, and asks where it names files outside its folder.
+    void openFile(const QString& file);
     void openResults(const QString& file);
     static bool isResultsFile(const QString& file);
     using Page = WindowPages::Page;

@@ -6,6 +6,8 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
+#include "core/case_files/cml_case.h"
+#include "core/case_files/outside_path.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 
@@ -24,6 +26,18 @@ void placeInStudy(const StudyReader& reader, std::vector<InputProblem>& problems
         problem.line = std::max(reader.lineOf("set." + problem.key), reader.lineOf("set.\"" + problem.key + '"'));
         problem.key = "set." + problem.key;
     }
+}
+
+/// Cases lie in the folder of the study or beside it: a study may name case files and folders of the established
+/// program within the folder above its own, and any file within its own.
+bool mayName(const StudyReader& reader, const std::filesystem::path& file)
+{
+    if (reader.folder().empty() || reader.outsidePaths() == OutsidePaths::Allowed) return true;
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::canonical(file, error);
+    if (error) return false;
+    const bool isCase = lowerCase(whole.extension().string()) == ".toml" || isCmlPath(whole);
+    return !leadsOutside(reader.folder(), whole) || (isCase && !leadsOutside(reader.folder() / "..", whole));
 }
 
 /// "steps", "ensemble.starts".
@@ -116,7 +130,16 @@ CaseDocument openCaseBeside(StudyReader& reader, const std::string& name)
     std::error_code error;
     const std::filesystem::path beside = reader.folder() / name;
     const bool isBeside = !reader.folder().empty() && !name.empty() && std::filesystem::exists(beside, error);
-    CaseDocument document = openCase(isBeside ? beside.string() : name);
+    const std::string file = isBeside ? beside.string() : name;
+    const bool opens = std::filesystem::is_regular_file(file, error) || isCmlPath(file);
+    if (opens && !mayName(reader, file)) {
+        CaseDocument document;
+        document.name = file;
+        document.outsideFiles.push_back(name);
+        document.problems.push_back({reader.name(), reader.lineOf("case"), "case", outsideProblem(name, "the study")});
+        return document;
+    }
+    CaseDocument document = openCase(file, reader.outsidePaths());
     reader.addInputs(document.inputs());
     return document;
 }
@@ -125,7 +148,9 @@ CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start)
 {
     std::vector<std::string> own;
     for (const CaseSetting& each : reader.settings("set")) own.push_back(each.key + '=' + each.value);
-    if (!own.empty()) applySettings(start, own);
+    if (!own.empty())
+        applySettings(start, own,
+                      reader.outsidePaths() == OutsidePaths::Allowed ? SettingSource::Person : SettingSource::File);
     placeInStudy(reader, start.problems);
     placeInStudy(reader, start.unused);
     placeInStudy(reader, start.warnings);

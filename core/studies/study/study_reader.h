@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/case_files/case_settings.h"
+#include "core/case_files/outside_path.h"
 #include "core/formats/input_problem.h"
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_key.h"
@@ -31,13 +32,15 @@ public:
 
     const Case& start() const { return start_; }
     const std::string& name() const { return name_; }
-    /// The folder of the study's file, empty for none, and the "key=value" of --set: for the cases that the study
-    /// names.
-    void setPlace(std::filesystem::path folder, std::vector<std::string> caseSettings)
+    /// The folder of the study's file, empty for none, the "key=value" of --set, and whether files outside the folders
+    /// may be named: for the cases that the study names.
+    void setPlace(std::filesystem::path folder, std::vector<std::string> caseSettings, OutsidePaths outside)
     {
         folder_ = std::move(folder);
         caseSettings_ = std::move(caseSettings);
+        outsidePaths_ = outside;
     }
+    OutsidePaths outsidePaths() const { return outsidePaths_; }
     const std::filesystem::path& folder() const { return folder_; }
     const std::vector<std::string>& caseSettings() const { return caseSettings_; }
     /// The files of the cases that the study names; some more than once.
@@ -97,6 +100,7 @@ private:
     const Case& start_;
     std::vector<InputProblem>& problems_;
     std::filesystem::path folder_;
+    OutsidePaths outsidePaths_ = OutsidePaths::Refused;
     std::vector<std::string> caseSettings_;
     std::vector<std::filesystem::path> inputs_;
     std::map<std::string, const TomlEntry*> entries_;

@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(c.elastic.patchPitch, 1.6e-4);
     }
 
-    /// The profile is read where the files lie; a case elsewhere finds it by its path.
+    /// The profile is read where the files lie; a case elsewhere finds it by its path, if that is allowed.
     void trackProfile()
     {
         put("wave.def", "0 0 1\n1e-4 1 2\n2e-4 0 1\n3e-4 -1 0\n0 5e-4\n");
@@ -129,7 +129,9 @@ private slots:
         QCOMPARE(joined(document.warnings), QByteArray());
         QCOMPARE(document.value.diskSurface.kind, DiskSurfaceKind::File);
         QVERIFY(fs::path(document.value.diskSurface.file).is_absolute());
-        QVERIFY(parseCase(document.text, "elsewhere.toml").valid());
+        QVERIFY(parseCase(document.text, "here.toml", path("")).valid());
+        QVERIFY(!parseCase(document.text, "elsewhere.toml").valid());
+        QVERIFY(parseCase(document.text, "elsewhere.toml", {}, OutsidePaths::Allowed).valid());
     }
     void trackProfileThatCannotBeRead()
     {

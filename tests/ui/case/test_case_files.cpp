@@ -10,11 +10,14 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case_files/case_file.h"
 #include "core/case_files/cml_case.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
@@ -38,6 +41,7 @@ private slots:
     void saysWhyAnExportFails();
     void knowsWhatCanBeDropped_data();
     void knowsWhatCanBeDropped();
+    void asksBeforeItReadsElsewhere();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -169,6 +173,42 @@ void TestCaseFiles::knowsWhatCanBeDropped()
     QFETCH(const bool, accepted);
     files_->exportTo(path(QStringLiteral("slider")));
     QCOMPARE(CaseFiles::isCaseFile(QDir::cleanPath(path(name))), accepted);
+}
+
+// The person's answer holds until the program ends; no is the default.
+void TestCaseFiles::asksBeforeItReadsElsewhere()
+{
+    const QString surface = path(QStringLiteral("track.txt")), file = path(QStringLiteral("case/mine.toml"));
+    QVERIFY(QDir(folder_->path()).mkdir(QStringLiteral("case")));
+    QCOMPARE(writeCaseFile(surface.toStdString(), "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n"), std::string());
+    QCOMPARE(writeCaseFile(file.toStdString(), "model = \"contact\"\n[disk.surface]\nkind = \"file\"\n"
+                                               "motion = \"still\"\nfile = \"../track.txt\"\n"),
+             std::string());
+    const auto question = [&] {
+        QPointer<QMessageBox> box = window_->findChild<QMessageBox*>(QStringLiteral("outsideFiles"));
+        return box;
+    };
+    const auto answer = [&](QMessageBox::StandardButton button) {
+        QPointer<QMessageBox> box = question();
+        box->button(button)->click();
+        QCoreApplication::sendPostedEvents(box, QEvent::DeferredDelete);
+    };
+    QSignalSpy opened(files_, &CaseFiles::opened);
+    QVERIFY(!files_->openNow(file));
+    QVERIFY(question() && question()->text().contains(QStringLiteral("../track.txt")));
+    QCOMPARE(question()->defaultButton(), question()->button(QMessageBox::No));
+    answer(QMessageBox::No);
+    QCOMPARE(opened.count(), 0);
+    QVERIFY(!files_->openNow(file));
+    answer(QMessageBox::Yes);
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(files_->file(), file);
+    QCOMPARE(edits_->value().diskSurface.file, std::string("../track.txt"));
+    QVERIFY(files_->openNow(file)); // asked once
+    QVERIFY(!question());
+    // What is saved over it still names the file.
+    files_->save();
+    QVERIFY(files_->text().find("../track.txt") != std::string::npos);
 }
 
 TOUCHDOWN_TEST(TestCaseFiles)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/height_map_hdf5.h"
+#include "core/formats/surfaces/height_map_hdf5.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +10,11 @@
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
 #include "core/formats/hdf5_file.h"
-#include "core/formats/height_map_builder.h"
-#include "core/formats/map_holes.h"
+#include "core/formats/hdf5_inspection.h"
 #include "core/formats/quotation.h"
-#include "core/formats/surface_units.h"
+#include "core/formats/surfaces/height_map_builder.h"
+#include "core/formats/surfaces/map_holes.h"
+#include "core/formats/surfaces/surface_units.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
@@ -81,11 +82,15 @@ double numberOr(const Hdf5Dataset& dataset, const char* attribute, double otherw
     return given.empty() ? otherwise : given.front();
 }
 
+Hdf5Dataset openDataset(const Hdf5Group& file, const std::string& name)
+{
+    if (file.has(name)) return openForeignDataset(file, name);
+    throw CmlError(0, "has no dataset \"" + name + "\"; a profile needs x and height, a map x, y and height");
+}
+
 Dataset readDataset(const Hdf5Group& file, const std::string& name, double byKey)
 {
-    if (!file.has(name))
-        throw CmlError(0, "has no dataset \"" + name + "\"; a profile needs x and height, a map x, y and height");
-    const Hdf5Dataset dataset = file.get(name);
+    const Hdf5Dataset dataset = openDataset(file, name);
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
     if (const auto kind = H5Tget_class(type); kind != H5T_FLOAT && kind != H5T_INTEGER)
         throw CmlError(0, "dataset \"" + name + "\" must hold numbers");
@@ -132,10 +137,10 @@ HeightMap readHeightMapHdf5(const std::filesystem::path& path, const ColumnUnits
     const Hdf5Access access;
     try {
         const Hdf5Group file = openHdf5File(path);
-        const bool isMap = file.has("height") && file.get("height").shape().size() != 1;
+        const std::vector<hsize_t> found = openDataset(file, "height").shape();
+        const bool isMap = found.size() != 1;
         const ColumnUnits given = unitsOfKey(key, isMap ? 3 : 2);
         const auto unit = [&](std::size_t column) { return given.empty() ? 0.0 : given[column]; };
-        Dataset height = readDataset(file, "height", unit(isMap ? 2 : 1));
         const auto [x, turnedX] = axisOf(readDataset(file, "x", unit(0)), "x");
         MapAxis y{1, 0.0, x.step};
         bool turnedY = false;
@@ -146,9 +151,10 @@ HeightMap readHeightMapHdf5(const std::filesystem::path& path, const ColumnUnits
             turnedY = across.descends;
             shape.insert(shape.begin(), y.points);
         }
-        if (height.shape != shape)
-            throw CmlError(0, "dataset \"height\" is " + shapeText(height.shape) + "; x and y ask for " +
-                                  shapeText(shape) + " points (y before x)");
+        if (found != shape)
+            throw CmlError(0, "dataset \"height\" is " + shapeText(found) + "; x and y ask for " + shapeText(shape) +
+                                  " points (y before x)");
+        Dataset height = readDataset(file, "height", unit(isMap ? 2 : 1));
         const auto row = [&](std::size_t j) {
             return height.values.begin() + static_cast<std::ptrdiff_t>(j * x.points);
         };

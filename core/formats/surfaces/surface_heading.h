@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/formats/map_table.h"
+#include "core/formats/surfaces/map_table.h"
 
 namespace touchdown {
 

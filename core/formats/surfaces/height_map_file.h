@@ -13,17 +13,18 @@
 //                    a matrix        of heights, the first line at y = 0, after comments with its size and unit:
 //                                    "# Width: 10 um", "# Height: 5 um", "# Value units: nm" (as Gwyddion writes)
 //                  Lines that begin with #, %, ! or // are comments; headings may precede the first number. Columns and
-//                  decimal commas: core/formats/map_table.h.
+//                  decimal commas: core/formats/surfaces/map_table.h.
 //
 // Lengths have units. A heading or comment names one for each column, "x [um]  h [nm]", "x in um, h in nm",
-// "x_um,h_nm", "um;nm" (core/formats/surface_units.h), or the case gives them as disk.surface.unit; where both do, they
-// are the same. Without units a file is refused, and so is a heading with fewer units than columns or with a unit that
-// is no length.
+// "x_um,h_nm", "um;nm" (core/formats/surfaces/surface_units.h), or the case gives them as disk.surface.unit; where both
+// do, they are the same. Without units a file is refused, and so is a heading with fewer units than columns or with a
+// unit that is no length.
 //
 // The steps of x and y are equal; the lowest x and y lie at x = y = 0 of the disk. A map has no holes: every number is
-// finite, every line complete, and no height is a mark of a missing point (core/formats/map_holes.h). A file holds one
-// profile or one channel. An index column is left out where its heading names it (core/formats/surface_heading.h). A
-// last row or column that repeats the first one closes the map (see core/physics/disk/height_map.h).
+// finite, every line complete, and no height is a mark of a missing point (core/formats/surfaces/map_holes.h). A file
+// holds one profile or one channel. An index column is left out where its heading names it
+// (core/formats/surfaces/surface_heading.h). A last row or column that repeats the first one closes the map (see
+// core/physics/disk/height_map.h).
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One profile and one map as instruments and people write them: read right within 0.5 %, or refused with the line.
-#include "core/formats/height_map_file.h"
+#include "core/formats/surfaces/height_map_file.h"
 
 #include <QTest>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/surface_units.h"
+#include "core/formats/surfaces/surface_units.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "core/formats/cml_text.h"
-#include "core/formats/map_table.h"
 #include "core/formats/quotation.h"
+#include "core/formats/surfaces/map_table.h"
 #include "core/formats/words.h"
 
 namespace touchdown {

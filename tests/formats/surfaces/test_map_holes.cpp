@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/map_holes.h"
+#include "core/formats/surfaces/map_holes.h"
 
 #include <QTest>
 

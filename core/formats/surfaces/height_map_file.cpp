@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/height_map_file.h"
+#include "core/formats/surfaces/height_map_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <utility>
 #include <variant>
 
 #include "core/formats/cml_text.h"
-#include "core/formats/height_map_builder.h"
-#include "core/formats/height_map_hdf5.h"
-#include "core/formats/map_holes.h"
-#include "core/formats/map_table.h"
 #include "core/formats/quotation.h"
-#include "core/formats/surface_heading.h"
+#include "core/formats/reader_process.h"
+#include "core/formats/surfaces/height_map_builder.h"
+#include "core/formats/surfaces/height_map_hdf5.h"
+#include "core/formats/surfaces/map_holes.h"
+#include "core/formats/surfaces/map_table.h"
+#include "core/formats/surfaces/surface_heading.h"
 #include "core/formats/text_encoding.h"
 #include "core/formats/text_file.h"
 #include "core/formats/words.h"
@@ -186,6 +188,30 @@ HeightMap mapOf(MapTable table, const std::string& name, const ColumnUnits& key)
             "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
 }
 
+bool isMap(const HeightMap& map)
+{
+    const auto finite = [](double v) { return std::isfinite(v); };
+    return map.nx > 0 && map.ny > 0 && finite(map.dx) && map.dx > 0.0 && finite(map.dy) &&
+           map.heights.size() == static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny) &&
+           std::ranges::all_of(map.heights, finite);
+}
+
+/// By a process of its own, which reads it with readHeightMapHdf5.
+HeightMap mapByReader(const fs::path& file, const std::string& unit)
+{
+    std::string problem = notRegularFile(file);
+    if (!problem.empty()) throw CmlError(0, problem);
+    HeightMap map;
+    try {
+        readAnswer({"surface", file, unit}, problem, map);
+    } catch (const ReaderFailure& failure) {
+        throw CmlError(0, failure.what());
+    }
+    if (!problem.empty()) throw CmlError(0, problem);
+    if (!isMap(map)) throw CmlError(0, "is damaged: what was read from it is no map");
+    return map;
+}
+
 HeightMapDocument readBy(const std::string& name, const std::string& unit,
                          const std::function<HeightMap(const ColumnUnits&)>& read)
 {
@@ -219,15 +245,9 @@ HeightMapDocument readHeightMap(const fs::path& file, const std::string& name, c
 {
     const std::string ending = endingOf(file.string());
     if (ending == ".h5" || ending == ".hdf5")
-        return readBy(name, unit, [&](const ColumnUnits& key) { return readHeightMapHdf5(file, key); });
+        return readBy(name, unit, [&](const ColumnUnits&) { return mapByReader(file, unit); });
     HeightMapDocument document;
-    std::error_code error;
-    if (const auto size = fs::file_size(file, error);
-        !error && fs::is_regular_file(file, error) && size > largestFile) {
-        document.problems.push_back({name, 0, "", "is larger than 1 GiB; a surface is read from at most that"});
-        return document;
-    }
-    auto text = readTextFile(file, largestFile);
+    auto text = readTextFile(file, largestFile, FileContent::Text);
     if (const auto* problem = std::get_if<FileProblem>(&text)) {
         document.problems.push_back({name, 0, "", problem->message});
         return document;

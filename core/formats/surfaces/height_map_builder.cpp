@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/height_map_builder.h"
+#include "core/formats/surfaces/height_map_builder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/surface_units.h"
+#include "core/formats/surfaces/surface_units.h"
 
 #include <QTest>
 

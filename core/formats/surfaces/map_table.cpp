@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/map_table.h"
+#include "core/formats/surfaces/map_table.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,6 +16,8 @@ namespace {
 constexpr std::string_view cellEnds = " \t,;\v\f";
 constexpr std::string_view aroundCells = " \t\v\f\"'";
 constexpr std::string_view digits = "0123456789";
+constexpr std::size_t longestTableLine = 1 << 24;   // [byte]; room for a million numbers
+constexpr std::size_t mostBetweenNumbers = 1 << 26; // headings, comments and empty lines [byte]
 
 bool isComment(std::string_view line)
 {
@@ -128,7 +130,8 @@ private:
             if (c == '"') quoted = !quoted;
             if (c == '.') point_ = true;
             if (c == ';' && !quoted) semicolon_ = true;
-            if ((c == ' ' || c == '\t') && !quoted) blank_ = blank_ || dividesNumbers(text, i);
+            const bool first = i == 0 || (text[i - 1] != ' ' && text[i - 1] != '\t'); // of several blanks
+            if ((c == ' ' || c == '\t') && !quoted && first) blank_ = blank_ || dividesNumbers(text, i);
             if (c != ',') continue;
             const bool before = i > 0 && isDigitAt(i - 1), after = isDigitAt(i + 1);
             const char left = i > 0 ? text[i - 1] : ' ';
@@ -218,11 +221,16 @@ bool mayBePairs(const std::vector<std::string_view>& cells)
 std::vector<Row> findRows(std::string_view text, MapTable& table)
 {
     std::vector<Row> rows;
+    std::size_t between = 0;
     for (CmlText reader(text); !reader.atEnd();) {
         const int number = reader.line();
         const std::string_view whole = reader.takeLine();
+        if (whole.size() > longestTableLine) throw CmlError(number, "is longer than 16 MiB, the most of a line");
         const std::string_view line = trimmed(whole, " \t\v\f");
         const bool comment = isComment(line);
+        if (line.empty() || comment || rows.empty()) between += whole.size() + 16;
+        if (between > mostBetweenNumbers)
+            throw CmlError(number, "more than 64 MiB of headings, comments and empty lines are here or before");
         if (!rows.empty() && (line.empty() || comment)) {
             if (!line.empty() || table.breaks.empty() || table.breaks.back().row != rows.size())
                 table.breaks.push_back({rows.size(), {std::string(line), number, comment}});
@@ -234,6 +242,8 @@ std::vector<Row> findRows(std::string_view text, MapTable& table)
                 throw CmlError(number, "a line of numbers is needed, not " + inQuotes(first) +
                                            "; one profile or one channel is read from a file, no second one");
             rows.push_back({line, number});
+            if (rows.size() > static_cast<std::size_t>(mostMapPoints))
+                throw CmlError(number, "there are too many points; at most 64 million can be read");
         }
     }
     return rows;

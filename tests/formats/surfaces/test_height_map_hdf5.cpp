@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/height_map_hdf5.h"
+#include "core/formats/surfaces/height_map_hdf5.h"
 
 #include <QTemporaryDir>
 #include <QTest>

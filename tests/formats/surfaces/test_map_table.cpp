@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/map_table.h"
+#include "core/formats/surfaces/map_table.h"
 
 #include <QTest>
 
@@ -51,6 +51,26 @@ private slots:
         const MapTable table = readMapTable(text.toStdString());
         QCOMPARE(table.columns, static_cast<std::size_t>(columns));
         QCOMPARE(table.numbers, numbers);
+    }
+    // What is no table is refused before it fills the memory, and a line of a million blanks is read once.
+    void sizesAreLimited()
+    {
+        const auto problem = [](const std::string& text) -> std::string {
+            try {
+                readMapTable(text);
+            } catch (const CmlError& error) {
+                return error.what();
+            }
+            return {};
+        };
+        QCOMPARE(problem("0 1\n" + std::string(17 << 20, '1') + " 2\n"),
+                 std::string("is longer than 16 MiB, the most of a line"));
+        std::string comments;
+        const std::string line = "#" + std::string(1 << 20, ' ') + "\n";
+        for (int i = 0; i < 64; ++i) comments += line;
+        QCOMPARE(problem(comments + "0 1\n"),
+                 std::string("more than 64 MiB of headings, comments and empty lines are here or before"));
+        QCOMPARE(problem("1" + std::string(1'000'000, ' ') + ";2\n"), std::string());
     }
     void theRestIsKept()
     {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/height_map_file.h"
+#include "core/formats/surfaces/height_map_file.h"
+
+#include <sys/resource.h>
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -218,6 +220,24 @@ private slots:
                     QCOMPARE(map.heights.size(), static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny));
                     for (const double h : map.heights) QVERIFY(std::isfinite(h));
                 }
+    }
+
+    // Of 1 GiB, the first 64 KiB tell that it is no text.
+    void aGigabyteOfZerosIsNotRead()
+    {
+        const QTemporaryDir folder;
+        const std::filesystem::path file = folder.filePath("zeros.txt").toStdString();
+        QCOMPARE(writeTextFile(file, "x"), std::string());
+        std::filesystem::resize_file(file, std::uintmax_t(1) << 30);
+        const auto memory = [] {
+            rusage used{};
+            getrusage(RUSAGE_SELF, &used);
+            return used.ru_maxrss; // [KiB]
+        };
+        const long before = memory();
+        QCOMPARE(problemsOf(readHeightMap(file, "zeros.txt")),
+                 std::string("zeros.txt: holds bytes that no text holds; it may be a binary file"));
+        QVERIFY2(memory() - before < 20'000, qPrintable(QString::number(memory() - before)));
     }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/surface_heading.h"
+#include "core/formats/surfaces/surface_heading.h"
 
 #include <QTest>
 

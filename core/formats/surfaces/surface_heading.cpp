@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/formats/surface_heading.h"
+#include "core/formats/surfaces/surface_heading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "core/formats/cml_text.h"
 #include "core/formats/quotation.h"
-#include "core/formats/surface_units.h"
+#include "core/formats/surfaces/surface_units.h"
 #include "core/formats/words.h"
 
 namespace touchdown {

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is read from results files and maps, for core/formats/passed_values.h.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <type_traits>
+
+#include "core/formats/passed_values.h"
+#include "core/results/results_reader.h"
+#include "core/results/steady_reader.h"
+
+namespace touchdown {
+
+void pass(auto& stream, Passed<Quantity> auto& quantity)
+{
+    stream(quantity.name, quantity.unit, quantity.displayUnit, quantity.longName);
+}
+
+void pass(auto& stream, Passed<CellGrid> auto& grid) { stream(grid.x, grid.y); }
+
+void pass(auto& stream, Passed<RecordedFields> auto& set) { stream(set.group, set.grid, set.quantities); }
+
+void pass(auto& stream, Passed<FieldSnapshot> auto& snapshot) { stream(snapshot.time, snapshot.set, snapshot.values); }
+
+void pass(auto& stream, Passed<SampleBatch> auto& samples) { stream(samples.time, samples.columns); }
+
+void pass(auto& stream, Passed<StoredRun> auto& run)
+{
+    stream(run.problem, run.title, run.status, run.message, run.caseText, run.softwareVersion, run.date, run.quantities,
+           run.samples, run.recorded, run.fields);
+}
+
+void pass(auto& stream, Passed<Sensitivity> auto& each)
+{
+    stream(each.parameter, each.unit, each.height, each.pitch, each.roll, each.minimumSpacing);
+}
+
+void pass(auto& stream, Passed<std::optional<Matrix3>> auto& matrix)
+{
+    bool present = matrix.has_value();
+    std::array<double, 9> numbers{};
+    if (present) std::copy_n(matrix->data(), numbers.size(), numbers.begin());
+    stream(present, numbers);
+    if constexpr (!std::is_const_v<std::remove_reference_t<decltype(matrix)>>)
+        if (present) matrix.emplace(numbers.data());
+}
+
+void pass(auto& stream, Passed<SteadyResult> auto& state)
+{
+    stream(state.status, state.message, state.iterations, state.solves, state.wallSeconds, state.residual,
+           state.loadError, state.attitude, state.minimumSpacing, state.minimumAt, state.forces, state.shearPitchTorque,
+           state.shearRollTorque, state.stiffness, state.sensitivities, state.discretisationError,
+           state.unresolvedRidges, state.interestSpacing, state.otherEquilibria, state.grid, state.pressure, state.gap,
+           state.recess);
+}
+
+void pass(auto& stream, Passed<StoredSteady> auto& stored)
+{
+    stream(stored.problem, stored.title, stored.caseText, stored.states);
+}
+
+} // namespace touchdown
