@@ -31,6 +31,7 @@ struct Arguments {
     QString pictures; // folder
     QString size;
     QString theme;
+    bool fresh = false;
 };
 
 /// Ends the program for --help, --version and wrong arguments; needs no display.
@@ -57,7 +58,8 @@ Arguments parse(int argc, char** argv)
           "kind"},
          {"pictures", "Folder for the charts of --study.", "folder"},
          {"size", "Size of the window for pictures, as 1600x1000.", "size", "1600x1000"},
-         {"theme", "light, dark or system.", "name"}});
+         {"theme", "light, dark or system.", "name"},
+         {"fresh", "Starts with the default case and the default arrangement, whatever the last session was."}});
 
     const auto fail = [](const QString& sentence) {
         std::cerr << "touchdown-workbench: " << sentence.toStdString() << "\nSee touchdown-workbench --help.\n";
@@ -82,7 +84,8 @@ Arguments parse(int argc, char** argv)
                               .study = parser.value("study"),
                               .pictures = parser.value("pictures"),
                               .size = parser.value("size"),
-                              .theme = parser.value("theme")};
+                              .theme = parser.value("theme"),
+                              .fresh = parser.isSet("fresh")};
     if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
         fail(QString("--theme is light, dark or system, not \"%1\".").arg(arguments.theme));
     if (arguments.study.isEmpty() != arguments.pictures.isEmpty())
@@ -160,12 +163,14 @@ int main(int argc, char** argv)
 
     MainWindow window;
     // Pictures must not depend on the last session.
-    if (!pictures) window.restoreSession();
+    if (!pictures && !arguments.fresh) window.restoreArrangement();
     if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
 
     const QFileInfo info(arguments.file);
     if (!document.name.empty())
         window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
+    else if (arguments.fresh)
+        window.openCase(readCase(defaultCase), {});
     else
         window.openLastCase();
 
@@ -173,6 +178,7 @@ int main(int argc, char** argv)
     if (pictures)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
     window.show();
+    window.beginSession(arguments.file.isEmpty() && !arguments.fresh);
     if (isRun) window.openResults(arguments.file);
     if (arguments.run)
         QTimer::singleShot(0, &window, [&] { staticState ? window.solveStaticState() : window.startRun(); });
