@@ -42,7 +42,7 @@ void ClosingQuestion::ask(const UnsavedWork& work, bool kept)
     auto* box = new QMessageBox(QMessageBox::Question, tr("Close Touchdown"), tr("Not everything is saved."),
                                 QMessageBox::NoButton, &window_);
     box->setObjectName(QStringLiteral("closing"));
-    QString text = tr("Closing would end or leave behind:") + QStringLiteral("<ul>");
+    QString text = tr("Closing would stop or leave behind:") + QStringLiteral("<ul>");
     for (const QString& line : linesOf(work, parts_)) text += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
     text += QStringLiteral("</ul>");
     if (kept)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/session.h"
 
+#include <chrono>
+#include <thread>
 #include <utility>
 
 #include <QFile>
@@ -23,7 +25,9 @@ namespace touchdown {
 
 namespace {
 
-constexpr int restBeforeState = 300;                        // from an edit to its writing [ms]
+constexpr int restBeforeState = 100; // from an edit to its writing [ms]
+// A run that ends within this time has the processor to itself: its file is written afterwards.
+constexpr auto restBeforeFile = std::chrono::milliseconds(100);
 constexpr std::size_t mostPending = std::size_t(256) << 20; // that may wait for the disk [byte]
 constexpr auto budgetKey = "session/budget";
 
@@ -163,6 +167,7 @@ void Session::beginStream(RunRecord& run)
     results_.post(
         [stream = stream_, file = folder_->runFile(run.number).toStdString(), c = run.value, text = run.caseText,
          quantities = run.quantities, sets] {
+            std::this_thread::sleep_for(restBeforeFile);
             const std::string problem = stream->writer.open(file, c, text, quantities, sets);
             stream->broken = !problem.empty();
             return QString::fromStdString(problem);
