@@ -34,6 +34,7 @@ struct Arguments {
     QString pictures; // folder
     QString size;
     QString theme;
+    bool fresh = false;
 };
 
 /// Ends the program for --help, --version and wrong arguments; needs no display.
@@ -60,7 +61,8 @@ Arguments parse(int argc, char** argv)
           "kind"},
          {"pictures", "Folder for the charts of --study.", "folder"},
          {"size", "Size of the window for pictures, as 1600x1000.", "size", "1600x1000"},
-         {"theme", "light, dark or system.", "name"}});
+         {"theme", "light, dark or system.", "name"},
+         {"fresh", "Starts with the default case and the default arrangement, whatever the last session was."}});
 
     const auto fail = [](const QString& sentence) {
         touchdown::complain("touchdown-workbench: " + sentence.toStdString());
@@ -86,7 +88,8 @@ Arguments parse(int argc, char** argv)
                               .study = parser.value("study"),
                               .pictures = parser.value("pictures"),
                               .size = parser.value("size"),
-                              .theme = parser.value("theme")};
+                              .theme = parser.value("theme"),
+                              .fresh = parser.isSet("fresh")};
     for (const char* option : {"export", "screenshot", "study", "pictures"})
         if (parser.isSet(option) && parser.value(option).isEmpty())
             fail(QString("the value of --%1 is empty.").arg(option));
@@ -170,7 +173,7 @@ int main(int argc, char** argv)
 
     MainWindow window;
     // Pictures must not depend on the last session.
-    if (!pictures) window.restoreSession();
+    if (!pictures && !arguments.fresh) window.restoreArrangement();
     if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
 
     const QFileInfo info(arguments.file);
@@ -179,6 +182,8 @@ int main(int argc, char** argv)
         window.openFile(arguments.file); // asks
     } else if (!document.name.empty()) {
         window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
+    } else if (arguments.fresh) {
+        window.openCase(readCase(defaultCase, false), {});
     } else {
         window.openLastCase();
     }
@@ -187,6 +192,7 @@ int main(int argc, char** argv)
     if (pictures)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
     window.show();
+    window.beginSession(arguments.file.isEmpty() && !arguments.fresh);
     if (isRun) window.openResults(arguments.file);
     if (arguments.run && document.valid())
         QTimer::singleShot(0, &window, [&] { staticState ? window.solveStaticState() : window.startRun(); });

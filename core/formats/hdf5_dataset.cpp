@@ -158,6 +158,24 @@ std::string Hdf5Dataset::text() const
     });
 }
 
+bool Hdf5Dataset::holdsTexts() const { return H5Tget_class(Hdf5Handle(H5Dget_type(*this), H5Tclose)) == H5T_STRING; }
+
+std::vector<std::string> Hdf5Dataset::texts() const
+{
+    const Hdf5Handle type(H5Dget_type(*this), H5Tclose), space(H5Dget_space(*this), H5Sclose);
+    if (shape().size() != 1 || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) <= 0)
+        throw Hdf5Error("an array does not hold texts");
+    checkStored();
+    std::vector<char*> pointers(shape().front(), nullptr);
+    if (pointers.empty()) return {};
+    const Hdf5Handle memory = hdf5TextType();
+    checkHdf5(H5Dread(*this, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()));
+    std::vector<std::string> texts;
+    for (const char* pointer : pointers) texts.emplace_back(pointer ? pointer : "");
+    checkHdf5(H5Dvlen_reclaim(memory, space, H5P_DEFAULT, pointers.data()));
+    return texts;
+}
+
 void Hdf5Dataset::checkStored() const
 {
     constexpr hsize_t mostPacked = 1032; // what deflate makes of a byte, at most

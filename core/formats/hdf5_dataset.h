@@ -46,6 +46,9 @@ public:
 
     std::vector<hsize_t> shape() const;
     std::string text() const;
+    bool holdsTexts() const;
+    /// The texts of an array with one dimension.
+    std::vector<std::string> texts() const;
     /// Throws where a damaged header claims more numbers than are stored.
     void checkStored() const;
     /// All numbers, row by row, checked.

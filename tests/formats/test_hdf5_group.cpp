@@ -77,6 +77,21 @@ private slots:
         QCOMPARE(problem, std::string("another program has it open"));
     }
 
+    void texts()
+    {
+        const Hdf5Access access;
+        const Hdf5Group file = createHdf5File(path("texts.h5"));
+        const std::vector<std::string> texts{"µm", "", "a \"longer\" one\nof two lines"};
+        file.put("texts", texts);
+        file.put("none", std::vector<std::string>{});
+        file.put("numbers", std::vector<double>{1.0});
+        QCOMPARE(file.get("texts").texts(), texts);
+        QVERIFY(file.get("none").texts().empty());
+        QVERIFY(file.get("none").holdsTexts());
+        QVERIFY(!file.get("numbers").holdsTexts());
+        QVERIFY_EXCEPTION_THROWN(file.get("numbers").texts(), Hdf5Error);
+    }
+
     void table()
     {
         const Hdf5Access access;

@@ -52,6 +52,8 @@ public:
     /// nullptr when the entry was taken.
     const BadEntry* badEntry(const Parameter& parameter) const;
     bool anyBadEntry() const { return !state_.bad.empty(); }
+    /// By the key of the parameter.
+    const std::map<std::string, BadEntry>& badEntries() const { return state_.bad; }
     /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
     const std::vector<CaseProblem>& warnings() const { return warnings_; }

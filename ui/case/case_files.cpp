@@ -8,6 +8,7 @@
 #include <QSettings>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
@@ -198,14 +199,20 @@ void CaseFiles::save()
     if (file_.isEmpty())
         saveAs();
     else
-        write(file_);
+        writeAndTell(file_);
+}
+
+void CaseFiles::saveThen(const std::function<void()>& next)
+{
+    afterSave_ = next;
+    save();
 }
 
 void CaseFiles::saveAs()
 {
     const QFileDialog* dialog = openSaveDialog(&window_, tr("Save the case"), {tr("Case files (*.toml)")},
                                                file_.isEmpty() ? shortName() + QStringLiteral(".toml") : file_);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { write(file); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { writeAndTell(file); });
     connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
 }
 
@@ -226,8 +233,7 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
         const auto chosen = box->standardButton(button);
         if (chosen == QMessageBox::Discard) next();
         if (chosen != QMessageBox::Save) return;
-        afterSave_ = next;
-        save();
+        saveThen(next);
     });
     box->open();
 }
@@ -247,20 +253,22 @@ QString CaseFiles::shortName() const
 
 std::string CaseFiles::text() const { return modified() ? updateCaseText(text_, edits_.value(), folder_) : text_; }
 
-bool CaseFiles::write(const QString& file)
+void CaseFiles::writeAndTell(const QString& file)
 {
     const std::function<void()> next = std::exchange(afterSave_, nullptr);
-    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) {
-        showProblems(tr("The case was not saved."), {reason});
-        return false;
-    }
+    if (const QString problem = write(file); !problem.isEmpty())
+        showProblems(tr("The case was not saved."), {problem});
+    else if (next)
+        next();
+}
+
+QString CaseFiles::write(const QString& file)
+{
+    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) return reason;
     const std::filesystem::path folder = pathOf(QFileInfo(file).absolutePath());
     const std::string text = updateCaseText(text_, edits_.value(), folder);
     const std::string problem = writeCaseFile(pathOf(file), text);
-    if (!problem.empty()) {
-        showProblems(tr("The case was not saved."), {QString::fromStdString(problem)});
-        return false;
-    }
+    if (!problem.empty()) return QString::fromStdString(problem);
     file_ = QFileInfo(file).absoluteFilePath();
     sample_.clear();
     imported_.clear();
@@ -270,8 +278,40 @@ bool CaseFiles::write(const QString& file)
     edits_.undoStack().setClean();
     remember(file_);
     emit saved();
-    if (next) next();
-    return true;
+    return {};
+}
+
+CaseState CaseFiles::state() const
+{
+    CaseState state;
+    state.name = shortName();
+    state.file = file_;
+    state.sample = sample_;
+    state.import = imported_;
+    state.folder = QString::fromStdString(folder_.string());
+    state.savedText = QString::fromStdString(text_);
+    state.text = QString::fromStdString(text());
+    state.modified = modified();
+    for (const auto& [key, entry] : edits_.badEntries()) state.entries[QString::fromStdString(key)] = entry.text;
+    return state;
+}
+
+void CaseFiles::restore(const CaseState& state)
+{
+    file_ = state.file;
+    sample_ = state.sample;
+    imported_ = state.import;
+    folder_ = pathOf(state.folder);
+    text_ = state.savedText.toStdString();
+    saved_ = parseCase(text_, state.name.toStdString(), folder_).value;
+    edits_.open(saved_);
+    emit opened();
+    if (!state.modified) return;
+    // A case with values that contradict each other was edited as well.
+    const Case edited = parseCase(state.text.toStdString(), state.name.toStdString(), folder_).value;
+    if (edited != saved_) edits_.setAll(edited, tr("restore the edits"));
+    for (const auto& [key, text] : state.entries)
+        if (const Parameter* parameter = findParameter(key.toStdString())) edits_.enter(*parameter, text);
 }
 
 QStringList CaseFiles::recent() const { return QSettings().value(recentKey).toStringList(); }

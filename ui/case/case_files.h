@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 
 #include <QSet>
 #include <QWidget>
@@ -17,6 +18,17 @@ namespace touchdown {
 
 struct CaseDocument;
 struct CaseSetting;
+
+/// All that is needed to edit the case further in another window; undo excepted.
+struct CaseState {
+    QString name;                 // as shortName()
+    QString file, sample, import; // where it comes from
+    QString folder;               // of the files that it names
+    QString savedText;            // as opened or saved
+    QString text;                 // with its edits
+    bool modified = false;
+    std::map<QString, QString> entries; // typed for parameters and not taken, by key
+};
 
 class CaseFiles : public QObject {
     Q_OBJECT
@@ -45,6 +57,14 @@ public:
     void exportTo(const QString& path);
     void save();
     void saveAs();
+    /// As save(); then calls `next`, unless the user chooses no file or it cannot be written.
+    void saveThen(const std::function<void()>& next);
+    /// Writes to a file, which is the case's from then on. Returns "" or the problem in a sentence.
+    QString write(const QString& file);
+
+    CaseState state() const;
+    /// A case from another window, with its edits as one step of undo.
+    void restore(const CaseState& state);
 
     /// Asks about unsaved changes, if there are any; calls `next` unless the user cancels.
     void whenSettled(const std::function<void()>& next);
@@ -76,7 +96,7 @@ private:
     /// Asks whether a case may read files outside its folder; on yes opens it.
     void askForOutsideFiles(const QString& file, const std::vector<std::string>& outside);
     void askForFile(const QString& title, const QString& filter);
-    bool write(const QString& file);
+    void writeAndTell(const QString& file);
     void remember(const QString& file);
     void showProblems(const QString& what, const QStringList& problems);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/solution_files.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include <QDir>
 
@@ -14,6 +16,7 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/translate.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -22,7 +25,7 @@ namespace {
 /// Why a solution cannot be saved; empty if it can.
 QString reasonNotToSave(const SolutionRecord& solution)
 {
-    if (!solution.fieldsDropped) return {};
+    if (!solution.fieldsDropped || !solution.kept.isEmpty()) return {};
     return tr("The fields of solution %1 were given up to save memory; solve it again before saving it.")
         .arg(solution.number);
 }
@@ -32,6 +35,7 @@ QString reasonNotToSave(const SolutionRecord& solution)
 QString saveSolution(const SolutionRecord& solution, const QString& file)
 {
     if (const QString reason = reasonNotToSave(solution); !reason.isEmpty()) return reason;
+    if (solution.fieldsDropped) return copyWholeFile(solution.kept, file);
     const SteadyResult& state = solution.result;
     SteadyWriter writer;
     const Case c = withoutSeries(solution.value);
@@ -39,6 +43,33 @@ QString saveSolution(const SolutionRecord& solution, const QString& file)
     if (problem.empty()) problem = writer.add(seriesOf(c).front(), state);
     if (problem.empty()) problem = writer.finish(state.status, state.message);
     return QString::fromStdString(problem);
+}
+
+std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem)
+{
+    const StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
+    problem = sentence(stored.problem);
+    if (!stored.problem.empty()) return {};
+    CaseDocument document = parseCase(stored.caseText, file.toStdString());
+    // A stored state is shown without the surface of its disk.
+    if (!document.outsideFiles.empty())
+        std::erase_if(document.problems, [](const InputProblem& each) { return each.key == surfaceFileKey; });
+    if (!document.valid()) {
+        problem = tr("The case in %1 cannot be read: %2")
+                      .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text()));
+        return {};
+    }
+    const std::vector<SteadySeriesPoint> points = seriesOf(document.value);
+    std::vector<std::pair<Case, const SteadyResult*>> shown;
+    for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
+        if (!stored.states[i].pressure.empty())
+            shown.emplace_back(caseAt(document.value, points[i]), &stored.states[i]);
+    std::vector<int> numbers;
+    for (const auto& [c, state] : shown)
+        numbers.push_back(solutions.add(c, *state, file, state == shown.back().second));
+    if (numbers.empty())
+        problem = tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file));
+    return numbers;
 }
 
 SolutionFiles::SolutionFiles(SolutionsModel& solutions, QWidget& window)
@@ -70,35 +101,17 @@ void SolutionFiles::chooseSave(int number)
 
 void SolutionFiles::open(const QString& file)
 {
-    const StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
-    if (!stored.problem.empty()) {
-        emit failed(sentence(stored.problem));
+    QString problem;
+    const std::vector<int> added = addSolutions(solutions_, file, problem);
+    if (added.empty()) {
+        emit failed(problem);
         return;
     }
-    CaseDocument document = parseCase(stored.caseText, file.toStdString());
-    // A stored state is shown without the surface of its disk.
-    if (!document.outsideFiles.empty())
-        std::erase_if(document.problems, [](const InputProblem& each) { return each.key == surfaceFileKey; });
-    if (!document.valid()) {
-        emit failed(tr("The case in %1 cannot be read: %2")
-                        .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text())));
-        return;
-    }
-    const std::vector<SteadySeriesPoint> points = seriesOf(document.value);
     QStringList numbers;
-    std::vector<std::pair<Case, const SteadyResult*>> shown;
-    for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
-        if (!stored.states[i].pressure.empty())
-            shown.emplace_back(caseAt(document.value, points[i]), &stored.states[i]);
-    for (const auto& [c, state] : shown) // the last one is chosen
-        numbers << QString::number(solutions_.add(c, *state, file, state == shown.back().second));
-    if (!numbers.isEmpty()) emit opened(numbers.back().toInt());
-    if (numbers.isEmpty())
-        emit failed(tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file)));
-    else
-        emit succeeded(tr("Read from %1: solutions %2.")
-                           .arg(QDir::toNativeSeparators(file))
-                           .arg(numbers.join(QStringLiteral(", "))));
+    for (const int number : added) numbers << QString::number(number);
+    emit opened(added.back());
+    emit succeeded(
+        tr("Read from %1: solutions %2.").arg(QDir::toNativeSeparators(file)).arg(numbers.join(QStringLiteral(", "))));
 }
 
 } // namespace touchdown

@@ -3,6 +3,8 @@
 // Static solutions to and from files (core/results/steady_writer.h), by dialogs that leave the window alive.
 #pragma once
 
+#include <vector>
+
 #include <QObject>
 #include <QString>
 #include <QWidget>
@@ -15,6 +17,10 @@ struct SolutionRecord;
 /// "" or the problem in a sentence.
 QString saveSolution(const SolutionRecord& solution, const QString& file);
 
+/// Adds every state of a file that has a field, with the case of that state; the last one is chosen. Returns their
+/// numbers; none with `problem` set.
+std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem);
+
 class SolutionFiles : public QObject {
     Q_OBJECT
 
@@ -23,7 +29,7 @@ public:
     SolutionFiles(SolutionsModel& solutions, QWidget& window);
 
     void chooseSave(int number);
-    /// Adds every state of the file that has a field, with the case of that state.
+    /// See addSolutions.
     void open(const QString& file);
 
 signals:

@@ -76,11 +76,6 @@ void SolutionsModel::dropFields()
         }
 }
 
-void SolutionsModel::setFile(int number, const QString& file)
-{
-    if (const int row = rowOf(number); row >= 0) changeable(row).file = file;
-}
-
 const SolutionRecord* SolutionsModel::find(int number) const
 {
     const int row = rowOf(number);

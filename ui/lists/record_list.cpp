@@ -83,6 +83,19 @@ void RecordList::remove(int row)
     if (row < count()) emit dataChanged(index(row), index(row), {ChangesRole});
 }
 
+void RecordList::setFile(int number, const QString& file)
+{
+    const int row = rowOf(number);
+    if (row < 0) return;
+    changeable(row).file = file;
+    emit dataChanged(index(row), index(row), {Qt::ToolTipRole});
+}
+
+void RecordList::setKept(int number, const QString& file)
+{
+    if (const int row = rowOf(number); row >= 0) changeable(row).kept = file;
+}
+
 int RecordList::rowOf(int number) const
 {
     const auto found = std::ranges::find(records_, number, [](const auto& record) { return record->number; });

@@ -20,7 +20,8 @@ struct ListedRecord {
     QString name;
     Case value; // that was calculated
     QString note;
-    QString file;      // it was read from, or written to
+    QString file;      // of the user: it was read from, or written to
+    QString kept;      // the whole of it in the folder of the session; empty: not there
     bool shown = true; // beside others: in the plots, in the comparison
 
     virtual ~ListedRecord() = default;
@@ -51,6 +52,8 @@ public:
     int nextNumber() const { return nextNumber_; }
     /// Not a record that is still calculated.
     void remove(int row);
+    void setFile(int number, const QString& file);
+    void setKept(int number, const QString& file);
 
     int count() const { return static_cast<int>(records_.size()); }
     const ListedRecord& listed(int row) const { return *records_[static_cast<std::size_t>(row)]; }

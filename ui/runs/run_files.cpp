@@ -26,13 +26,13 @@ void RunFiles::chooseSave(int number, bool csv)
     const QString hdf5 = tr("HDF5, all of the run (*.h5)");
     const QString table = tr("CSV, the time series (*.csv)");
     const QStringList filters = csv ? QStringList{table, hdf5} : QStringList{hdf5, table};
-    const QString suggestion = baseName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5"));
+    const QString suggestion = suggestedName(*run) + (csv ? QStringLiteral(".csv") : QStringLiteral(".h5"));
     askAndSave(&window_, tr("Save run %1").arg(number), filters, suggestion, [this, number](const QString& file) {
-        RunRecord* chosen = runs_.find(number);
+        const RunRecord* chosen = runs_.find(number);
         if (!chosen) return QString();
         const bool asCsv = QFileInfo(file).suffix().compare(QLatin1String("csv"), Qt::CaseInsensitive) == 0;
         const QString problem = asCsv ? saveTimeSeries(*chosen, file) : saveHdf5(*chosen, file);
-        if (problem.isEmpty() && !asCsv) chosen->file = file;
+        if (problem.isEmpty() && !asCsv) runs_.setFile(number, file);
         return reported(problem, file);
     });
 }
@@ -85,7 +85,7 @@ QString RunFiles::reported(const QString& problem, const QString& file)
     return {};
 }
 
-QString RunFiles::baseName(const RunRecord& run) const
+QString suggestedName(const RunRecord& run)
 {
     QString name = run.name.left(40).toLower();
     name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));

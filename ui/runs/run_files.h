@@ -12,6 +12,9 @@ namespace touchdown {
 class RunsModel;
 struct RunRecord;
 
+/// For a file of a run, without its ending: "run3-2-dof-slider".
+QString suggestedName(const RunRecord& run);
+
 class RunFiles : public QObject {
     Q_OBJECT
 
@@ -36,7 +39,6 @@ private:
     void openRun(const QString& file);
     /// Emits `succeeded` or `failed`. Returns no problem: the dialog has nothing to show.
     QString reported(const QString& problem, const QString& file);
-    QString baseName(const RunRecord& run) const;
 
     RunsModel& runs_;
     QWidget& page_;

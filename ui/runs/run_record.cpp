@@ -14,6 +14,7 @@
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "ui/style/translate.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -124,8 +125,8 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     Summary summary;
     summary.status = statusFromName(stored.status);
     summary.message = stored.message;
-    if (stored.status == "interrupted")
-        summary.message = tr("The program that wrote this run was interrupted.").toStdString();
+    record->interrupted = stored.status == "interrupted";
+    if (record->interrupted) summary.message = tr("The program that wrote this run was interrupted.").toStdString();
     summary.endTime = record->lastTime();
     for (const Quantity& quantity : stored.quantities)
         if (const std::optional<double> last = record->last(quantity.name))
@@ -136,7 +137,8 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
 
 QString saveHdf5(const RunRecord& record, const QString& file)
 {
-    if (!record.complete() || !record.fieldsComplete()) return incompleteProblem(record);
+    if (!record.complete() || !record.fieldsComplete())
+        return record.kept.isEmpty() ? incompleteProblem(record) : copyWholeFile(record.kept, file);
     ResultsWriter writer(std::nullopt);
     std::vector<RecordedFields> sets;
     for (const FieldHistory& history : record.fields) sets.push_back(history.fields);

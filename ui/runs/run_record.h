@@ -68,6 +68,7 @@ struct RunRecord : ListedRecord {
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
+    bool interrupted = false; // read from a file whose writer was killed
 };
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.

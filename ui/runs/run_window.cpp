@@ -27,6 +27,7 @@ RunWindow::RunWindow(QWidget* parent)
 {
     connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
+    connect(&controller_, &RunController::recordingFailed, this, [this] { runs_.setFile(number_, {}); });
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
     connect(panel_, &RecordPanel::recordChosen, view_->maps(), &RunMaps::showRun);
     connect(panel_, &RecordPanel::recordChosen, view_->side(), &SideView::showRun);

@@ -29,6 +29,8 @@ public:
     RecordPanel* panel() const { return panel_; }
     CursorTable* values() const { return values_; }
     ProgressStrip* progress() const { return progress_; }
+    /// nullptr: none is.
+    RunRecord* runUnderWay() { return runs_.find(number_); }
 
     /// An active run ends, with its signals, before the new one is in the list.
     void start(RunRequest request);

@@ -53,6 +53,7 @@ QString RunsModel::result(int row) const
 {
     const RunRecord& run = record(row);
     if (!run.summary) return tr("running");
+    if (run.interrupted) return tr("interrupted");
     const QString status = statusText(name(run.summary->status));
     if (run.summary->status != RunStatus::Completed) return status;
     for (const RunFigure& figure : run.summary->figures)

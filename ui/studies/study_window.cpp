@@ -7,7 +7,9 @@
 #include <QDir>
 #include <QThread>
 
+#include "core/case_files/case_reader.h"
 #include "core/studies/study/study_file.h"
+#include "core/studies/study/study_file_reader.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/parameter_text.h"
 #include "ui/studies/study_editor.h"
@@ -16,6 +18,17 @@
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
+
+namespace {
+
+QString writeOutcome(const StudyOutcome& outcome, const QString& file)
+{
+    const StudyPlan& plan = outcome.plan;
+    return QString::fromStdString(
+        writeStudy(file.toStdString(), *outcome.report, plan.start.value, plan.start.text, plan.text));
+}
+
+} // namespace
 
 StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
     : QObject(parent),
@@ -51,8 +64,8 @@ bool StudyWindow::perform()
     const StudyPlan& plan = editor_->plan();
     if (!plan.valid() || !plan.perform) return false;
     performing_ = plan.kind;
-    Outcome& outcome = outcomes_[performing_] = {plan, {}};
-    controller_.start(outcome.plan.perform, std::max(1, QThread::idealThreadCount()));
+    StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0};
+    outcome.number = controller_.start(outcome.plan.perform, std::max(1, QThread::idealThreadCount()));
     show();
     emit started();
     return true;
@@ -91,16 +104,45 @@ void StudyWindow::updateStale()
     results_->setStale(now.text != then.text || !caseDifference(then.start.value, now.start.value).isEmpty());
 }
 
+const StudyOutcome* StudyWindow::outcome(const std::string& kind) const
+{
+    const auto found = outcomes_.find(kind);
+    return found == outcomes_.end() ? nullptr : &found->second;
+}
+
+void StudyWindow::restore(StoredStudy stored)
+{
+    const std::string kind = stored.report.kind;
+    StudyPlan plan;
+    plan.kind = kind;
+    plan.title = stored.report.title;
+    plan.text = std::move(stored.studyText);
+    plan.start = parseCase(std::move(stored.caseText), plan.title);
+    outcomes_[kind] = {std::move(plan), std::move(stored.report), {}, 0};
+    show();
+}
+
+QString StudyWindow::save(const std::string& kind, const QString& file)
+{
+    StudyOutcome& outcome = outcomes_.at(kind);
+    const QString problem = writeOutcome(outcome, file);
+    if (problem.isEmpty()) outcome.file = file;
+    return problem;
+}
+
 void StudyWindow::chooseSave()
 {
-    const Outcome outcome = outcomes_.at(shown_);
     askAndSave(results_, tr("Save the report"), {tr("HDF5, all of the report (*.h5)")},
-               QString::fromStdString(shown_) + QStringLiteral(".h5"), [this, outcome](const QString& file) {
-                   const StudyPlan& plan = outcome.plan;
-                   const std::string problem =
-                       writeStudy(file.toStdString(), *outcome.report, plan.start.value, plan.start.text, plan.text);
-                   if (problem.empty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-                   return QString::fromStdString(problem);
+               QString::fromStdString(shown_) + QStringLiteral(".h5"),
+               [this, kind = shown_, outcome = outcomes_.at(shown_)](const QString& file) {
+                   const QString problem = writeOutcome(outcome, file);
+                   if (!problem.isEmpty()) return problem;
+                   // A newer study of the kind may have begun while the dialog was open.
+                   if (const auto now = outcomes_.find(kind);
+                       now != outcomes_.end() && now->second.number == outcome.number)
+                       now->second.file = file;
+                   emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+                   return problem;
                });
 }
 

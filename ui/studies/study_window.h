@@ -17,7 +17,16 @@ namespace touchdown {
 class ProgressStrip;
 class StudyEditor;
 class StudyResults;
+struct StoredStudy;
 struct StudyCatalogue;
+
+/// What was performed, and what came of it.
+struct StudyOutcome {
+    StudyPlan plan;                    // as it was performed
+    std::optional<StudyReport> report; // none before the first result
+    QString file;                      // that the user saved the report to
+    int number = 0;                    // of the calculation; 0: it was restored
+};
 
 class StudyWindow : public QObject {
     Q_OBJECT
@@ -32,6 +41,16 @@ public:
 
     /// Performs the study in the editor; false if it has errors.
     bool perform();
+    bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
+
+    /// The latest of each kind.
+    const std::map<std::string, StudyOutcome>& outcomes() const { return outcomes_; }
+    /// nullptr: there is none.
+    const StudyOutcome* outcome(const std::string& kind) const;
+    /// Saves the report of a kind that has one. Returns "" or the problem in a sentence.
+    QString save(const std::string& kind, const QString& file);
+    /// A report that was read from a file, as if it had been performed here.
+    void restore(StoredStudy stored);
 
 signals:
     void started();
@@ -43,15 +62,9 @@ signals:
     void failed(const QString& problem);
 
 private:
-    struct Outcome {
-        StudyPlan plan;                    // as it was performed
-        std::optional<StudyReport> report; // none before the first result
-    };
-
     void onFinished(const StudyReport& report);
     /// The results of the chosen kind, if there are any.
     void show();
-    bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
     void updateStale();
     void chooseSave();
 
@@ -59,9 +72,9 @@ private:
     StudyEditor* editor_;
     StudyResults* results_;
     ProgressStrip* progress_;
-    std::map<std::string, Outcome> outcomes_; // the latest of each kind
-    std::string performing_;                  // the kind of the study under way, or of the last one
-    std::string shown_;                       // the kind on the page
+    std::map<std::string, StudyOutcome> outcomes_;
+    std::string performing_; // the kind of the study under way, or of the last one
+    std::string shown_;      // the kind on the page
 };
 
 } // namespace touchdown

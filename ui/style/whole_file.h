@@ -10,4 +10,7 @@ namespace touchdown {
 /// states the problem.
 [[nodiscard]] QString writeWholeFile(const QString& path, const QByteArray& bytes);
 
+/// A copy of a file, in the same way.
+[[nodiscard]] QString copyWholeFile(const QString& from, const QString& path);
+
 } // namespace touchdown

@@ -34,15 +34,10 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
+#include "ui/window/closing_question.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
-
-namespace {
-
-constexpr int stateVersion = 2; // of the arrangement of the panes in the settings
-
-} // namespace
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
@@ -65,12 +60,14 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
+    closing_ = new ClosingQuestion(sessionParts(), *this);
     connectFiles();
     connectRuns();
     connectFilm();
     connectStudies();
     connectView();
     connectHelp();
+    connectSession();
     resize(1500, 940);
     updateRunActions();
     updateTitle();
@@ -78,6 +75,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
 
 MainWindow::~MainWindow()
 {
+    delete session_; // its parts live on for a moment
     // The members and the case's edits are destroyed before the widgets that show them.
     edits_->undoStack().disconnect(this);
     for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
@@ -317,70 +315,6 @@ void MainWindow::dropEvent(QDropEvent* event)
             files_->open(file);
     }
     event->acceptProposedAction();
-}
-
-void MainWindow::closeEvent(QCloseEvent* event)
-{
-    if (!closing_ && files_->modified()) {
-        event->ignore();
-        files_->whenSettled([this] {
-            closing_ = true;
-            close();
-        });
-        return;
-    }
-    controller().stop();
-    film_->controller().stop();
-    studies_->controller().stop();
-    saveSession();
-    event->accept();
-}
-
-void MainWindow::saveSession()
-{
-    setPage(Page::Run); // the next session begins with its panes
-    QSettings settings;
-    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
-    settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
-    settings.setValue(QStringLiteral("window/splitter"), runs_->view()->splitter()->saveState());
-    if (const QAction* theme = actions_->theme->checkedAction())
-        settings.setValue(QStringLiteral("window/theme"), theme->data());
-    if (const QAction* size = actions_->fontSize->checkedAction())
-        settings.setValue(QStringLiteral("window/font"), size->data());
-    settings.setValue(QStringLiteral("runs/overlay"), runs_->panel()->overlay());
-    settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
-    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
-}
-
-void MainWindow::restoreSession()
-{
-    const QSettings settings;
-    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
-    runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
-    const auto check = [](QActionGroup* group, const QVariant& value) {
-        for (QAction* action : group->actions())
-            if (action->data().toString() == value.toString()) action->setChecked(true);
-    };
-    check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
-    check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
-    runs_->panel()->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
-    actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
-    pages_->showPanesOfPage();
-    look();
-}
-
-void MainWindow::openLastCase()
-{
-    const QString last = QSettings().value(QStringLiteral("files/last")).toString();
-    const bool sample =
-        std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
-    // A file that was deleted or is no longer valid is no error at the start.
-    std::optional<CaseDocument> read;
-    if (!last.isEmpty() && (sample || QFileInfo(last).isFile())) read = touchdown::openCase(last.toStdString());
-    if (!read || !read->valid())
-        files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
-    if (read && (read->valid() || !read->outsideFiles.empty())) files_->openNow(last); // the latter after a question
 }
 
 } // namespace touchdown

@@ -5,6 +5,8 @@
 // right; what happened at the foot.
 #pragma once
 
+#include <memory>
+
 #include <QMainWindow>
 
 #include "ui/window/help_window.h"
@@ -16,6 +18,7 @@ class AboutCasePane;
 class CaseEdits;
 class CaseFiles;
 class CasePanel;
+class ClosingQuestion;
 class FilmWindow;
 class LessonPane;
 class MessageStrip;
@@ -24,11 +27,14 @@ class RunFiles;
 class RunView;
 class RunWindow;
 class RunsModel;
+class Session;
+class SessionFolder;
 class SolutionFiles;
 class StudyWindow;
 class WindowActions;
 struct CaseDocument;
 struct LessonRun;
+struct SessionParts;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
@@ -44,9 +50,11 @@ public:
     ~MainWindow() override;
 
     /// Geometry, theme, font and panes of the last session.
-    void restoreSession();
+    void restoreArrangement();
     /// The case of the last session, or the default case.
     void openLastCase();
+    /// From now on the work is kept against a crash. `offer`: asks whether to restore a session that broke off.
+    void beginSession(bool offer);
     /// Runs the case in time.
     void startRun();
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
@@ -96,6 +104,7 @@ private:
     void connectStudies();
     void connectView();
     void connectHelp();
+    void connectSession();
 
     bool readyToRun();
     void onCaseOpened();
@@ -115,7 +124,10 @@ private:
     void showHelp(HelpWindow::Page page);
     void showLesson();
     void look();
-    void saveSession();
+    SessionParts sessionParts();
+    void listSessions();
+    void takeSession(std::unique_ptr<SessionFolder> folder);
+    void saveArrangement();
 
     CaseEdits* edits_;
     WindowActions* actions_;
@@ -132,7 +144,9 @@ private:
     HelpWindow* help_ = nullptr;
     LessonPane* lesson_ = nullptr;
     QString recordTo_;
-    bool closing_ = false; // the question about changes was answered
+    Session* session_ = nullptr; // none in a window that only draws pictures
+    ClosingQuestion* closing_ = nullptr;
+    bool mayClose_ = false; // that question was answered
 };
 
 } // namespace touchdown

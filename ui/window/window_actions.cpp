@@ -39,6 +39,18 @@ QAction* WindowActions::add(QMenu* menu, const QString& text, const QKeySequence
     return action;
 }
 
+QActionGroup* WindowActions::choices(QMenu* menu, const std::vector<std::pair<QVariant, QString>>& entries)
+{
+    auto* group = new QActionGroup(this);
+    for (const auto& [data, text] : entries) {
+        QAction* action = group->addAction(text);
+        action->setCheckable(true);
+        action->setData(data);
+    }
+    menu->addActions(group->actions());
+    return group;
+}
+
 void WindowActions::buildFile(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&File"));
@@ -70,7 +82,21 @@ void WindowActions::buildFile(QMainWindow& window)
     exportPage = add(menu, tr("Export &plots…"), QKeySequence(Qt::CTRL | Qt::Key_E), {},
                      tr("Export all plots as PNG, SVG or PDF"));
     menu->addSeparator();
+    buildSessions(menu->addMenu(tr("Sess&ions")));
     quit = add(menu, tr("&Quit"), QKeySequence::Quit);
+}
+
+void WindowActions::buildSessions(QMenu* menu)
+{
+    sessions = menu->addMenu(tr("&Restore"));
+    sessions->setToolTip(tr("Bring back the case and the results that an earlier session left"));
+    reopen = add(menu, tr("&Start with the last case"));
+    reopen->setCheckable(true);
+    reopen->setChecked(true);
+    sessionSpace = choices(menu->addMenu(tr("&Space on the disk")), {{qint64(500) << 20, tr("&500 MB")},
+                                                                     {qint64(2) << 30, tr("&2 GB")},
+                                                                     {qint64(10) << 30, tr("&10 GB")},
+                                                                     {qint64(50) << 30, tr("5&0 GB")}});
 }
 
 void WindowActions::buildEdit(QMainWindow& window, QUndoStack& stack)
@@ -136,16 +162,6 @@ void WindowActions::buildView(QMainWindow& window)
     panes = menu->addMenu(tr("&Panes"));
     plots = menu->addMenu(tr("P&lots"));
 
-    const auto choices = [this](QMenu* list, const std::vector<std::pair<QVariant, QString>>& entries) {
-        auto* group = new QActionGroup(this);
-        for (const auto& [data, text] : entries) {
-            QAction* action = group->addAction(text);
-            action->setCheckable(true);
-            action->setData(data);
-        }
-        list->addActions(group->actions());
-        return group;
-    };
     theme = choices(menu->addMenu(tr("&Theme")), {{themeName(Theme::System), tr("As the &system")},
                                                   {themeName(Theme::Light), tr("&Light")},
                                                   {themeName(Theme::Dark), tr("&Dark")}});

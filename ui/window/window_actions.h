@@ -32,9 +32,12 @@ public:
     QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
     QAction *help, *lesson, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
-    QActionGroup* theme;    // data: the name of the theme
-    QActionGroup* fontSize; // data: points added to the system's own
-    QComboBox* pace;        // data: simulated seconds per second, as a double
+    QMenu* sessions;            // earlier ones that can be restored
+    QAction* reopen;            // whether the next start opens the last case
+    QActionGroup* sessionSpace; // data: bytes that sessions may take on the disk
+    QActionGroup* theme;        // data: the name of the theme
+    QActionGroup* fontSize;     // data: points added to the system's own
+    QComboBox* pace;            // data: simulated seconds per second, as a double
     QToolBar* toolBar;
 
     /// Draws the icons anew, as after a change of the palette.
@@ -50,7 +53,10 @@ signals:
 private:
     QAction* add(QMenu* menu, const QString& text, const QKeySequence& keys = {}, const QString& iconName = {},
                  const QString& tip = {});
+    /// Of which one is chosen.
+    QActionGroup* choices(QMenu* menu, const std::vector<std::pair<QVariant, QString>>& entries);
     void buildFile(QMainWindow& window);
+    void buildSessions(QMenu* menu);
     void buildEdit(QMainWindow& window, QUndoStack& stack);
     void buildRun(QMainWindow& window);
     void buildView(QMainWindow& window);

@@ -96,7 +96,6 @@ private slots:
     void asksAboutUnsavedChanges_data();
     void asksAboutUnsavedChanges();
     void changedBackIsUnchanged();
-    void closesOnlyWhenSettled();
     void showsProblemsOfABadFile();
     void takesDroppedFiles();
     void restoresTheSession();
@@ -429,16 +428,6 @@ void TestMainWindow::changedBackIsUnchanged()
     QCOMPARE(f.window.files().sample(), QStringLiteral("fig11a"));
 }
 
-void TestMainWindow::closesOnlyWhenSettled()
-{
-    Fixture f;
-    f.edit("springs.flying_height", QStringLiteral("4"));
-    f.window.close();
-    QVERIFY(f.window.isVisible());
-    f.box("unsavedChanges")->button(QMessageBox::Discard)->click();
-    QTRY_VERIFY(!f.window.isVisible());
-}
-
 void TestMainWindow::showsProblemsOfABadFile()
 {
     const QTemporaryDir folder;
@@ -479,7 +468,7 @@ void TestMainWindow::restoresTheSession()
 {
     {
         Fixture f("fig12a");
-        f.window.restoreSession();
+        f.window.restoreArrangement();
         f.window.files().openNow(QStringLiteral("fig12a"));
         f.window.runWindow().panel()->setOverlay(false);
         f.choosePace(1e-4);
@@ -488,7 +477,7 @@ void TestMainWindow::restoresTheSession()
         f.window.close();
     }
     MainWindow window;
-    window.restoreSession();
+    window.restoreArrangement();
     window.openLastCase();
     QCOMPARE(window.files().sample(), QStringLiteral("fig12a"));
     QVERIFY(!window.runWindow().panel()->overlay());

@@ -14,6 +14,7 @@
 #include "core/case_files/cml_case.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/question.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -363,10 +364,11 @@ void TestMainWindowFilm::closesWhileSolving()
     f.window.edits().undoStack().setClean();
     f.window.solveStaticState();
     f.window.close();
+    answer(f.window, "closing", QStringLiteral("Close without saving"));
     QVERIFY(!f.window.isVisible());
     // The next session begins with the panes of a run, whatever was shown last.
     MainWindow next;
-    next.restoreSession();
+    next.restoreArrangement();
     next.show();
     QVERIFY(!next.findChild<QDockWidget*>(QStringLiteral("attitude"))->isVisible());
     QVERIFY(next.findChild<QDockWidget*>(QStringLiteral("runs"))->isVisible());

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reads the report of a study from a file (study_file.h says what it holds). The columns of its tables that are left
+// out where there is little room are not marked in the file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/studies/study/study.h"
+
+namespace touchdown {
+
+struct StoredStudy {
+    StudyReport report;
+    std::string caseText;  // of the case that was studied
+    std::string studyText; // empty where the study took its defaults
+    std::string problem;   // "" when it was read; else one sentence, and nothing else is set
+};
+StoredStudy readStudy(const std::filesystem::path& file);
+
+} // namespace touchdown

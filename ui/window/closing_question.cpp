@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/closing_question.h"
+
+#include <QAbstractButton>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QSettings>
+#include <QStandardPaths>
+
+#include "ui/film/film_window.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_window.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr auto folderKey = "files/saveAllFolder";
+
+} // namespace
+
+ClosingQuestion::ClosingQuestion(const SessionParts& parts, QWidget& window)
+    : QObject(&window), parts_(parts), window_(window)
+{}
+
+bool ClosingQuestion::nothingLost(bool kept)
+{
+    const UnsavedWork work = unsavedWork(parts_);
+    if (work.empty()) return true;
+    if (asking_ && asking_->isVisible()) {
+        asking_->raise();
+        asking_->activateWindow();
+    } else {
+        ask(work, kept);
+    }
+    return false;
+}
+
+void ClosingQuestion::ask(const UnsavedWork& work, bool kept)
+{
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Close Touchdown"), tr("Not everything is saved."),
+                                QMessageBox::NoButton, &window_);
+    box->setObjectName(QStringLiteral("closing"));
+    QString text = tr("Closing would stop or leave behind:") + QStringLiteral("<ul>");
+    for (const QString& line : linesOf(work, parts_)) text += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
+    text += QStringLiteral("</ul>");
+    if (kept)
+        text += tr("Without saving, it stays on this computer for a while: <i>File, Sessions</i> brings it back.");
+    box->setTextFormat(Qt::RichText);
+    box->setInformativeText(text);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* save = box->addButton(tr("&Save all and close"), QMessageBox::AcceptRole);
+    const QPushButton* leave = box->addButton(tr("&Close without saving"), QMessageBox::DestructiveRole);
+    QPushButton* stay = box->addButton(tr("&Go on working"), QMessageBox::RejectRole);
+    box->setDefaultButton(save);
+    box->setEscapeButton(stay);
+    connect(box, &QMessageBox::buttonClicked, this, [=, this](const QAbstractButton* chosen) {
+        if (chosen == save) saveAll();
+        if (chosen == leave) emit answered();
+    });
+    asking_ = box;
+    box->open();
+}
+
+void ClosingQuestion::saveAll()
+{
+    // What is under way ends with what it has.
+    parts_.runs.controller().stopAndWait();
+    parts_.film.controller().stopAndWait();
+    parts_.studies.controller().stopAndWait();
+    const UnsavedWork work = unsavedWork(parts_);
+    if (!work.anyResult()) {
+        if (work.editedCase.isEmpty())
+            emit answered();
+        else
+            parts_.files.saveThen([this] { emit answered(); });
+        return;
+    }
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    auto* dialog =
+        new QFileDialog(&window_, tr("Save all to the folder"), QSettings().value(folderKey, documents).toString());
+    dialog->setObjectName(QStringLiteral("saveAllFolder"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::Directory);
+    dialog->setOption(QFileDialog::ShowDirsOnly);
+    dialog->setLabelText(QFileDialog::Accept, tr("&Save all"));
+    connect(dialog, &QFileDialog::fileSelected, this, &ClosingQuestion::saveInto);
+    asking_ = dialog;
+    dialog->open();
+}
+
+void ClosingQuestion::saveInto(const QString& folder)
+{
+    QSettings().setValue(folderKey, folder);
+    const QStringList problems = saveWork(unsavedWork(parts_), parts_, QDir(folder));
+    if (problems.isEmpty()) {
+        emit answered();
+        return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Close Touchdown"),
+                                tr("Not all could be saved, so the window stays open."), QMessageBox::Close, &window_);
+    box->setObjectName(QStringLiteral("notSaved"));
+    box->setInformativeText(problems.mid(0, 8).join(QLatin1Char('\n')));
+    if (problems.size() > 8) box->setDetailedText(problems.join(QLatin1Char('\n')));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    asking_ = box;
+    box->open();
+}
+
+} // namespace touchdown

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the window does at its start and its end: arrangement and case of the last session, the work that is kept
+// against a crash, the question before it closes.
+#include "ui/window/main_window.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QSettings>
+
+#include "core/case_files/case_file.h"
+#include "ui/case/case_edits.h"
+#include "ui/case/case_files.h"
+#include "ui/film/film_window.h"
+#include "ui/lists/record_panel.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/closing_question.h"
+#include "ui/window/session.h"
+#include "ui/window/session_offer.h"
+#include "ui/window/window_actions.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int stateVersion = 2;        // of the arrangement of the panes in the settings
+constexpr qsizetype mostSessions = 12; // in the menu
+constexpr auto reopenKey = "session/reopen";
+
+} // namespace
+
+SessionParts MainWindow::sessionParts() { return {*files_, *edits_, *runs_, *film_, *studies_, *pages_}; }
+
+void MainWindow::connectSession()
+{
+    connect(closing_, &ClosingQuestion::answered, this, [this] {
+        mayClose_ = true;
+        close();
+    });
+    connect(actions_->sessions, &QMenu::aboutToShow, this, &MainWindow::listSessions);
+    actions_->reopen->setChecked(QSettings().value(reopenKey, true).toBool());
+    connect(actions_->reopen, &QAction::triggered, this, [](bool on) { QSettings().setValue(reopenKey, on); });
+    for (QAction* action : actions_->sessionSpace->actions())
+        if (action->data().toLongLong() == Session::budget()) action->setChecked(true);
+    connect(actions_->sessionSpace, &QActionGroup::triggered, this,
+            [](const QAction* action) { Session::setBudget(action->data().toLongLong()); });
+}
+
+void MainWindow::beginSession(bool offer)
+{
+    QString problem;
+    std::unique_ptr<SessionFolder> folder = SessionFolder::create(problem);
+    if (!folder) {
+        messages_->show(MessageStrip::Kind::Warning, problem);
+        return;
+    }
+    session_ = new Session(sessionParts(), std::move(folder), this);
+    connect(session_, &Session::failed, this, [this](const QString& text) {
+        auto* box = new QMessageBox(QMessageBox::Warning, tr("Touchdown"), text, QMessageBox::Ok, this);
+        box->setObjectName(QStringLiteral("notKept"));
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+    std::unique_ptr<SessionFolder> last = newestBrokenOff();
+    if (last && offer)
+        offerSession(*this, std::move(last),
+                     [this](std::unique_ptr<SessionFolder> taken) { takeSession(std::move(taken)); });
+    else if (last)
+        messages_->show(MessageStrip::Kind::Information,
+                        tr("A session ended without being closed. File, Sessions, Restore brings its work back."));
+}
+
+void MainWindow::listSessions()
+{
+    QMenu* menu = actions_->sessions;
+    menu->clear();
+    QStringList paths = session_ ? SessionFolder::ended() : QStringList();
+    for (const QString& path : paths.mid(0, mostSessions)) {
+        const std::optional<SessionState> state = readSession(path);
+        const QString left = state ? describe(*state, studiesIn(path)) : QString();
+        if (left.isEmpty()) continue;
+        menu->addAction(
+            QStringLiteral("%1: %2").arg(QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), left),
+            this, [this, path] {
+                files_->whenSettled([this, path] {
+                    if (auto folder = SessionFolder::take(path)) takeSession(std::move(folder));
+                });
+            });
+    }
+    if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
+}
+
+void MainWindow::takeSession(std::unique_ptr<SessionFolder> folder)
+{
+    const SessionState state = readSession(folder->path()).value_or(SessionState{});
+    const QString left = describe(state, studiesIn(folder->path()));
+    QApplication::setOverrideCursor(Qt::WaitCursor);
+    const QStringList problems = session_->restore(std::move(folder));
+    QApplication::restoreOverrideCursor();
+    if (problems.isEmpty())
+        messages_->show(MessageStrip::Kind::Success, tr("Restored: %1.").arg(left));
+    else
+        messages_->show(MessageStrip::Kind::Warning, problems.join(QLatin1Char('\n')));
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!mayClose_ && !closing_->nothingLost(session_ != nullptr)) {
+        event->ignore();
+        return;
+    }
+    controller().stopAndWait();
+    film_->controller().stopAndWait();
+    studies_->controller().stopAndWait();
+    if (session_) session_->close(!unsavedWork(sessionParts()).empty());
+    saveArrangement();
+    event->accept();
+}
+
+void MainWindow::saveArrangement()
+{
+    setPage(Page::Run); // the next session begins with its panes
+    QSettings settings;
+    settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
+    settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
+    settings.setValue(QStringLiteral("window/splitter"), runs_->view()->splitter()->saveState());
+    if (const QAction* theme = actions_->theme->checkedAction())
+        settings.setValue(QStringLiteral("window/theme"), theme->data());
+    if (const QAction* size = actions_->fontSize->checkedAction())
+        settings.setValue(QStringLiteral("window/font"), size->data());
+    settings.setValue(QStringLiteral("runs/overlay"), runs_->panel()->overlay());
+    settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
+    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
+}
+
+void MainWindow::restoreArrangement()
+{
+    const QSettings settings;
+    restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
+    runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
+    const auto check = [](QActionGroup* group, const QVariant& value) {
+        for (QAction* action : group->actions())
+            if (action->data().toString() == value.toString()) action->setChecked(true);
+    };
+    check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
+    check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
+    runs_->panel()->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
+    actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
+    pages_->showPanesOfPage();
+    look();
+}
+
+void MainWindow::openLastCase()
+{
+    const QString last = QSettings().value(QStringLiteral("files/last")).toString();
+    const bool sample =
+        std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
+    // A file that was deleted or is no longer valid is no error at the start.
+    std::optional<CaseDocument> read;
+    if (QSettings().value(reopenKey, true).toBool() && !last.isEmpty() && (sample || QFileInfo(last).isFile()))
+        read = touchdown::openCase(last.toStdString());
+    if (!read || !read->valid())
+        files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+    if (read && (read->valid() || !read->outsideFiles.empty())) files_->openNow(last); // the latter after a question
+}
+
+} // namespace touchdown

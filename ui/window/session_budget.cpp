@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/session_budget.h"
+
+#include "ui/window/session_folder.h"
+#include "ui/window/session_state.h"
+
+namespace touchdown {
+
+qint64 keepSessionsWithin(qint64 budget)
+{
+    qint64 bytes = 0;
+    for (const QString& path : SessionFolder::all()) bytes += bytesIn(path);
+    if (bytes <= budget) return bytes;
+    QStringList closed, brokenOff; // the newest first
+    for (const QString& path : SessionFolder::ended()) {
+        const std::optional<SessionState> state = readSession(path);
+        (state && !state->closed ? brokenOff : closed) << path;
+    }
+    if (!brokenOff.isEmpty()) brokenOff.removeFirst();
+    QStringList order = brokenOff + closed;
+    while (bytes > budget && !order.isEmpty()) {
+        std::unique_ptr<SessionFolder> folder = SessionFolder::take(order.takeLast());
+        if (!folder) continue; // a window restores it
+        bytes -= bytesIn(folder->path());
+        SessionFolder::remove(std::move(folder));
+    }
+    return bytes;
+}
+
+} // namespace touchdown

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the window keeps on disk of its work, so that a kill or a power cut loses about a second of it. Each window has
+// a folder of its own, <local data of the program>/sessions/<UTC time>-<process>:
+//
+//   lock                 locked (flock) while a window uses the folder; the system releases it however the window ends
+//   session.json         the case with its edits and what is in the lists (session_state.h), replaced as a whole
+//   run<number>.h5       each run (core/results/results_writer.h), written while it lasts
+//   solution<number>.h5  each static solution (core/results/steady_writer.h)
+//   study-<kind>.h5      the last report of each kind of study (core/studies/study/study_file.h)
+#pragma once
+
+#include <memory>
+
+#include <QString>
+#include <QStringList>
+
+namespace touchdown {
+
+class SessionFolder {
+public:
+    /// A new folder. nullptr if none can be created, with `problem` set to a sentence.
+    static std::unique_ptr<SessionFolder> create(QString& problem);
+    /// The folder of a session that has ended. nullptr while a window uses it.
+    static std::unique_ptr<SessionFolder> take(const QString& path);
+    /// Folders that no window uses, the newest first.
+    static QStringList ended();
+    /// All folders.
+    static QStringList all();
+    /// Releases the folder; its files stay.
+    ~SessionFolder();
+    SessionFolder(const SessionFolder&) = delete;
+    SessionFolder& operator=(const SessionFolder&) = delete;
+
+    QString path() const { return path_; }
+    QString file(const QString& name) const { return path_ + QLatin1Char('/') + name; }
+    QString stateFile() const { return file(QStringLiteral("session.json")); }
+    QString runFile(int number) const { return file(QStringLiteral("run%1.h5").arg(number)); }
+    QString solutionFile(int number) const { return file(QStringLiteral("solution%1.h5").arg(number)); }
+    QString studyFile(const QString& kind) const { return file(QStringLiteral("study-%1.h5").arg(kind)); }
+    /// Removes the folder with all that is in it, and releases it.
+    static void remove(std::unique_ptr<SessionFolder> folder);
+
+private:
+    SessionFolder(QString path, int lock) : path_(std::move(path)), lock_(lock) {}
+
+    QString path_;
+    int lock_; // descriptor
+};
+
+/// Bytes of all files in a folder.
+qint64 bytesIn(const QString& folder);
+
+} // namespace touchdown

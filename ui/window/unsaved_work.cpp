@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/unsaved_work.h"
+
+#include <algorithm>
+
+#include <QFileInfo>
+
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/film/solution_files.h"
+#include "ui/runs/run_files.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/translate.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr std::size_t mostNames = 4; // in a line
+constexpr int mostLetters = 40;      // of a name
+
+std::vector<int> unsavedOf(const RecordList& list)
+{
+    std::vector<int> numbers;
+    for (int row = 0; row < list.count(); ++row)
+        if (list.listed(row).file.isEmpty()) numbers.push_back(list.listed(row).number);
+    return numbers;
+}
+
+QString names(QStringList all)
+{
+    const qsizetype more = all.size() - qsizetype(mostNames);
+    if (more > 0) all = all.first(mostNames) << tr("and %1 more").arg(more);
+    return all.join(QStringLiteral(", "));
+}
+
+QString namesIn(const RecordList& list, const std::vector<int>& numbers)
+{
+    QStringList all;
+    for (const int number : numbers) {
+        const QString& name = list.listed(list.rowOf(number)).name;
+        all << QStringLiteral("%1 “%2”").arg(number).arg(
+            name.size() > mostLetters ? name.first(mostLetters - 1) + QStringLiteral("…") : name);
+    }
+    return names(all);
+}
+
+/// A file of this name that does not exist yet.
+QString freeName(const QDir& folder, const QString& base, const QString& ending)
+{
+    QString name = base + ending;
+    for (int copy = 2; folder.exists(name); ++copy) name = QStringLiteral("%1-%2%3").arg(base).arg(copy).arg(ending);
+    return folder.filePath(name);
+}
+
+} // namespace
+
+UnsavedWork unsavedWork(const SessionParts& parts)
+{
+    UnsavedWork work;
+    if (parts.files.modified()) work.editedCase = parts.files.shortName();
+    const RunRecord* underWay = parts.runs.runUnderWay();
+    if (underWay) work.underWay << tr("run %1, which is under way").arg(underWay->number);
+    if (parts.film.controller().active()) work.underWay << tr("a static solution, which is under way");
+    if (parts.film.view()->busy()) work.underWay << tr("a series or modes, which are under way");
+    if (parts.studies.controller().active()) work.underWay << tr("a study, which is under way");
+    work.runs = unsavedOf(parts.runs.runs());
+    std::erase_if(work.runs, [&](int number) {
+        const RunRecord& run = *parts.runs.runs().find(number);
+        return &run == underWay || run.sampleCount() == 0;
+    });
+    work.solutions = unsavedOf(parts.film.solutions());
+    for (const auto& [kind, outcome] : parts.studies.outcomes())
+        if (outcome.report && outcome.file.isEmpty() && !parts.studies.underWay(kind)) work.studies.push_back(kind);
+    return work;
+}
+
+QStringList linesOf(const UnsavedWork& work, const SessionParts& parts)
+{
+    QStringList lines;
+    if (!work.editedCase.isEmpty()) lines << tr("the changes of the case “%1”").arg(work.editedCase);
+    lines << work.underWay;
+    const auto add = [&](const char* one, const char* several, const std::size_t count, const QString& listed) {
+        if (count == 1) lines << tr(one).arg(listed);
+        if (count > 1) lines << tr(several).arg(count).arg(listed);
+    };
+    add("1 run that is not saved: %1", "%1 runs that are not saved: %2", work.runs.size(),
+        namesIn(parts.runs.runs(), work.runs));
+    add("1 static solution that is not saved: %1", "%1 static solutions that are not saved: %2", work.solutions.size(),
+        namesIn(parts.film.solutions(), work.solutions));
+    QStringList titles;
+    for (const std::string& kind : work.studies)
+        titles << QStringLiteral("“%1”").arg(QString::fromStdString(parts.studies.outcome(kind)->report->title));
+    add("1 study report that is not saved: %1", "%1 study reports that are not saved: %2", work.studies.size(),
+        names(titles));
+    return lines;
+}
+
+QStringList saveWork(const UnsavedWork& work, const SessionParts& parts, const QDir& folder)
+{
+    QStringList problems;
+    if (!work.editedCase.isEmpty()) {
+        const QString file = parts.files.file();
+        const QString base = QFileInfo(parts.files.shortName()).completeBaseName();
+        const QString problem =
+            parts.files.write(file.isEmpty() ? freeName(folder, base, QStringLiteral(".toml")) : file);
+        if (!problem.isEmpty()) problems << tr("The case: %1").arg(problem);
+    }
+    for (const int number : work.runs) {
+        RunRecord& run = *parts.runs.runs().find(number);
+        const QString file = freeName(folder, suggestedName(run), QStringLiteral(".h5"));
+        const QString problem = saveHdf5(run, file);
+        if (problem.isEmpty())
+            parts.runs.runs().setFile(number, file);
+        else
+            problems << tr("Run %1: %2").arg(number).arg(problem);
+    }
+    SolutionsModel& solutions = parts.film.solutions();
+    for (const int number : work.solutions) {
+        const QString file = freeName(folder, QStringLiteral("solution%1").arg(number), QStringLiteral(".h5"));
+        const QString problem = saveSolution(*solutions.find(number), file);
+        if (problem.isEmpty())
+            solutions.setFile(number, file);
+        else
+            problems << tr("Solution %1: %2").arg(number).arg(problem);
+    }
+    for (const std::string& kind : work.studies) {
+        const QString name = QString::fromStdString(kind);
+        const QString problem = parts.studies.save(kind, freeName(folder, name, QStringLiteral(".h5")));
+        if (!problem.isEmpty()) problems << tr("Study %1: %2").arg(name, problem);
+    }
+    return problems;
+}
+
+} // namespace touchdown
