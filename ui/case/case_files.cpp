@@ -303,12 +303,14 @@ void CaseFiles::restore(const CaseState& state)
     imported_ = state.import;
     folder_ = pathOf(state.folder);
     text_ = state.savedText.toStdString();
-    saved_ = parseCase(text_, state.name.toStdString(), folder_).value;
+    // What it read was asked for in the session that it comes from.
+    saved_ = parseCase(text_, state.name.toStdString(), folder_, OutsidePaths::Allowed).value;
     edits_.open(saved_);
     emit opened();
     if (!state.modified) return;
     // A case with values that contradict each other was edited as well.
-    const Case edited = parseCase(state.text.toStdString(), state.name.toStdString(), folder_).value;
+    const Case edited =
+        parseCase(state.text.toStdString(), state.name.toStdString(), folder_, OutsidePaths::Allowed).value;
     if (edited != saved_) edits_.setAll(edited, tr("restore the edits"));
     for (const auto& [key, text] : state.entries)
         if (const Parameter* parameter = findParameter(key.toStdString())) edits_.enter(*parameter, text);

@@ -5,6 +5,7 @@
 #include "ui/window/main_window.h"
 
 #include <algorithm>
+#include <optional>
 
 #include <QApplication>
 #include <QCloseEvent>
