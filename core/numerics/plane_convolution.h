@@ -10,8 +10,9 @@
 
 namespace touchdown {
 
-/// The smallest size m >= 2 n - 1 that FFTW transforms fast: even, beyond 32 a multiple of 8 (54 takes longer than 56),
-/// without prime factors above 7.
+/// A size m >= 2 n - 1 that FFTW transforms fast: up to 64 one that it has code for (18 takes twice as long as 20);
+/// then the smallest multiple of 8 without prime factors above 7 or, up to 256, a power of two less than a third
+/// longer.
 int paddedSize(int n);
 
 /// Keeps FFTW's plans and working memory. One thread at a time for each object.

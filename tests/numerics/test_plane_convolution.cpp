@@ -94,11 +94,8 @@ void TestPlaneConvolution::multipliesWaves_data()
     QTest::newRow("shortest along y") << 1 << 5;
 }
 
-void TestPlaneConvolution::multipliesWaves()
+void multiplyWave(int nx, int ny, int waveX, int waveY)
 {
-    QFETCH(int, waveX);
-    QFETCH(int, waveY);
-    constexpr int nx = 9, ny = 10;
     std::vector<double> transform;
     for (int j = 0; j <= ny / 2; ++j)
         for (int i = 0; i <= nx / 2; ++i) transform.push_back(1.0 + 10.0 * i + j);
@@ -114,12 +111,25 @@ void TestPlaneConvolution::multipliesWaves()
     for (std::size_t k = 0; k < out.size(); ++k) QVERIFY(std::abs(out[k] - factor * wave[k]) < 1e-13 * factor);
 }
 
+/// In domains that are longer along x and along y.
+void TestPlaneConvolution::multipliesWaves()
+{
+    QFETCH(int, waveX);
+    QFETCH(int, waveY);
+    multiplyWave(11, 10, waveX, waveY);
+    multiplyWave(9, 10, waveX, waveY);
+}
+
 void TestPlaneConvolution::paddedSizesSuitFftw()
 {
-    QCOMPARE(paddedSize(1), 2);   // 1 is odd
-    QCOMPARE(paddedSize(4), 8);   // 7 is odd
-    QCOMPARE(paddedSize(11), 24); // 22 = 2 x 11
+    QCOMPARE(paddedSize(1), 2);    // 1 is odd
+    QCOMPARE(paddedSize(4), 8);    // 7 is odd
+    QCOMPARE(paddedSize(9), 20);   // no code for 18
+    QCOMPARE(paddedSize(11), 32);  // nor for 22 to 30
+    QCOMPARE(paddedSize(33), 72);  // the power of two is twice as long
+    QCOMPARE(paddedSize(55), 128); // 112 is more than three quarters of it
     QCOMPARE(paddedSize(128), 256);
+    QCOMPARE(paddedSize(182), 384); // 368 and 376 have the prime factors 23 and 47
     QCOMPARE(paddedSize(600), 1200);
 }
 

@@ -61,8 +61,8 @@ AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, cons
     for (Solution* solution : {&now_, &kept_, &before_, &lower_})
         for (auto* field : {&solution->separation, &solution->total, &solution->displacement})
             field->assign(grid.cells(), 0.0);
-    for (auto* field : {&pressure_, &gap_, &present_, &offset_, &weight_, &residual_, &change_, &direction_, &image_,
-                        &work_, &totalBefore_, &displacementBefore_, &displacementEarlier_})
+    for (auto* field : {&pressure_, &gap_, &present_, &offset_, &weight_, &residual_, &change_, &moved_, &direction_,
+                        &shift_, &image_, &work_, &totalBefore_, &displacementBefore_, &displacementEarlier_})
         field->assign(grid.cells(), 0.0);
     softening_.assign(grid.cells(), 0.0);
     tangents_ = AdhesiveCell::Tangents(grid.cells());

@@ -132,8 +132,8 @@ private:
     std::vector<double> pressure_, attraction_, gap_;
     // Of the descent: the law's tangents at the present gaps s + C q, and the change that is made with them.
     AdhesiveCell::Tangents tangents_;
-    std::vector<double> present_, offset_, weight_, residual_, change_, direction_, image_, work_, totalBefore_,
-        displacementBefore_, displacementEarlier_;
+    std::vector<double> present_, offset_, weight_, residual_, change_, moved_, direction_, shift_, image_, work_,
+        totalBefore_, displacementBefore_, displacementEarlier_;
     // Of Newton's method on the law: of the cells that soften, df/dg, else 0 [Pa/m].
     std::vector<double> softening_;
     std::optional<Gmres<double>> gmres_;

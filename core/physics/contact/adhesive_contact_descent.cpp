@@ -182,7 +182,6 @@ void AdhesiveContact::minimiseConvex(double error)
             linearise();
         }
         solveTangents();
-        displace();
         double now = linearise();
         if (now > 0.5 * last && cutStep()) now = linearise();
         last = now;
@@ -190,24 +189,26 @@ void AdhesiveContact::minimiseConvex(double error)
     }
 }
 
-// (C + 1/D) dq = (q_law - q)/D + g_law - g on the cells with a weight, D = -dq/dg; others take the law's pressure.
+// (C + 1/D) dq = (q_law - q)/D + g_law - g on the cells with a weight, D = -dq/dg; others take the law's pressure. The
+// displacement follows from those of the directions, unless a pressure meets a bound.
 void AdhesiveContact::solveTangents()
 {
     const std::size_t n = offset_.size();
-    std::fill(change_.begin(), change_.end(), 0.0);
+    for (auto* field : {&change_, &moved_}) std::fill(field->begin(), field->end(), 0.0);
     precondition(residual_, direction_);
     double square = product(residual_, direction_);
     const double enough = residualShare * residualShare * square;
     for (int k = 0; k < mostGradientSteps && square > enough && !spent(); ++k) {
-        space_->displace(direction_, image_);
+        space_->displace(direction_, shift_);
         countIteration();
         for (std::size_t i = 0; i < n; ++i)
-            image_[i] = weight_[i] > 0.0 ? image_[i] + direction_[i] / tangents_.stiffness[i] : 0.0;
+            image_[i] = weight_[i] > 0.0 ? shift_[i] + direction_[i] / tangents_.stiffness[i] : 0.0;
         const double curvature = product(direction_, image_);
         if (!(curvature > 0.0)) break;
         const double length = square / curvature;
         for (std::size_t i = 0; i < n; ++i) {
             change_[i] += length * direction_[i];
+            moved_[i] += length * shift_[i];
             residual_[i] -= length * image_[i];
         }
         precondition(residual_, image_);
@@ -216,10 +217,16 @@ void AdhesiveContact::solveTangents()
         square = next;
         for (std::size_t i = 0; i < n; ++i) direction_[i] = image_[i] + turn * direction_[i];
     }
-    for (std::size_t i = 0; i < n; ++i)
-        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]),
-                                                      cell_.highest(offset_[i]))
-                                         : tangents_.pressure[i];
+    bool bounded = false;
+    for (std::size_t i = 0; i < n; ++i) {
+        const double free = now_.total[i] + change_[i];
+        const double next = weight_[i] > 0.0 ? std::clamp(free, cell_.lowest(offset_[i]), cell_.highest(offset_[i]))
+                                             : tangents_.pressure[i];
+        bounded = bounded || next != free;
+        now_.total[i] = next;
+    }
+    if (bounded) return displace();
+    for (std::size_t i = 0; i < n; ++i) now_.displacement[i] += moved_[i];
 }
 
 // The stiffness of the half-space as if the grid repeated, and for the mean what a uniform pressure meets; between it

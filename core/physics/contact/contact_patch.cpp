@@ -218,6 +218,26 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
     return result;
 }
 
+ContactPatch withoutMargin(ContactPatch patch, double limit)
+{
+    const UniformGrid& grid = patch.grid;
+    Box box{grid.nx, grid.ny, 0, 0};
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i)
+            if (patch.height[grid.at(i, j)] <= limit) box.include({i, j, i + 1, j + 1});
+    if (box.x1 <= box.x0) return patch;
+    ContactPatch inner;
+    inner.grid = {box.x1 - box.x0, box.y1 - box.y0, grid.dx, grid.dy};
+    inner.grid.x0 = grid.x0 + box.x0 * grid.dx;
+    inner.grid.y0 = grid.y0 + box.y0 * grid.dy;
+    for (int j = box.y0; j < box.y1; ++j)
+        for (int i = box.x0; i < box.x1; ++i) {
+            inner.height.push_back(patch.height[grid.at(i, j)]);
+            inner.recess.push_back(patch.recess[grid.at(i, j)]);
+        }
+    return inner;
+}
+
 double patchDistance(const UniformGrid& a, const UniformGrid& b)
 {
     const double x = std::max({a.x0 - (b.x0 + b.nx * b.dx), b.x0 - (a.x0 + a.nx * a.dx), 0.0});

@@ -44,6 +44,9 @@ struct SliderPatches {
 SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll,
                             double cell, double reach, int mostCells, const std::function<bool()>& goOn = {});
 
+/// Without the outer rows and columns that are nowhere as low as `limit` [m]; as it is where no cell is.
+ContactPatch withoutMargin(ContactPatch patch, double limit);
+
 /// The shortest distance of two patches' boxes, 0 where they meet [m].
 double patchDistance(const UniformGrid& a, const UniformGrid& b);
 

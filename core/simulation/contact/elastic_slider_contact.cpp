@@ -118,6 +118,12 @@ bool ElasticSliderContact::deform(std::span<double> height) const
     return any;
 }
 
+void ElasticSliderContact::clearTouching(std::span<double> field) const
+{
+    for (const Part& part : parts_)
+        if (part.near) part.patch.clearTouching(pad_, field);
+}
+
 void ElasticSliderContact::observe(FieldSnapshot& snapshot) const
 {
     snapshot.values.clear();

@@ -29,6 +29,7 @@ public:
 
     double longestStep() const override { return longestStep_; }
     bool deform(std::span<double> height) const override;
+    void clearTouching(std::span<double> field) const override;
     void observe(FieldSnapshot& snapshot) const override;
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;

@@ -62,6 +62,8 @@ public:
     virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
     /// Subtracts the disk's mean displacement by contact in each cell from `height` (padded) [m]; false if none.
     virtual bool deform(std::span<double> /*height*/) const { return false; }
+    /// Sets `field` (padded) to zero in the film's cells where the surfaces touch.
+    virtual void clearTouching(std::span<double> /*field*/) const {}
 
     /// Fills the values of contactFields() at the last call.
     virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }

@@ -13,8 +13,23 @@ namespace {
 /// A try so near to the last one starts from it [m].
 constexpr double sameState = 1e-12;
 
+/// Above the reach of the patch: a recess beside it, where nothing touches [m].
+constexpr double deep = 1e-7;
+
 constexpr double looserThanAlone = 1e4; // [-]
 constexpr double loosest = 1e-2;        // [-]
+
+ContactPatch inner(const Case& c, const ContactPatch& whole)
+{
+    return withoutMargin(whole, c.elastic.patchReach + deep);
+}
+
+/// Place of the first cell of `part` on `whole`.
+std::size_t firstCell(const UniformGrid& whole, const UniformGrid& part)
+{
+    return whole.at(static_cast<int>(std::lround((part.x0 - whole.x0) / whole.dx)),
+                    static_cast<int>(std::lround((part.y0 - whole.y0) / whole.dy)));
+}
 
 AdhesiveContact contactOf(const Case& c, const UniformGrid& grid, const std::function<bool()>& goOn)
 {
@@ -29,8 +44,10 @@ AdhesiveContact contactOf(const Case& c, const UniformGrid& grid, const std::fun
 
 SliderPatch::SliderPatch(const Case& c, ContactPatch patch, const DiskTopography& surface, Velocity velocity,
                          const std::function<bool()>& goOn)
-    : grid_(patch.grid),
-      recess_(std::move(patch.recess)),
+    : whole_(std::move(patch)),
+      grid_(inner(c, whole_).grid),
+      first_(firstCell(whole_.grid, grid_)),
+      recess_(inner(c, whole_).recess),
       length_(c.slider.length),
       width_(c.slider.width),
       modulus_(contactModulus(c.elastic.pair)),
@@ -38,6 +55,8 @@ SliderPatch::SliderPatch(const Case& c, ContactPatch patch, const DiskTopography
       velocity_(velocity),
       lever_(c),
       contact_(contactOf(c, grid_, goOn)),
+      space_(whole_.grid, modulus_, HalfSpaceEdges::Free, goOn),
+      displacement_(whole_.grid.cells(), 0.0),
       surface_(surface.flat() ? 0 : grid_.cells()),
       separation_(grid_.cells()),
       surfaceTime_(std::numeric_limits<double>::quiet_NaN())
@@ -89,8 +108,31 @@ const PatchForces& SliderPatch::solve(const Attitude& attitude, double time)
     forces_.problem = summary.converged ? std::string() : summary.message;
     tried_ = summary.converged;
     sum();
+    setDisplacement();
     if (contact_.adheres()) forces_.storedEnergy = contact_.energy();
     return forces_;
+}
+
+template <typename Visit>
+void SliderPatch::forSolved(const Visit& visit) const
+{
+    std::size_t at = 0;
+    for (int j = 0; j < grid_.ny; ++j) {
+        const std::size_t row = first_ + whole_.grid.at(0, j);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(grid_.nx); ++i, ++at) visit(row + i, at);
+    }
+}
+
+// In the solved cells by their gaps, in the margin by the pressures.
+void SliderPatch::setDisplacement()
+{
+    const std::span<const double> pressure = contact_.pressure(), adhesion = contact_.adhesion(), gap = contact_.gap();
+    if (grid_.cells() < whole_.grid.cells()) {
+        std::fill(displacement_.begin(), displacement_.end(), 0.0);
+        forSolved([&](std::size_t to, std::size_t at) { displacement_[to] = pressure[at] + adhesion[at]; });
+        space_.displace(displacement_, displacement_);
+    }
+    forSolved([&](std::size_t to, std::size_t at) { displacement_[to] = gap[at] - separation_[at]; });
 }
 
 // Forces, their rough stiffness, and the elastic energy p u/2.
@@ -164,41 +206,55 @@ std::vector<SliderPatch::Overlap> SliderPatch::overlaps(std::span<const double> 
 
 void SliderPatch::overlap(const CellGrid& grid)
 {
-    columns_ = overlaps(grid.x, grid_.x0, grid_.dx, grid_.nx);
-    rows_ = overlaps(grid.y, grid_.y0, grid_.dy, grid_.ny);
+    const UniformGrid& own = whole_.grid;
+    columns_ = overlaps(grid.x, own.x0, own.dx, own.nx);
+    rows_ = overlaps(grid.y, own.y0, own.dy, own.ny);
 }
 
 void SliderPatch::deform(const PaddedGrid& pad, std::span<double> height) const
 {
     if (!acts_) return;
-    const std::span<const double> gap = contact_.gap();
+    for (const Overlap& row : rows_)
+        for (const Overlap& column : columns_)
+            height[pad.at(column.film, row.film)] -=
+                row.share * column.share * displacement_[whole_.grid.at(column.patch, row.patch)];
+}
+
+void SliderPatch::clearTouching(const PaddedGrid& pad, std::span<double> field) const
+{
+    if (!acts_) return;
+    const int x0 = static_cast<int>(first_) % whole_.grid.nx, y0 = static_cast<int>(first_) / whole_.grid.nx;
+    const std::span<const double> pressure = contact_.pressure();
     for (const Overlap& row : rows_)
         for (const Overlap& column : columns_) {
-            const std::size_t at = grid_.at(column.patch, row.patch);
-            height[pad.at(column.film, row.film)] -= row.share * column.share * (gap[at] - separation_[at]);
+            const int i = column.patch - x0, j = row.patch - y0;
+            if (i >= 0 && i < grid_.nx && j >= 0 && j < grid_.ny && pressure[grid_.at(i, j)] > 0.0)
+                field[pad.at(column.film, row.film)] = 0.0;
         }
 }
 
 void SliderPatch::observe(FieldSnapshot& snapshot) const
 {
-    const std::size_t cells = grid_.cells();
+    const UniformGrid& grid = whole_.grid;
+    std::vector<double> surface(grid.cells(), 0.0), gap(grid.cells());
+    topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, surface);
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) {
+            const std::size_t at = grid.at(i, j);
+            gap[at] = attitude_.height + attitude_.pitch * (length_ - grid.x(i)) -
+                      attitude_.roll * (grid.y(j) - 0.5 * width_) + whole_.recess[at] - surface[at] +
+                      (acts_ ? displacement_[at] : 0.0);
+        }
+    const auto add = [&](std::span<const double> field) {
+        std::vector<double>& values = snapshot.values.emplace_back(grid.cells(), 0.0);
+        if (acts_) forSolved([&](std::size_t to, std::size_t at) { values[to] = field[at]; });
+    };
+    if (acts_) forSolved([&](std::size_t to, std::size_t at) { gap[to] = contact_.gap()[at]; });
     snapshot.values.clear();
-    const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
-    const auto addNothing = [&] { snapshot.values.emplace_back(cells, 0.0); };
-    if (acts_) {
-        add(contact_.gap());
-        add(contact_.pressure());
-        if (contact_.adheres()) add(contact_.adhesion());
-        if (!surface_.empty()) add(surface_);
-        return;
-    }
-    std::vector<double> surface(cells, 0.0), gap(cells);
-    topography_.heights(grid_, velocity_.x * time_, velocity_.y * time_, surface);
-    forHeights(attitude_, [&](std::size_t at, double height) { gap[at] = height - surface[at]; });
-    add(gap);
-    addNothing();
-    if (contact_.adheres()) addNothing();
-    if (!surface_.empty()) add(surface);
+    snapshot.values.push_back(std::move(gap));
+    add(contact_.pressure());
+    if (contact_.adheres()) add(contact_.adhesion());
+    if (!surface_.empty()) snapshot.values.push_back(std::move(surface));
 }
 
 } // namespace touchdown

@@ -9,6 +9,9 @@
 // Each step is solved to 1e4 elastic.tolerance: by default to 1e-4 of the largest pressure and displacement. The error
 // of the force is some 1e-5, and contacts snap in and pull off in the same steps as with a tight tolerance.
 //
+// The margin around the cells that can touch, a recess, is not part of the solution. The disk is displaced there, too,
+// which the film beside a pad's edge sees.
+//
 // A solution with adhesion depends on its start: the last accepted state, or the last try where that was at the same
 // time within a picometre.
 #pragma once
@@ -59,9 +62,11 @@ public:
     void overlap(const CellGrid& grid);
     /// Takes the mean displacement of the disk in each cell off `height` (padded) [m].
     void deform(const PaddedGrid& pad, std::span<double> height) const;
+    /// Sets `field` (padded) to zero in the cells where the surfaces touch.
+    void clearTouching(const PaddedGrid& pad, std::span<double> field) const;
     void observe(FieldSnapshot& snapshot) const;
 
-    const UniformGrid& grid() const { return grid_; }
+    const UniformGrid& grid() const { return whole_.grid; }
 
 private:
     /// The share of one of the film's columns or rows that one of the patch's takes.
@@ -73,9 +78,15 @@ private:
     template <typename Visit>
     void forHeights(const Attitude& attitude, const Visit& visit) const;
     void setSeparation(const Attitude& attitude, double time);
+    void setDisplacement();
     void sum();
+    /// Calls visit(cell of the whole patch, solved cell) for each solved one.
+    template <typename Visit>
+    void forSolved(const Visit& visit) const;
 
+    ContactPatch whole_; // with the margin
     UniformGrid grid_;
+    std::size_t first_;          // of its cells, on the whole patch
     std::vector<double> recess_; // [m]
     double length_, width_;      // of the slider [m]
     double modulus_;             // E* [Pa]
@@ -83,14 +94,16 @@ private:
     Velocity velocity_; // of the surface [m/s]
     ContactLever lever_;
     AdhesiveContact contact_;
-    std::vector<double> surface_;    // w [m]; empty: flat
-    std::vector<double> separation_; // s [m]
-    double surfaceTime_;             // of surface_ [s]
-    Attitude attitude_;              // of the last call
-    double time_ = 0.0;              // of the last call [s]
-    bool acts_ = false;              // whether the last call solved
-    bool tried_ = false;             // solved since it was accepted, and converged
-    bool remembers_ = false;         // the accepted state acts
+    HalfSpace space_;                  // of the whole patch
+    std::vector<double> displacement_; // of the disk, on the whole patch [m]
+    std::vector<double> surface_;      // w [m]; empty: flat
+    std::vector<double> separation_;   // s [m]
+    double surfaceTime_;               // of surface_ [s]
+    Attitude attitude_;                // of the last call
+    double time_ = 0.0;                // of the last call [s]
+    bool acts_ = false;                // whether the last call solved
+    bool tried_ = false;               // solved since it was accepted, and converged
+    bool remembers_ = false;           // the accepted state acts
     PatchForces forces_;
     std::vector<Overlap> columns_, rows_;
 };

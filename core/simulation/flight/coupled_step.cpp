@@ -243,7 +243,8 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         if (!film.converged) return fail(CoupledFailure::Film);
         if (monolithic && response_.isOld()) {
             const Stopwatch watch(cost_.responseSeconds);
-            result.solves += response_.renew(stepper_.pressure(), stepper_.linear(), options_.goOn);
+            result.solves +=
+                response_.renew(stepper_.pressure(), stepper_.linear(), inReach_ ? contact_ : nullptr, options_.goOn);
             if (!response_.known()) return fail(CoupledFailure::Stopped);
         }
         filmForce_ = filmForceAt(stepper_.pressure());

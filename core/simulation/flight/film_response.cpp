@@ -5,6 +5,7 @@
 
 #include "core/physics/film/film_newton.h"
 #include "core/physics/film/gas_film.h"
+#include "core/simulation/contact/slider_contact.h"
 
 namespace touchdown {
 
@@ -34,7 +35,8 @@ bool FilmResponse::isOld() const
     return std::abs(film_.storagePerTime() - perTime_) > sameRate * perTime_ || age_ > oldest;
 }
 
-int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn)
+int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, const SliderContact* contact,
+                        const std::function<bool()>& goOn)
 {
     bool goesOn = true;
     const auto ask = [&] { return goesOn = goesOn && (!goOn || goOn()); };
@@ -43,6 +45,8 @@ int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, con
     film_.attitudeColumns(p, columns_, attitudeWork_);
     // At a fixed height of the mass centre the trailing edge sinks by half the length times the pitch.
     for (std::size_t at = 0; at < columns_[1].size(); ++at) columns_[1][at] -= halfLength * columns_[0][at];
+    for (std::vector<double>& column : columns_)
+        if (contact) contact->clearTouching(column);
     loads_.derivatives(p, forces_);
     int iterations = 0;
     const std::size_t count = body_.holdsRoll() ? 2 : 3;

@@ -3,6 +3,10 @@
 // Response of the film within a time step to a small change of the attitude: with J dp = -dR/dq dq its pressure changes
 // by -X dq, X = J^-1 dR/dq, and its forces by -S dq, S = -dF/dq + dF/dp X. Both only guide an iteration, so they are
 // kept while the length of the step is about the same, for some 200 steps, until steps converge more slowly.
+//
+// Where slider and disk touch, the disk gives way with the slider, so that the gap hardly changes: the air there counts
+// as if it stayed as it is. Air of a few tenths of a nanometre that the slider compresses alone would be stiffer than
+// the contact by a factor of up to 300, which no step between those of the contact itself could follow.
 #pragma once
 
 #include <array>
@@ -17,6 +21,7 @@
 namespace touchdown {
 
 class FilmLinearSolver;
+class SliderContact;
 
 class FilmResponse {
 public:
@@ -35,8 +40,10 @@ public:
     /// Steps converge more slowly.
     void outdate() { age_ = oldest + 1; }
     /// Renews the response at pressures p (padded) with the linear systems of a pressure near p; returns the number of
-    /// preconditioned iterations. If `goOn`, asked at each of them, returns false nothing is known.
-    int renew(std::span<const double> p, FilmLinearSolver& linear, const std::function<bool()>& goOn = {});
+    /// preconditioned iterations. `contact`: null, or where the surfaces touch now. If `goOn`, asked at each iteration,
+    /// returns false nothing is known.
+    int renew(std::span<const double> p, FilmLinearSolver& linear, const SliderContact* contact,
+              const std::function<bool()>& goOn = {});
 
     /// S about the mass centre, shear contained [N/m, N/rad; N m/m, N m/rad]; zero as long as nothing is known.
     const Matrix3& stiffness() const { return stiffness_; }

@@ -3,7 +3,7 @@
 // Length of the next step of a run of the film. The film's formula is fitted to the slider's rate only where steps
 // change by at most a quarter (numerics/backward_difference.h), and a longer step needs a new linearisation. So a
 // length stays, or grows by that where the error allows more. A limit that falls is followed at that pace, too; an
-// error that is too large shortens a step at once.
+// error that is too large shortens a step at once, and the step after it, which cannot be fitted, grows by up to two.
 #pragma once
 
 #include <algorithm>
@@ -38,7 +38,11 @@ public:
     bool isTooLong(double error) const { return !fixed() && factor(error) < worstFactor; }
 
     /// Length of a step that is tried again.
-    double shortened(double dt, double error) { return wanted_ = dt * std::max(factor(error), 0.25); }
+    double shortened(double dt, double error)
+    {
+        shortened_ = true;
+        return wanted_ = dt * std::max(factor(error), 0.25);
+    }
     /// Length after a step that failed.
     double halved(double dt)
     {
@@ -47,18 +51,21 @@ public:
     }
     void accepted(double dt, double error)
     {
-        const double change = factor(error);
+        const double change = factor(error), growth = shortened_ ? mostGrowth : smoothChange;
         wanted_ = fixed() ? first_
-                          : dt * (change >= worthGrowing ? smoothChange : std::clamp(change, 1.0 / smoothChange, 1.0));
+                          : dt * (change >= worthGrowing ? std::min(change, growth)
+                                                         : std::clamp(change, 1.0 / smoothChange, 1.0));
+        shortened_ = false;
     }
 
 private:
     static constexpr double safety = 0.9;
     static constexpr double worthGrowing = 1.3; // with some room beyond smoothChange
 
-    double allowed_; // [m]
-    double first_;   // [s]
-    double wanted_;  // where nothing else limits it [s]
+    double allowed_;         // [m]
+    double first_;           // [s]
+    double wanted_;          // where nothing else limits it [s]
+    bool shortened_ = false; // the step that is tried
 };
 
 } // namespace touchdown

@@ -90,6 +90,22 @@ private slots:
         QVERIFY(*std::ranges::max_element(patch.height) > 1.9e-6);
         QVERIFY(*std::ranges::min_element(patch.height) < 100e-6 * cell);
     }
+    /// Without it the patch ends at the pad's sides, 100 cells of 0.5 um apart, and at its trailing edge.
+    void margins()
+    {
+        const SliderPatches found = sliderPatches(twoPads(), length, width, 100e-6, 0.0, cell, 3e-9, mostCells);
+        const ContactPatch &whole = found.patches.front(), inner = withoutMargin(whole, 1e-7);
+        QVERIFY(inner.grid.nx < whole.grid.nx);
+        QCOMPARE(inner.grid.ny, 100);
+        QVERIFY(std::abs(end(inner.grid.x0, inner.grid.nx, cell) - 1.2e-3) < 1e-9);
+        QVERIFY(*std::ranges::max_element(inner.height) < 10e-9);
+        QCOMPARE(inner.height.size(), inner.grid.cells());
+        QCOMPARE(inner.recess.size(), inner.grid.cells());
+        const auto i = static_cast<int>(std::lround((inner.grid.x0 - whole.grid.x0) / cell));
+        const auto j = static_cast<int>(std::lround((inner.grid.y0 - whole.grid.y0) / cell));
+        QCOMPARE(inner.height[inner.grid.at(3, 7)], whole.height[whole.grid.at(i + 3, j + 7)]);
+        QCOMPARE(withoutMargin(whole, -1.0).grid.nx, whole.grid.nx); // nothing is so low
+    }
     /// Rolled by 20 urad the pads differ by 9 nm: one of them stays out of reach.
     void onePadOfARolledSlider()
     {

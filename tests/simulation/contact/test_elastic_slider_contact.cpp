@@ -221,6 +221,35 @@ private slots:
         scene.contact.at(at(200e-9), 0.0);
         QVERIFY(!scene.contact.deform(height));
     }
+    /// Film cells that hold a touching cell of the patch, and no others.
+    void knowsWhereItTouches()
+    {
+        const Case c = withRoughDisk(false);
+        Scene scene(c);
+        scene.contact.at(at(-0.5e-9), 0.0);
+        std::vector<double> field(scene.pad.size(), 1.0), expected(scene.pad.size(), 1.0);
+        scene.contact.clearTouching(field);
+        FieldSnapshot snapshot;
+        scene.contact.observe(snapshot);
+        const RecordedFields fields = ElasticSliderContact::fields(c);
+        std::size_t cell = 0;
+        int touching = 0;
+        for (int j = 0; j < fields.grid.ny(); ++j)
+            for (int i = 0; i < fields.grid.nx(); ++i, ++cell) {
+                if (!(snapshot.values[1][cell] > 0.0)) continue;
+                ++touching;
+                for (int l = 0; l < 4; ++l)
+                    for (int k = 0; k < 5; ++k)
+                        if (scene.grid.x[std::size_t(k)] < fields.grid.x[std::size_t(i) + 1] &&
+                            scene.grid.x[std::size_t(k) + 1] > fields.grid.x[std::size_t(i)] &&
+                            scene.grid.y[std::size_t(l)] < fields.grid.y[std::size_t(j) + 1] &&
+                            scene.grid.y[std::size_t(l) + 1] > fields.grid.y[std::size_t(j)])
+                            expected[scene.pad.at(k, l)] = 0.0;
+            }
+        QVERIFY(touching > 0);
+        QVERIFY(std::ranges::count(expected, 1.0) > 0);
+        QCOMPARE(field, expected);
+    }
     void namesWhereNothingIsModelled()
     {
         Case c = withPad();

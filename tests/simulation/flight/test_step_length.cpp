@@ -74,6 +74,22 @@ private slots:
         QCOMPARE(length.next(1e-7, 1.0), 0.2e-7);
         QCOMPARE(length.next(1e-9, 1.0), 2e-9);
     }
+    /// A step that was repeated with 0.45 of its length differs too much to be fitted: the next one makes up for it at
+    /// once, as far as the error allows. From then on lengths change smoothly.
+    void growsBackAtOnce()
+    {
+        StepLength length(1e-7, allowed);
+        length.accepted(1e-7, 0.5 * allowed);
+        const double shorter = length.shortened(1e-7, 8.0 * allowed);
+        length.accepted(shorter, 1e-2 * allowed);
+        const double next = length.next(shorter, 1.0);
+        QCOMPARE(next, 2.0 * shorter);
+        length.accepted(next, 1e-2 * allowed);
+        QCOMPARE(length.next(next, 1.0), StepLength::smoothChange * next);
+        length.shortened(next, 8.0 * allowed);
+        length.accepted(shorter, 0.3 * allowed); // allows 0.9/cbrt 0.3 = 1.344
+        QVERIFY(std::abs(length.next(shorter, 1.0) - 1.3444 * shorter) < 1e-3 * shorter);
+    }
     void fixedStepsStay()
     {
         StepLength length(1e-7, 0.0);
