@@ -43,7 +43,7 @@ fs::path linkTarget(const fs::path& file)
 
 namespace {
 
-constexpr std::string_view mark = ".touchdown.";
+constexpr std::string_view ownMark = ".touchdown.";
 constexpr std::string_view partEnding = ".part";
 constexpr std::size_t idLength = 8; // hexadecimal digits between them
 
@@ -52,8 +52,8 @@ std::string markedName(const fs::path& file)
 {
     constexpr std::size_t longestName = 255; // [byte], of common file systems
     std::string name = file.filename().string();
-    name.resize(std::min(name.size(), longestName - mark.size() - idLength - partEnding.size()));
-    return name.append(mark);
+    name.resize(std::min(name.size(), longestName - ownMark.size() - idLength - partEnding.size()));
+    return name.append(ownMark);
 }
 
 std::string newId()

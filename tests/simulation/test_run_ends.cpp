@@ -8,7 +8,7 @@
 #include <QTest>
 
 #include "core/case/parameters.h"
-#include "core/simulation/static_state/steady_series.h"
+#include "core/simulation/static_state/steady.h"
 #include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"
 
