@@ -29,7 +29,7 @@ std::vector<Parameter> asperityParameters()
         number("asperity.density", "summit density", "eta", {"1/m^2", "1/um^2"}, positive(1e20),
                at(&Case::asperity, &Asperities::density), withAsperities,
                "Number of summits per area of the nominal surface.", assumed),
-        number("asperity.height_deviation", "height deviation", "sigma_s", nanometres, positive(1e-3),
+        number("asperity.height_deviation", "height deviation", "sigma_s", nanometres, between(1e-12, 1e-3),
                at(&Case::asperity, &Asperities::heightDeviation), withAsperities,
                "Standard deviation of the summits' heights, which are normally distributed.", assumed),
         number("asperity.plane_height", "summit plane", "y_s", nanometres, within(1e-3),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/cml_case.h"
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <system_error>
@@ -86,8 +87,9 @@ private:
     void set(const std::string& key, double value)
     {
         if (parameters_.wasSet(key)) return;
-        parameters_.setNumber(key, roundedTo(value, digits), 0);
-        values_.emplace_back(key, toText(parameters_.value(), *findParameter(key)));
+        const Parameter& parameter = *findParameter(key);
+        parameters_.setNumber(key, std::clamp(roundedTo(value, digits), parameter.minimum, parameter.maximum), 0);
+        values_.emplace_back(key, toText(parameters_.value(), parameter));
     }
 
     CmlParameters& parameters_;

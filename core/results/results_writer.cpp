@@ -139,10 +139,9 @@ struct ResultsWriter::File {
             const std::string failure = flush(batch, snapshots, nullptr);
             lock.lock();
             adapt(numbers, Clock::now() - begin);
-            if (failure.empty()) continue;
             problem = failure;
-            changed.notify_all();
-            return;
+            changed.notify_all(); // one that waits may go on: mayWait has changed, too
+            if (!problem.empty()) return;
         }
     }
 

@@ -243,7 +243,7 @@ void TestRunCommand::badInput_data()
     QTest::newRow("missing unit") << QByteArray("mass") << QByteArray("mass = \"1.6\"") << Words{"slider.mass", "unit"};
     QTest::newRow("wrong unit") << QByteArray("mass") << QByteArray("mass = \"1.6 nm\"") << Words{"slider.mass", "nm"};
     QTest::newRow("negative mass") << QByteArray("mass") << QByteArray("mass = \"-1.6 mg\"")
-                                   << Words{"slider.mass", "-1.6 mg", "greater than 0"};
+                                   << Words{"slider.mass", "-1.6 mg", "at least 1e-6 mg"};
     QTest::newRow("d_e < d_s") << QByteArray("take_off =") << QByteArray("take_off = \"2 nm\"")
                                << Words{"ono_yamane.take_off", "touch_down"};
     QTest::newRow("no TOML") << QByteArray("mass") << QByteArray("mass = = 3") << Words{};

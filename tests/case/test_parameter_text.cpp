@@ -104,13 +104,13 @@ private slots:
         QTest::addColumn<QString>("says");
         QTest::newRow("a negative mass") << "slider.mass"
                                          << "-1.6 mg"
-                                         << "-1.6 mg is out of range: allowed is greater than 0 mg, at most 10 kg";
+                                         << "-1.6 mg is out of range: allowed is at least 1e-6 mg, at most 10 kg";
         QTest::newRow("no mass") << "slider.mass"
                                  << "0 mg"
-                                 << "0 mg is out of range: allowed is greater than 0 mg, at most 10 kg";
+                                 << "0 mg is out of range: allowed is at least 1e-6 mg, at most 10 kg";
         QTest::newRow("a mass in tonnes") << "slider.mass"
                                           << "20 kg"
-                                          << "20 kg is out of range: allowed is greater than 0 mg, at most 10 kg";
+                                          << "20 kg is out of range: allowed is at least 1e-6 mg, at most 10 kg";
         QTest::newRow("a wrong unit") << "slider.mass"
                                       << "7 nm"
                                       << "\"7 nm\" has the wrong unit; a mass such as mg, g or kg is needed";
@@ -207,7 +207,7 @@ private slots:
         QVERIFY(!setFromNumber(c, *findParameter("steady.radii"), 0.02).has_value());
         QCOMPARE(c.steady.radii, std::vector<double>{0.02});
         QCOMPARE(setFromNumbers(c, *findParameter("slider.mass"), {1.0}).value_or(""),
-                 std::string("is a list; allowed is greater than 0 mg, at most 10 kg"));
+                 std::string("is a list; allowed is at least 1e-6 mg, at most 10 kg"));
         QCOMPARE(setFromNumber(c, *findParameter("title"), 1.0).value_or(""),
                  std::string("is a number; text is needed"));
         QVERIFY(c.slider.mass == 2e-6);
@@ -217,8 +217,8 @@ private slots:
     {
         QTest::addColumn<QString>("key");
         QTest::addColumn<QString>("range");
-        QTest::newRow("an open lower end") << "slider.mass"
-                                           << "greater than 0 mg, at most 10 kg";
+        QTest::newRow("an open lower end") << "slider.length"
+                                           << "greater than 0 mm, at most 0.1 m";
         QTest::newRow("a closed lower end") << "springs.front_damping_ratio"
                                             << "at least 0, at most 10";
         QTest::newRow("no ends") << "initial.pitch_velocity"

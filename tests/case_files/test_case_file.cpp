@@ -106,9 +106,9 @@ private slots:
         row("unknown unit", "[springs]\ncutoff = '7 nn'",
             "a.toml:2: springs.cutoff: \"7 nn\" has an unknown unit; a length such as nm, um or mm is needed");
         row("negative mass", "[slider]\nmass = '-1.6 mg'",
-            "a.toml:2: slider.mass: -1.6 mg is out of range: allowed is greater than 0 mg, at most 10 kg");
+            "a.toml:2: slider.mass: -1.6 mg is out of range: allowed is at least 1e-6 mg, at most 10 kg");
         row("negative bare mass", "[slider]\nmass = -1",
-            "a.toml:2: slider.mass: -1 kg is out of range: allowed is greater than 0 mg, at most 10 kg");
+            "a.toml:2: slider.mass: -1 kg is out of range: allowed is at least 1e-6 mg, at most 10 kg");
         row("take-off below touch-down", "[ono_yamane]\ntake_off = '2 nm'",
             "a.toml:2: ono_yamane.take_off: d_e = 2 nm must be at least ono_yamane.touch_down (d_s = 3 nm)");
         row("take-off below touch-down, by the default", "[ono_yamane]\ntouch_down = '6 nm'",
@@ -309,7 +309,7 @@ private slots:
             << QStringList("--set: springs.flying_height: \"8\" has no unit; a length such as nm, um or mm is needed");
         QTest::newRow("two problems")
             << QStringList{"slider.mass=0 mg", "contact=x"}
-            << QStringList{"--set: slider.mass: 0 mg is out of range: allowed is greater than 0 mg, at most 10 kg",
+            << QStringList{"--set: slider.mass: 0 mg is out of range: allowed is at least 1e-6 mg, at most 10 kg",
                            "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
                            "multi-asperity"};
         QTest::newRow("a list, and a quantity")

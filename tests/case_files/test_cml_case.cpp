@@ -313,7 +313,7 @@ private slots:
             makeSensible(c);
             if (!checkCombinations(c).empty()) continue; // rails that are a hair too thin
             const CmlOutput output = formatCmlCase(c);
-            QCOMPARE(output.problem, std::string());
+            QVERIFY2(output.problem.empty(), output.problem.c_str());
             QCOMPARE(writeCmlCase(folder.path(place.toStdString()), output.members), std::string());
             const CaseDocument document = readCmlCase(folder.path(place.toStdString()));
             QCOMPARE(joined(document.problems, folder), QByteArray());

@@ -141,6 +141,9 @@ private:
         if (run_.stopped()) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
             return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
+        if (!stepper_->filmForce().allFinite() || !stepper_->contactForces().load().allFinite())
+            return fail(RunFailure::Other, "the forces at the start are no numbers; start higher "
+                                           "(initial.nominal_trailing_edge_height) or on a smoother disk");
         balance_.emplace(level.film, *body_, scene_.restEnergy);
         recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, run_);
         point_ = pointNow(0.0);

@@ -180,7 +180,7 @@ private slots:
         row("an unknown scheme", withValues("iqpo", "5 1e-7 1e-4 0"),
             "dynamics.def:23: Solution Control Menu: the scheme must be a whole number from 1 to 4, not \"0\"");
         row("no mass", withValues("f0(kg)", "1.5e-3 0.01 -0.02 0 2.2e-13 1.45e-13"),
-            "dynamics.def:6: slider.mass: 0 mg is out of range: allowed is greater than 0 mg, at most 10 kg");
+            "dynamics.def:6: slider.mass: 0 mg is out of range: allowed is at least 1e-6 mg, at most 10 kg");
         row("two billion nodes", withValues("iadapt", "1 0 0 2000000000 194 1 1"),
             "dynamics.def:26: Grid Control Menu: the number of grid lines must be a whole number from 2 to 1000000, "
             "not "

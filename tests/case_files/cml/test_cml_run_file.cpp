@@ -270,7 +270,7 @@ private slots:
         row("a number too few", withValues("p0(pa)", "1e5 6e-8"),
             "run.dat:22: Air Parameters: the section ends where the viscosity is needed");
         row("no air", withValues("p0(pa)", "0 6e-8 1.8e-5"),
-            "run.dat:22: air.pressure: 0 kPa is out of range: allowed is greater than 0 kPa, at most 1e8 Pa");
+            "run.dat:22: air.pressure: 0 kPa is out of range: allowed is at least 1 Pa, at most 1e8 Pa");
         row("two billion radii", withValues("irad", "2000000000 1 1"),
             "run.dat:11: Runs: the number of radii must be a whole number from 1 to 1000, not \"2000000000\"");
         row("no radius", withValues("irad", "0 1 1"),

@@ -189,7 +189,7 @@ void TestCasePanel::showsWhyAnEntryIsBad_data()
     QTest::addColumn<QString>("part");
     QTest::newRow("negative mass") << "slider.mass"
                                    << "-1"
-                                   << "greater than";
+                                   << "at least";
     QTest::newRow("a force where a length belongs") << flyingHeight << "7 mN"
                                                     << "length";
     QTest::newRow("no number") << flyingHeight << "high"
