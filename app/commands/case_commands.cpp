@@ -68,13 +68,25 @@ int validateStudy(const CommandArguments& arguments, const StudySource& study)
     return plan.valid() ? exitDone : exitWrongInput;
 }
 
+/// Names the file of the disk's surface as seen from the folder of the new files. Returns whether it lies outside.
+bool moveSurface(CaseDocument& document, const fs::path& folder)
+{
+    std::string& surface = document.value.diskSurface.file;
+    if (surface.empty()) return false;
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(document.value.folder / surface, error), error);
+    const bool outside = leadsOutside(folder, whole);
+    surface =
+        (outside ? whole : fs::proximate(whole, fs::weakly_canonical(fs::absolute(folder), error), error)).string();
+    return outside;
+}
+
 /// Writes a case file whose file names fit the folder of `to`. Returns the problem, or "".
 std::string writeToml(CaseDocument& document, const fs::path& to)
 {
     const fs::path folder = to.parent_path().empty() ? fs::path(".") : to.parent_path();
-    std::string& surface = document.value.diskSurface.file; // absolute where it was found beside files of CML
-    const bool outside = leadsOutside(folder, surface);
-    if (fs::path(surface).is_absolute() && !outside) surface = fs::proximate(surface, folder).string();
+    const bool outside = moveSurface(document, folder);
+    const std::string& surface = document.value.diskSurface.file;
     const std::string text = updateCaseText(document.text, document.value, folder);
     const CaseDocument written = parseCase(text, to.string(), folder, OutsidePaths::Allowed);
     if (written.valid() && outside)
@@ -95,8 +107,10 @@ std::string replacementProblem(const CaseDocument& document, const fs::path& to,
     return {};
 }
 
-std::string writeCml(const CaseDocument& document, const fs::path& to)
+std::string writeCml(CaseDocument& document, const fs::path& to)
 {
+    const bool archive = isCmlPath(to) && !fs::is_directory(to);
+    moveSurface(document, !archive ? to : to.parent_path().empty() ? fs::path(".") : to.parent_path());
     const CmlOutput output = formatCmlCase(document.value);
     if (!output.problem.empty()) return document.name + ": " + output.problem;
     std::string problem = writeCmlCase(to, output.members);

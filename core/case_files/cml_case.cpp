@@ -29,6 +29,13 @@ namespace {
 
 bool isArchive(const fs::path& path) { return lowerCase(path.extension().string()) == ".cml"; }
 
+/// In which the files of the case lie, or its archive.
+fs::path folderOf(const fs::path& path)
+{
+    std::error_code error;
+    return fs::is_directory(path, error) ? path : path.parent_path().empty() ? fs::path(".") : path.parent_path();
+}
+
 /// A sentence as it follows file and line.
 std::string asMessage(std::string sentence)
 {
@@ -136,9 +143,8 @@ public:
     {
         if (isArchive(path)) return fromArchive(path);
         std::error_code error;
-        const bool isFolder = fs::is_directory(path, error);
-        const fs::path folder = isFolder ? path : path.parent_path().empty() ? fs::path(".") : path.parent_path();
-        const std::string named = isFolder ? "" : lowerCase(path.filename().string());
+        const fs::path folder = folderOf(path);
+        const std::string named = fs::is_directory(path, error) ? "" : lowerCase(path.filename().string());
         std::vector<std::pair<std::string, fs::path>> found;
         for (const std::string member : {"rail.dat", "run.dat", "dynamics.def"}) {
             if (member == named)
@@ -248,9 +254,7 @@ void findTrackProfile(const fs::path& path, OutsidePaths outside, CmlParameters&
     if (c.diskSurface.file.empty()) return;
     const int line = parameters.lineOf("disk.surface.file");
     std::error_code error;
-    const fs::path folder = fs::is_directory(path, error) ? path
-                            : path.parent_path().empty()  ? fs::path(".")
-                                                          : path.parent_path();
+    const fs::path folder = folderOf(path);
     const auto file = isArchive(path) ? std::nullopt : findCmlMember(folder, c.diskSurface.file);
     if (file && outside == OutsidePaths::Refused && leadsOutside(folder, file->filename())) {
         document.outsideFiles.push_back(file->string());
@@ -322,6 +326,7 @@ CaseDocument readCmlCase(const fs::path& path, OutsidePaths outside)
     CaseDocument document;
     document.name = path.string();
     document.value = defaultsOf(ModelKind::Film);
+    document.value.folder = document.folder = folderOf(path);
     const auto files = CmlFinder(document, outside).find(path);
     if (!files) return document;
     CmlParameters parameters(document.value);

@@ -89,9 +89,12 @@ void removeParts(const fs::path& file)
 int openLock(const fs::path& lock)
 {
     while (true) {
-        int descriptor = ::open(lock.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        // Writable: some network file systems lock no other files.
+        int descriptor = ::open(lock.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+        if (descriptor < 0 && errno == EACCES)
+            descriptor = ::open(lock.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (descriptor >= 0 || errno != ENOENT) return descriptor;
-        descriptor = ::open(lock.c_str(), O_RDONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0 || errno != EEXIST) return descriptor;
     }
 }
@@ -108,7 +111,8 @@ OutputLock::OutputLock(const fs::path& file) : lock_(file.parent_path() / (marke
 {
     while (!held_) {
         const int descriptor = openLock(lock_);
-        if (descriptor < 0 && errno != ELOOP) throw std::system_error(errno, std::generic_category());
+        if (descriptor < 0 && errno != ELOOP && errno != EISDIR)
+            throw std::system_error(errno, std::generic_category());
         struct stat status {};
         const bool isLock =
             descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size == 0;

@@ -51,6 +51,27 @@ private slots:
         QVERIFY(copy.open(QIODevice::ReadOnly));
         QCOMPARE(copy.readAll(), QByteArray("# my notes\ntitle = \"x\"\nmodel = \"film\"\n"));
     }
+    /// The surface of the disk stands beside the case that is read, wherever the new one stands.
+    void surfacesAreNamedFromTheNewPlace()
+    {
+        QVERIFY(QDir(folder_->path()).mkpath("a/deeper") && QDir(folder_->path()).mkdir("b"));
+        folder_->put("a/deeper/track.txt", "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n");
+        folder_->put("a/deeper/c.toml", "model = \"film\"\n[disk.surface]\nkind = \"file\"\nfile = \"track.txt\"\n");
+        const auto surfaceOf = [&](const char* file) {
+            const CaseDocument document = openCase(folder_->path(file).toStdString(), OutsidePaths::Allowed);
+            return document.valid() ? QString::fromStdString(document.value.diskSurface.file) : QString("not valid");
+        };
+        QCOMPARE(folder_->touchdown({"convert", "a/deeper/c.toml", "a/up.toml"}).code, 0);
+        QCOMPARE(surfaceOf("a/up.toml"), QStringLiteral("deeper/track.txt"));
+        const Outcome outside = folder_->touchdown({"convert", "a/deeper/c.toml", "b/c.toml"});
+        QCOMPARE(outside.code, 0);
+        QVERIFY2(outside.err.startsWith("warning: b/c.toml: disk.surface.file: names "), outside.err);
+        QCOMPARE(surfaceOf("b/c.toml"), QFileInfo(folder_->path("a/deeper/track.txt")).canonicalFilePath());
+        QCOMPARE(folder_->touchdown({"convert", "a/deeper/c.toml", "a/cml"}).code, 0);
+        QCOMPARE(surfaceOf("a/cml"), QFileInfo(folder_->path("a/deeper/track.txt")).canonicalFilePath());
+        QCOMPARE(folder_->touchdown({"validate", "a/cml"}).code, 2);
+        QCOMPARE(folder_->touchdown({"validate", "a/cml", "--allow-paths"}).code, 0);
+    }
     void warningsGoToStandardError()
     {
         folder_->put("slider/run.dat",

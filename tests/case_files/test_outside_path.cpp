@@ -95,6 +95,19 @@ private slots:
         QVERIFY(leadsOutside({}, "../track.txt"));
     }
 
+    /// What a study sets in a sample case, which has no folder; a person may.
+    void settingsOfASampleCase()
+    {
+        CaseDocument fromFile = openCase("contact_rough"), fromPerson = fromFile;
+        const fs::path before = fs::current_path();
+        fs::current_path(path("case"));
+        applySettings(fromFile, {"disk.surface.kind=file", "disk.surface.file=track.txt"}, SettingSource::File);
+        applySettings(fromPerson, {"disk.surface.kind=file", "disk.surface.file=track.txt"}, SettingSource::Person);
+        fs::current_path(before);
+        QVERIFY(allText(fromFile).find("lies outside the folder") != std::string::npos);
+        QVERIFY(allText(fromPerson).find("lies outside the folder") == std::string::npos);
+    }
+
     void aSurfaceIsRefusedByKeyAndLine()
     {
         QVERIFY(caseNaming("track.txt").valid());
