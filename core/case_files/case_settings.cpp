@@ -41,7 +41,7 @@ std::string pathProblem(const Case& c, std::string_view key)
 }
 
 /// Applies one "key=value"; returns its problem.
-std::optional<InputProblem> applySetting(Case& target, std::string_view setting, SettingSource source)
+std::optional<InputProblem> applySetting(Case& target, std::string_view setting, OutsidePaths allowed)
 {
     const auto problem = [](std::string_view key, std::string message) {
         return InputProblem{"--set", 0, shortenedKey(key), std::move(message), ProblemKind::Setting};
@@ -61,7 +61,7 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting,
                              ? setFromToml(target, *parameter, std::string(value))
                              : setFromText(target, *parameter, value);
     if (message) return problem(key, *message);
-    std::string outside = source == SettingSource::File ? pathProblem(target, key) : "";
+    std::string outside = allowed == OutsidePaths::Refused ? pathProblem(target, key) : "";
     if (outside.empty()) return {};
     target.diskSurface.file.clear();
     return problem(key, std::move(outside));
@@ -109,7 +109,7 @@ void renewWarnings(CaseDocument& document, const std::vector<std::string>& setti
 
 } // namespace
 
-void applySettings(CaseDocument& document, const std::vector<std::string>& settings, SettingSource source)
+void applySettings(CaseDocument& document, const std::vector<std::string>& settings, OutsidePaths outside)
 {
     // A setting may remove a contradiction of the file, or make one.
     const auto isCombination = [](const InputProblem& problem) { return problem.kind == ProblemKind::Combination; };
@@ -121,7 +121,7 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
         std::erase_if(document.problems, [](const InputProblem& problem) { return problem.key == surfaceFileKey; });
     const bool readable = document.valid();
     for (const std::string& setting : settings)
-        if (auto problem = applySetting(document.value, setting, source))
+        if (auto problem = applySetting(document.value, setting, outside))
             document.problems.push_back(std::move(*problem));
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
@@ -146,7 +146,7 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
 }
 
-std::string changeCase(Case& c, const std::vector<CaseSetting>& settings)
+std::string changeCase(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside)
 {
     Case changed = c;
     for (const CaseSetting& setting : settings) {
@@ -154,7 +154,8 @@ std::string changeCase(Case& c, const std::vector<CaseSetting>& settings)
         if (const auto* problem = std::get_if<std::string>(&found)) return setting.key + ": " + *problem;
         if (const auto problem = setFromText(changed, std::get<Parameter>(found), setting.value))
             return setting.key + ": " + *problem;
-        if (const std::string problem = pathProblem(changed, setting.key); !problem.empty())
+        if (const std::string problem = pathProblem(changed, setting.key);
+            outside == OutsidePaths::Refused && !problem.empty())
             return setting.key + ": " + problem;
     }
     for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;

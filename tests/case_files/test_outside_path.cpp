@@ -101,8 +101,8 @@ private slots:
         CaseDocument fromFile = openCase("contact_rough"), fromPerson = fromFile;
         const fs::path before = fs::current_path();
         fs::current_path(path("case"));
-        applySettings(fromFile, {"disk.surface.kind=file", "disk.surface.file=track.txt"}, SettingSource::File);
-        applySettings(fromPerson, {"disk.surface.kind=file", "disk.surface.file=track.txt"}, SettingSource::Person);
+        applySettings(fromFile, {"disk.surface.kind=file", "disk.surface.file=track.txt"}, OutsidePaths::Refused);
+        applySettings(fromPerson, {"disk.surface.kind=file", "disk.surface.file=track.txt"}, OutsidePaths::Allowed);
         fs::current_path(before);
         QVERIFY(allText(fromFile).find("lies outside the folder") != std::string::npos);
         QVERIFY(allText(fromPerson).find("lies outside the folder") == std::string::npos);
@@ -151,7 +151,7 @@ private slots:
         QCOMPARE(other.problems.size(), std::size_t{1});
 
         CaseDocument written = caseNaming("track.txt");
-        applySettings(written, {"disk.surface.file=" + path("secret.txt").string()}, SettingSource::File);
+        applySettings(written, {"disk.surface.file=" + path("secret.txt").string()}, OutsidePaths::Refused);
         QCOMPARE(written.problems.size(), std::size_t{1});
         QVERIFY(allText(written).find("outside the folder") != std::string::npos);
         QVERIFY(allText(written).find("secret words") == std::string::npos);

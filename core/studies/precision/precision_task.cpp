@@ -227,7 +227,8 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
     for (const std::string& table : tables) {
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
         if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
-        if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set")); !problem.empty())
+        if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set"), reader.outsidePaths());
+            !problem.empty())
             reader.addOfSettings(table, {table + ".set"}, problem);
         task.references.push_back(std::move(reference));
     }
@@ -263,7 +264,8 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     task.ensembleReference = {"", task.start};
     for (const CaseSetting& setting : settings)
         task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
-    if (const std::string problem = changeCase(task.ensembleReference.c, settings); !problem.empty())
+    if (const std::string problem = changeCase(task.ensembleReference.c, settings, reader.outsidePaths());
+        !problem.empty())
         reader.addOfSettings("ensemble.set", {"ensemble.set"}, problem);
 }
 

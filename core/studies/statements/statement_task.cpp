@@ -136,7 +136,7 @@ private:
     bool change(Case& c, const std::vector<CaseSetting>& changes, const std::string& table,
                 const std::vector<std::string>& keys)
     {
-        std::string problem = changeCase(c, changes);
+        std::string problem = changeCase(c, changes, reader_.outsidePaths());
         if (problem.empty()) problem = reasonNotToRun(c);
         if (!problem.empty()) reader_.addOfSettings(table, keys, problem);
         return problem.empty();

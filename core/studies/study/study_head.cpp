@@ -148,9 +148,7 @@ CaseDocument changedStudyCase(StudyReader& reader, CaseDocument start)
 {
     std::vector<std::string> own;
     for (const CaseSetting& each : reader.settings("set")) own.push_back(each.key + '=' + each.value);
-    if (!own.empty())
-        applySettings(start, own,
-                      reader.outsidePaths() == OutsidePaths::Allowed ? SettingSource::Person : SettingSource::File);
+    if (!own.empty()) applySettings(start, own, reader.outsidePaths());
     placeInStudy(reader, start.problems);
     placeInStudy(reader, start.unused);
     placeInStudy(reader, start.warnings);
