@@ -95,6 +95,7 @@ class TestReaderProgram : public QObject {
     std::filesystem::path written(const Fill& fill) const
     {
         const Hdf5Access access;
+        std::filesystem::remove(path());
         fill(createHdf5File(path()));
         return path();
     }

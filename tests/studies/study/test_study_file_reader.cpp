@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/study/study_file_reader.h"
 
+#include <filesystem>
 #include <limits>
 
 #include <QTemporaryDir>
@@ -132,6 +133,7 @@ void TestStudyFileReader::refusesOtherFiles()
     QVERIFY(!readStudy(folder_.filePath(QStringLiteral("none.h5")).toStdString()).problem.empty());
     {
         const Hdf5Access access;
+        std::filesystem::remove(path());
         createHdf5File(path()).set("format", "touchdown-run");
     }
     QVERIFY(readStudy(path()).problem.find("not the report of a study") != std::string::npos);
