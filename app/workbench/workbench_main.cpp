@@ -35,6 +35,7 @@ struct Arguments {
     QString size;
     QString theme;
     bool fresh = false;
+    touchdown::OutsidePaths outside = touchdown::OutsidePaths::Refused;
 };
 
 /// Ends the program for --help, --version and wrong arguments; needs no display.
@@ -62,6 +63,7 @@ Arguments parse(int argc, char** argv)
          {"pictures", "Folder for the charts of --study.", "folder"},
          {"size", "Size of the window for pictures, as 1600x1000.", "size", "1600x1000"},
          {"theme", "light, dark or system.", "name"},
+         {"allow-paths", "Also reads files that a case or a study names outside its own folder."},
          {"fresh", "Starts with the default case and the default arrangement, whatever the last session was."}});
 
     const auto fail = [](const QString& sentence) {
@@ -89,7 +91,9 @@ Arguments parse(int argc, char** argv)
                               .pictures = parser.value("pictures"),
                               .size = parser.value("size"),
                               .theme = parser.value("theme"),
-                              .fresh = parser.isSet("fresh")};
+                              .fresh = parser.isSet("fresh"),
+                              .outside = parser.isSet("allow-paths") ? touchdown::OutsidePaths::Allowed
+                                                                     : touchdown::OutsidePaths::Refused};
     for (const char* option : {"export", "screenshot", "study", "pictures"})
         if (parser.isSet(option) && parser.value(option).isEmpty())
             fail(QString("the value of --%1 is empty.").arg(option));
@@ -109,9 +113,9 @@ void useNames()
 
 /// Ends the program with a sentence for each problem when the case is not valid. With `asks`, the window will ask about
 /// files outside the folder of the case.
-touchdown::CaseDocument readCase(const QString& fileOrSample, bool asks)
+touchdown::CaseDocument readCase(const QString& fileOrSample, touchdown::OutsidePaths outside, bool asks)
 {
-    touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString());
+    touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString(), outside);
     if (!document.valid() && !(asks && !document.outsideFiles.empty())) {
         touchdown::complainOf(document.problems);
         std::exit(touchdown::exitWrongInput);
@@ -154,16 +158,16 @@ int main(int argc, char** argv)
         useNames();
         applyTheme(Theme::Light);
         return takeStudyPictures(arguments.study, arguments.file.isEmpty() ? defaultCase : arguments.file,
-                                 arguments.pictures);
+                                 arguments.pictures, arguments.outside);
     }
     const bool isRun = MainWindow::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
     if (isRun) checkRun(arguments.file, pictures);
     CaseDocument document;
     if (!arguments.file.isEmpty() && !isRun)
-        document = readCase(arguments.file, !pictures);
+        document = readCase(arguments.file, arguments.outside, !pictures);
     else if (pictures)
-        document = readCase(defaultCase, false);
+        document = readCase(defaultCase, arguments.outside, false);
 
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the user's, in which the core would print a decimal comma
@@ -183,7 +187,7 @@ int main(int argc, char** argv)
     } else if (!document.name.empty()) {
         window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
     } else if (arguments.fresh) {
-        window.openCase(readCase(defaultCase, false), {});
+        window.openCase(readCase(defaultCase, arguments.outside, false), {});
     } else {
         window.openLastCase();
     }

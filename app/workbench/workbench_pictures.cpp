@@ -146,9 +146,9 @@ int takePictures(MainWindow& window, const PictureRequest& request)
     return exitNoAnswer;
 }
 
-int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder)
+int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder, OutsidePaths outside)
 {
-    const StudyPlan plan = openStudy(kind.toStdString(), fileOrSample.toStdString());
+    const StudyPlan plan = openStudy(kind.toStdString(), fileOrSample.toStdString(), {}, {}, outside);
     complainOf(plan.problems);
     const QDir directory(folder);
     if (!plan.valid() || !makeFolder(directory)) return exitWrongInput;

@@ -7,6 +7,8 @@
 
 #include <QString>
 
+#include "core/case_files/outside_path.h"
+
 namespace touchdown {
 
 class MainWindow;
@@ -23,6 +25,6 @@ int takePictures(MainWindow& window, const PictureRequest& request);
 
 /// Performs a study without a window and writes each chart as <kind>.png and <kind>.svg to the folder, numbered from 1
 /// where there are several; its findings go to standard error.
-int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder);
+int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder, OutsidePaths outside);
 
 } // namespace touchdown

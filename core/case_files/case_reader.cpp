@@ -98,7 +98,8 @@ std::vector<std::string> groups()
 
 class CaseReader {
 public:
-    CaseReader(CaseDocument& document, OutsidePaths outside) : document_(document), outside_(outside), groups_(groups())
+    CaseReader(CaseDocument& document, OutsidePaths outside, MeasuredSurface surface)
+        : document_(document), outside_(outside), surface_(surface), groups_(groups())
     {}
 
     void read()
@@ -117,7 +118,7 @@ public:
             add(problem.line, problem.key, problem.message);
         addCombinations(toml);
         addUnused(toml);
-        if (document_.valid()) {
+        if (document_.valid() && surface_ == MeasuredSurface::Checked) {
             const DiskFileCheck disk = checkDiskFile(document_.value);
             document_.problems = disk.problems;
             document_.warnings.insert(document_.warnings.end(), disk.warnings.begin(), disk.warnings.end());
@@ -286,6 +287,7 @@ private:
 
     CaseDocument& document_;
     OutsidePaths outside_;
+    MeasuredSurface surface_;
     std::vector<std::string> groups_;
     std::set<std::string, std::less<>> unknownTables_;
     std::set<std::string, std::less<>> wrongKeys_;
@@ -305,13 +307,14 @@ std::string shortenedKey(std::string_view key)
     return key.size() <= longest ? std::string(key) : std::string(key.substr(0, longest)) + "...";
 }
 
-CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder, OutsidePaths outside)
+CaseDocument parseCase(std::string text, std::string name, const std::filesystem::path& folder, OutsidePaths outside,
+                       MeasuredSurface surface)
 {
     CaseDocument document;
     document.text = std::move(text);
     document.name = std::move(name);
     document.folder = folder;
-    CaseReader(document, outside).read();
+    CaseReader(document, outside, surface).read();
     return document;
 }
 

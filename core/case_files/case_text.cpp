@@ -109,6 +109,12 @@ AirBearingSurface outline(const AirBearingSurface& surface)
     return result;
 }
 
+/// The text was accepted when it was opened, with all files that it names.
+CaseDocument parsed(const std::string& text, const std::filesystem::path& folder)
+{
+    return parseCase(text, "", folder, OutsidePaths::Allowed, MeasuredSurface::Unread);
+}
+
 std::string changedText(const std::string& text, const TomlDocument& toml, const CaseDocument& old, const Case& c)
 {
     const bool fromFile = std::ranges::find(toml.entries, railFileKey, &TomlEntry::key) != toml.entries.end();
@@ -116,7 +122,7 @@ std::string changedText(const std::string& text, const TomlDocument& toml, const
     const bool readFile =
         fromFile && std::ranges::find(old.problems, railFileKey, &InputProblem::key) == old.problems.end();
     const bool keepsFile = readFile && outline(old.value.surface) == outline(c.surface);
-    const CaseDocument base = fromFile && !keepsFile ? parseCase(text, "", {}, OutsidePaths::Allowed) : old;
+    const CaseDocument base = fromFile && !keepsFile ? parsed(text, {}) : old;
     Case defaults = defaultsOf(c.model);
     defaults.model = Case{}.model;
     TomlEditor editor(text, toml);
@@ -166,10 +172,9 @@ std::string updateCaseText(const std::string& text, const Case& c, const std::fi
 {
     const TomlDocument toml = readToml(text);
     if (!toml.problem.empty()) return formatCase(c);
-    // The text was accepted when it was opened, with all files that it names.
-    const std::string updated = changedText(text, toml, parseCase(text, "", folder, OutsidePaths::Allowed), c);
+    const std::string updated = changedText(text, toml, parsed(text, folder), c);
     // A new text is better than a wrong one, should the editor not handle some form of TOML.
-    CaseDocument check = parseCase(updated, "", folder, OutsidePaths::Allowed);
+    CaseDocument check = parsed(updated, folder);
     check.value.folder = c.folder; // a text does not say where it is
     const bool broken =
         std::ranges::any_of(check.problems, [](const InputProblem& problem) { return problem.key.empty(); });

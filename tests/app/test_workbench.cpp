@@ -53,6 +53,7 @@ private slots:
     void exportsTheStaticStateOfAFilm();
     void takesAPictureOfTheWindow();
     void saysWhatCannotBeWritten();
+    void readsOutsideFilesWhenAllowed();
 
 private:
     QTemporaryDir folder_;
@@ -158,6 +159,26 @@ void TestWorkbench::saysWhatCannotBeWritten()
     QCOMPARE(o.code, 2);
     QCOMPARE(o.out, QByteArray());
     QVERIFY2(o.err.contains(file.toLocal8Bit()), o.err.constData());
+}
+
+void TestWorkbench::readsOutsideFilesWhenAllowed()
+{
+    QVERIFY(QDir(folder_.path()).mkdir("case"));
+    for (const auto& [name, text] :
+         {std::pair("track.txt", "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n"),
+          std::pair("case/outside.toml", "model = \"contact\"\n[disk.surface]\nkind = \"file\"\n"
+                                         "motion = \"still\"\nfile = \"../track.txt\"\n")}) {
+        QFile file(folder_.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+    // The wrong size ends it when the case has been read.
+    QStringList arguments{folder_.filePath("case/outside.toml"), "--export", folder_.filePath("o"), "--size", "small"};
+    Outcome o = workbench(arguments, QStringLiteral("offscreen"));
+    QCOMPARE(o.code, 2);
+    QVERIFY2(o.err.contains("--allow-paths"), o.err.constData());
+    o = workbench(arguments << "--allow-paths", QStringLiteral("offscreen"));
+    QVERIFY2(o.err.startsWith("--size is written as"), o.err.constData());
 }
 
 TOUCHDOWN_TEST(TestWorkbench)

@@ -112,6 +112,16 @@ private slots:
         QCOMPARE(updateCaseText("# notes\nmodel = \"film\"\n", Case{}), std::string("# notes\nmodel = \"springs\"\n"));
         QCOMPARE(updateCaseText("", defaultsOf(ModelKind::Film)), std::string("model = \"film\"\n"));
     }
+    /// To edit a text, the file of its measured surface is not read: it may be large, or gone.
+    void aMeasuredSurfaceIsNotRead()
+    {
+        const std::string text =
+            "model = 'contact'\n[disk.surface]\nkind = 'file'\nmotion = 'still'\nfile = 'gone.txt'\n";
+        QVERIFY(!parseCase(text, "", "/tmp").valid());
+        const CaseDocument unread = parseCase(text, "", "/tmp", OutsidePaths::Refused, MeasuredSurface::Unread);
+        QVERIFY(unread.valid());
+        QCOMPARE(updateCaseText(text, unread.value, "/tmp"), text);
+    }
     void rootKeysStayAboveTheTables()
     {
         Case c;

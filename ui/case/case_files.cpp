@@ -104,6 +104,7 @@ void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::s
         allowed_.insert(QFileInfo(file).absoluteFilePath());
         openNow(file);
     });
+    outside_ = box;
     box->open();
 }
 
@@ -253,6 +254,8 @@ QString CaseFiles::shortName() const
 
 std::string CaseFiles::text() const { return modified() ? updateCaseText(text_, edits_.value(), folder_) : text_; }
 
+std::string CaseFiles::wholeText() const { return updateCaseText(text_, edits_.value()); }
+
 void CaseFiles::writeAndTell(const QString& file)
 {
     const std::function<void()> next = std::exchange(afterSave_, nullptr);
@@ -298,6 +301,7 @@ CaseState CaseFiles::state() const
 
 void CaseFiles::restore(const CaseState& state)
 {
+    delete outside_; // yes would replace what is restored
     file_ = state.file;
     sample_ = state.sample;
     imported_ = state.import;

@@ -9,10 +9,13 @@
 #include <functional>
 #include <map>
 
+#include <QPointer>
 #include <QSet>
 #include <QWidget>
 
 #include "ui/case/case_edits.h"
+
+class QMessageBox;
 
 namespace touchdown {
 
@@ -63,7 +66,8 @@ public:
     QString write(const QString& file);
 
     CaseState state() const;
-    /// A case from another window, with its edits as one step of undo.
+    /// A case from another window, with its edits as one step of undo. An open question about files outside the folder
+    /// of a case is withdrawn.
     void restore(const CaseState& state);
 
     /// Asks about unsaved changes, if there are any; calls `next` unless the user cancels.
@@ -76,6 +80,8 @@ public:
     QString shortName() const;
     /// The exact input that the current values make.
     std::string text() const;
+    /// The same with what it reads from a file of rails, so that it needs no folder.
+    std::string wholeText() const;
     QStringList recent() const;
 
     /// A case file, or what can be imported.
@@ -109,7 +115,8 @@ private:
     std::filesystem::path folder_; // of the files that it names
     Case saved_;                   // the values in it
     std::function<void()> afterSave_;
-    QSet<QString> allowed_; // cases that may read the files outside their folders which they name
+    QPointer<QMessageBox> outside_; // the question about files outside a folder
+    QSet<QString> allowed_;         // cases that may read the files outside their folders which they name
 };
 
 } // namespace touchdown

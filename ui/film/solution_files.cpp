@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include <QDir>
@@ -45,7 +47,8 @@ QString saveSolution(const SolutionRecord& solution, const QString& file)
     return QString::fromStdString(problem);
 }
 
-std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem)
+std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem,
+                              std::optional<std::vector<int>> places)
 {
     const StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
     problem = sentence(stored.problem);
@@ -64,9 +67,16 @@ std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QS
     for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
         if (!stored.states[i].pressure.empty())
             shown.emplace_back(caseAt(document.value, points[i]), &stored.states[i]);
+    if (!places) {
+        places.emplace(shown.size());
+        std::iota(places->begin(), places->end(), 0);
+    }
+    std::erase_if(*places, [&](int place) { return place < 0 || place >= std::ssize(shown); });
     std::vector<int> numbers;
-    for (const auto& [c, state] : shown)
-        numbers.push_back(solutions.add(c, *state, file, state == shown.back().second));
+    for (const int place : *places) {
+        const auto& [c, state] = shown[static_cast<std::size_t>(place)];
+        numbers.push_back(solutions.add(c, *state, file, place == places->back(), place));
+    }
     if (numbers.empty())
         problem = tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file));
     return numbers;

@@ -3,6 +3,7 @@
 // Static solutions to and from files (core/results/steady_writer.h), by dialogs that leave the window alive.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QObject>
@@ -17,9 +18,10 @@ struct SolutionRecord;
 /// "" or the problem in a sentence.
 QString saveSolution(const SolutionRecord& solution, const QString& file);
 
-/// Adds every state of a file that has a field, with the case of that state; the last one is chosen. Returns their
-/// numbers; none with `problem` set.
-std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem);
+/// Adds every state of a file that has a field, with the case of that state; the last one is chosen. With `places`,
+/// only those states: they count from 0 among those with a field. Returns their numbers; none with `problem` set.
+std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem,
+                              std::optional<std::vector<int>> places = {});
 
 class SolutionFiles : public QObject {
     Q_OBJECT

@@ -19,13 +19,14 @@ constexpr qsizetype mostChanges = 3; // in a name
 
 } // namespace
 
-int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown)
+int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place)
 {
     auto record = std::make_unique<SolutionRecord>();
     record->number = nextNumber();
     record->name = nameOf(solved);
     record->value = solved;
     record->file = file;
+    record->place = place;
     record->result = result;
     record->shown = record->comparedByItself = shown;
     // A row of edits compares the last three; what the user checked stays.

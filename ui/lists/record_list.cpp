@@ -3,7 +3,21 @@
 
 #include <algorithm>
 
+#include <QFileInfo>
+
 namespace touchdown {
+
+namespace {
+
+bool sameFile(const QString& one, const QString& other)
+{
+    if (one.isEmpty() || other.isEmpty()) return false;
+    const QFileInfo a(one), b(other);
+    return a.absoluteFilePath() == b.absoluteFilePath() ||
+           (a.exists() && a.canonicalFilePath() == b.canonicalFilePath());
+}
+
+} // namespace
 
 CurveStyle RecordList::style(const ListedRecord& record) { return {record.number - 1, record.number - 1}; }
 
@@ -87,7 +101,13 @@ void RecordList::setFile(int number, const QString& file)
 {
     const int row = rowOf(number);
     if (row < 0) return;
+    for (int other = 0; other < count(); ++other) {
+        if (other == row || !sameFile(listed(other).file, file)) continue;
+        changeable(other).file.clear();
+        emit dataChanged(index(other), index(other), {Qt::ToolTipRole});
+    }
     changeable(row).file = file;
+    changeable(row).place = 0;
     emit dataChanged(index(row), index(row), {Qt::ToolTipRole});
 }
 

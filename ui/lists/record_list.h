@@ -21,6 +21,7 @@ struct ListedRecord {
     Case value; // that was calculated
     QString note;
     QString file;      // of the user: it was read from, or written to
+    int place = 0;     // among the records of that file
     QString kept;      // the whole of it in the folder of the session; empty: not there
     bool shown = true; // beside others: in the plots, in the comparison
 
@@ -52,6 +53,7 @@ public:
     int nextNumber() const { return nextNumber_; }
     /// Not a record that is still calculated.
     void remove(int row);
+    /// It was written to the file, or is being: another record that had this file has none any more.
     void setFile(int number, const QString& file);
     void setKept(int number, const QString& file);
 

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include <QFileInfo>
+
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/numerics/spectrum.h"
@@ -28,6 +30,13 @@ QString incompleteProblem(const RunRecord& record)
         .arg(record.number)
         .arg(record.sampleCount())
         .arg(record.snapshotsArrived());
+}
+
+/// A file that has all of the run; empty: there is none.
+QString wholeFile(const RunRecord& record)
+{
+    const QString& file = record.fromFile && record.kept.isEmpty() ? record.file : record.kept;
+    return QFileInfo::exists(file) ? file : QString();
 }
 
 RunStatus statusFromName(const std::string& text)
@@ -121,6 +130,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
         std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
     record->name = QString::fromStdString(stored.title);
     record->file = file;
+    record->fromFile = true;
     record->append(stored.samples, {}, stored.fields);
     Summary summary;
     summary.status = statusFromName(stored.status);
@@ -137,8 +147,10 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
 
 QString saveHdf5(const RunRecord& record, const QString& file)
 {
-    if (!record.complete() || !record.fieldsComplete())
-        return record.kept.isEmpty() ? incompleteProblem(record) : copyWholeFile(record.kept, file);
+    const bool held = record.complete() && record.fieldsComplete();
+    if (const QString whole = wholeFile(record); !whole.isEmpty() && (record.fromFile || !held))
+        return copyWholeFile(whole, file);
+    if (!held) return incompleteProblem(record);
     ResultsWriter writer(std::nullopt);
     std::vector<RecordedFields> sets;
     for (const FieldHistory& history : record.fields) sets.push_back(history.fields);

@@ -68,12 +68,14 @@ struct RunRecord : ListedRecord {
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
+    bool fromFile = false;    // it holds only a part of what its file does: no events, no figures
     bool interrupted = false; // read from a file whose writer was killed
 };
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem);
-/// The whole run as an HDF5 file, with the spectrum that its case asks for. "" or the problem in a sentence.
+/// The whole run as an HDF5 file, with the spectrum that its case asks for; of a run that was read from a file, a copy
+/// of that file. "" or the problem in a sentence.
 QString saveHdf5(const RunRecord& record, const QString& file);
 /// The time series as CSV.
 QString saveTimeSeries(const RunRecord& record, const QString& file);

@@ -54,8 +54,8 @@ void RunWindow::add(const RunRequest& request)
             runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
     auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
                                               recordedQuantities(request.value), recordedFields(request.value));
-    record->file = QString::fromStdString(request.recordTo.string());
     number_ = runs_.add(std::move(record)).number;
+    runs_.setFile(number_, QString::fromStdString(request.recordTo.string()));
     panel_->setActive(number_);
     view_->spectrum()->setOptionsOf(request.value);
     emit started(number_);

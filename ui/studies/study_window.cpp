@@ -8,6 +8,7 @@
 #include <QThread>
 
 #include "core/case_files/case_reader.h"
+#include "core/case_files/case_text.h"
 #include "core/studies/study/study_file.h"
 #include "core/studies/study/study_file_reader.h"
 #include "ui/calculation/progress_strip.h"
@@ -24,8 +25,8 @@ namespace {
 QString writeOutcome(const StudyOutcome& outcome, const QString& file)
 {
     const StudyPlan& plan = outcome.plan;
-    return QString::fromStdString(
-        writeStudy(file.toStdString(), *outcome.report, plan.start.value, plan.start.text, plan.text));
+    return QString::fromStdString(writeStudy(file.toStdString(), *outcome.report, plan.start.value,
+                                             updateCaseText(plan.start.text, plan.start.value), plan.text));
 }
 
 } // namespace

@@ -126,7 +126,7 @@ void MainWindow::solveStaticState(bool atGivenAttitude)
 void MainWindow::startRun()
 {
     if (!readyToRun()) return;
-    runs_->start({edits_->value(), files_->text(), recordTo_.toStdString()});
+    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
 }
 
 void MainWindow::performStudy()

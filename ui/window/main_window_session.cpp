@@ -113,7 +113,7 @@ void MainWindow::takeSession(std::unique_ptr<SessionFolder> folder)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    if (!mayClose_ && !closing_->nothingLost(session_ != nullptr)) {
+    if (!mayClose_ && !closing_->nothingLost(session_ && session_->keepsAll())) {
         event->ignore();
         return;
     }

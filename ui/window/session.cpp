@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/session.h"
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QSettings>
 
+#include "core/case_files/case_text.h"
 #include "core/results/results_writer.h"
 #include "core/studies/study/study_file.h"
 #include "ui/case/case_edits.h"
@@ -19,6 +22,7 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/whole_file.h"
 #include "ui/window/session_budget.h"
+#include "ui/window/unsaved_work.h"
 #include "ui/window/window_pages.h"
 
 namespace touchdown {
@@ -54,6 +58,7 @@ std::size_t bytesOf(const SteadyResult& state)
 struct Session::Stream {
     int number = 0;
     ResultsWriter writer;
+    bool whole = true;   // no samples or snapshots from before it are missing
     bool broken = false; // on the writer's thread
 };
 
@@ -173,9 +178,11 @@ void Session::beginStream(RunRecord& run)
             return QString::fromStdString(problem);
         },
         [this](const QString& problem) { report(problem); });
-    if (run.sampleCount() == 0 || !run.complete()) return;
     RunDelivery before;
-    before.samples = run.samples();
+    stream_->whole = run.complete() && run.fieldsComplete();
+    if (run.complete()) before.samples = run.samples();
+    for (const FieldHistory& history : run.fields)
+        before.fields.insert(before.fields.end(), history.snapshots.begin(), history.snapshots.end());
     onDelivered(before);
 }
 
@@ -207,7 +214,7 @@ void Session::onRunEnded(int number, const Summary& summary)
     if (!stream_ || stream_->number != number) return;
     results_.post(
         [stream = std::exchange(stream_, nullptr), summary] {
-            if (stream->broken) return tr("The file of the run is not complete.");
+            if (stream->broken || !stream->whole) return tr("The file of the run is not complete.");
             return QString::fromStdString(stream->writer.finish(summary));
         },
         [this, number, file = folder_->runFile(number)](const QString& problem) {
@@ -241,8 +248,9 @@ void Session::onStudied(const StudyReport& report)
     if (!folder_ || !outcome || !outcome->report) return;
     results_.post(
         [file = folder_->studyFile(QString::fromStdString(report.kind)).toStdString(), kept = *outcome->report,
-         c = outcome->plan.start.value, caseText = outcome->plan.start.text,
-         text = outcome->plan.text] { return QString::fromStdString(writeStudy(file, kept, c, caseText, text)); },
+         c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
+            return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
+        },
         [this](const QString& problem) { this->report(problem); });
 }
 
@@ -279,6 +287,26 @@ void Session::wait()
 {
     results_.wait();
     states_.wait();
+}
+
+bool Session::keepsAll()
+{
+    if (!folder_) return false;
+    const UnsavedWork work = unsavedWork(parts_);
+    if (work.empty()) return true;
+    wait();
+    QCoreApplication::sendPostedEvents(&results_, QEvent::MetaCall); // what the writers say
+    QCoreApplication::sendPostedEvents(&states_, QEvent::MetaCall);
+    const RunRecord* underWay = parts_.runs.runUnderWay();
+    const bool recorded = !underWay || !underWay->file.isEmpty() || (stream_ && stream_->whole);
+    const auto in = [](const RecordList& list) {
+        return [&list](int number) { return !list.listed(list.rowOf(number)).kept.isEmpty(); };
+    };
+    return !reported_ && recorded && std::ranges::all_of(work.runs, in(parts_.runs.runs())) &&
+           std::ranges::all_of(work.solutions, in(parts_.film.solutions())) &&
+           std::ranges::all_of(work.studies, [this](const std::string& kind) {
+               return QFile::exists(folder_->studyFile(QString::fromStdString(kind)));
+           });
 }
 
 void Session::close(bool keep)

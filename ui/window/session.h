@@ -52,13 +52,16 @@ public:
     ~Session() override;
 
     const SessionFolder& folder() const { return *folder_; }
-    /// Takes over the work of an earlier session; its folder is removed. The case in the window is replaced, results
-    /// are added to the lists. Returns a sentence for each result that could not be read.
+    /// Takes over the work of an earlier session. The case in the window is replaced, results are added to the lists.
+    /// Results that could not be taken over stay in its folder, else this is removed. Returns a sentence for each
+    /// result that is not in the window.
     QStringList restore(std::unique_ptr<SessionFolder> from);
     /// Writes the state of the window now.
     void keepState();
     /// Waits until everything is on disk.
     void wait();
+    /// Whether all that was not saved is on disk, so that close(true) leaves it whole. Waits for the disk.
+    bool keepsAll();
     /// The window closes. `keep`: what was not saved stays in the folder; else the folder is removed.
     void close(bool keep);
 
@@ -84,6 +87,7 @@ private:
     void keepWithinBudget();
     QString restoreRun(const SessionFolder& from, const ListedState& entry);
     QString restoreSolution(const SessionFolder& from, const ListedState& entry);
+    QString restoreOpened(const QString& file, const std::vector<ListedState>& entries);
     QString restoreStudy(const SessionFolder& from, const QString& kind);
     void report(const QString& problem);
 

@@ -25,14 +25,16 @@ QDir allSessions()
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + QStringLiteral("/sessions"));
 }
 
-/// A locked descriptor of the folder's lock file, or -1.
+/// A locked descriptor of the folder's lock file, or -1 and errno.
 int lockFolder(const QString& folder, int flags)
 {
     const QByteArray file = QFile::encodeName(folder + QStringLiteral("/lock"));
     const int descriptor = ::open(file.constData(), O_RDWR | O_CLOEXEC | flags, 0600);
     if (descriptor < 0) return -1;
     if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+    const int reason = errno;
     ::close(descriptor);
+    errno = reason;
     return -1;
 }
 
@@ -57,7 +59,11 @@ std::unique_ptr<SessionFolder> SessionFolder::create(QString& problem)
             problem.clear();
             return std::unique_ptr<SessionFolder>(new SessionFolder(path, lock));
         }
+        const int reason = errno;
+        QFile::remove(path + QStringLiteral("/lock"));
         sessions.rmdir(name);
+        if (reason != EWOULDBLOCK) return nullptr; // a file system without locks
+        // Another window looked just now whether the folder is in use.
     }
     return nullptr;
 }

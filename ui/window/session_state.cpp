@@ -48,11 +48,8 @@ QJsonArray listToJson(const std::vector<ListedState>& list)
 {
     QJsonArray array;
     for (const ListedState& each : list)
-        array << QJsonObject{{"number", each.number},
-                             {"note", each.note},
-                             {"file", each.file},
-                             {"shown", each.shown},
-                             {"under_way", each.underWay}};
+        array << QJsonObject{{"number", each.number}, {"note", each.note},          {"file", each.file},
+                             {"shown", each.shown},   {"under_way", each.underWay}, {"place", each.place}};
     return array;
 }
 
@@ -62,7 +59,7 @@ std::vector<ListedState> listFromJson(const QJsonArray& array)
     for (const QJsonValue& value : array) {
         const QJsonObject json = value.toObject();
         list.push_back({json["number"].toInt(), json["note"].toString(), json["file"].toString(),
-                        json["shown"].toBool(true), json["under_way"].toBool()});
+                        json["shown"].toBool(true), json["under_way"].toBool(), json["place"].toInt()});
     }
     return list;
 }
@@ -91,7 +88,7 @@ std::vector<ListedState> statesOf(const RecordList& list, int underWay)
     std::vector<ListedState> states;
     for (int row = 0; row < list.count(); ++row) {
         const ListedRecord& each = list.listed(row);
-        states.push_back({each.number, each.note, each.file, each.shown, each.number == underWay});
+        states.push_back({each.number, each.note, each.file, each.shown, each.number == underWay, each.place});
     }
     return states;
 }

@@ -24,6 +24,7 @@ struct ListedState {
     QString file; // that the user saved it to, or opened; empty: only the session has it
     bool shown = true;
     bool underWay = false; // a run that had not ended
+    int place = 0;         // in `file`
 };
 
 struct SessionState {

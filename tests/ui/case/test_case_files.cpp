@@ -18,6 +18,7 @@
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "core/case_files/cml_case.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
@@ -42,6 +43,7 @@ private slots:
     void knowsWhatCanBeDropped_data();
     void knowsWhatCanBeDropped();
     void asksBeforeItReadsElsewhere();
+    void givesATextThatNeedsNoRailFile();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -209,6 +211,22 @@ void TestCaseFiles::asksBeforeItReadsElsewhere()
     // What is saved over it still names the file.
     files_->save();
     QVERIFY(files_->text().find("../track.txt") != std::string::npos);
+}
+
+/// As a results file needs it, which may be opened anywhere.
+void TestCaseFiles::givesATextThatNeedsNoRailFile()
+{
+    files_->exportTo(path(QStringLiteral("slider")));
+    const QString file = path(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "model = \"film\"\n[abs]\nrails = \"slider/rail.dat\"\n"),
+             std::string());
+    QVERIFY(files_->openNow(file));
+    QCOMPARE(edits_->value().surface, sampleSurface());
+    QVERIFY(files_->text().find("rail.dat") != std::string::npos);
+    const CaseDocument alone = parseCase(files_->wholeText(), "");
+    QVERIFY(alone.valid());
+    QCOMPARE(alone.value.surface, sampleSurface());
+    QCOMPARE(alone.value.slider.length, edits_->value().slider.length);
 }
 
 TOUCHDOWN_TEST(TestCaseFiles)

@@ -49,6 +49,7 @@ private slots:
     void asksForTheNameOfACaseAlone();
     void staysOpenWhenSomethingIsNotSaved();
     void keepsARunThatIsStopped();
+    void asksForARunWhoseFileAnotherTook();
 
 private:
     void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
@@ -264,6 +265,22 @@ void TestClosingQuestion::keepsARunThatIsStopped()
     const StoredRun run = readResults(window_->runs().record(0).file.toStdString());
     QCOMPARE(run.status, std::string("cancelled"));
     QCOMPARE(run.samples.size(), window_->runs().record(0).sampleCount());
+}
+
+void TestClosingQuestion::asksForARunWhoseFileAnotherTook()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("run.h5"));
+    edit("run.duration", QStringLiteral("10 µs"));
+    window_->files().write(folder.filePath(QStringLiteral("mine.toml")));
+    for (int i = 0; i < 2; ++i) {
+        window_->runWindow().start({window_->edits().value(), window_->files().text(), file.toStdString()});
+        QTRY_VERIFY(!window_->controller().active());
+    }
+    QVERIFY(window_->runs().record(0).file.isEmpty());
+    QCOMPARE(window_->runs().record(1).file, file);
+    window_->close();
+    QVERIFY2(lost().contains(QStringLiteral("1 run that is not saved: 1 ")), qPrintable(lost()));
 }
 
 TOUCHDOWN_TEST(TestClosingQuestion)

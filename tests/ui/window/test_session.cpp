@@ -50,6 +50,7 @@ private slots:
     void asksNothingWhenACaseWasNamed();
     void deletesTheFileOfADeletedRun();
     void keepsARunWhoseOwnFileFails();
+    void keepsARunWhoseOwnFileFailsLater();
     void endsWithoutATraceWhenAllIsSaved();
     void bringsBackWhatWasClosedWithoutSaving();
     void startsWithTheDefaultCaseIfWanted();
@@ -337,6 +338,22 @@ void TestSession::keepsARunWhoseOwnFileFails()
     QCOMPARE(readResults(file.toStdString()).samples.size(), window_->runs().record(0).sampleCount());
 }
 
+/// Its samples until then come from memory.
+void TestSession::keepsARunWhoseOwnFileFailsLater()
+{
+    start();
+    const std::string own = data_->filePath(QStringLiteral("own.h5")).toStdString();
+    QComboBox* pace = window_->actions().pace;
+    pace->setCurrentIndex(pace->findData(1e-5));
+    window_->runWindow().start({window_->edits().value(), window_->files().text(), own});
+    QTRY_VERIFY(window_->runs().record(0).sampleCount() > 1);
+    emit window_->controller().recordingFailed(1, QStringLiteral("the disk is full"));
+    window_->controller().stopAndWait();
+    const QString file = onlyFolder() + QStringLiteral("/run1.h5");
+    QTRY_COMPARE(window_->runs().record(0).kept, file);
+    QCOMPARE(readResults(file.toStdString()).samples.time, window_->runs().record(0).samples().time);
+}
+
 void TestSession::endsWithoutATraceWhenAllIsSaved()
 {
     start();
@@ -352,6 +369,7 @@ void TestSession::bringsBackWhatWasClosedWithoutSaving()
     start();
     run();
     window_->close();
+    QVERIFY(question(*window_, "closing")->informativeText().contains(QStringLiteral("stays on this computer")));
     answer(*window_, "closing", QStringLiteral("Close without saving"));
     QVERIFY(!window_->isVisible());
     start();
@@ -438,6 +456,9 @@ void TestSession::goesOnInMemoryWhenTheDiskIsFull()
     QTest::qWait(0);           // takes the messages of the writer
     QCOMPARE(told.count(), 0); // said once
     QCOMPARE(window_->runs().record(1).sampleCount(), std::size_t(20'001));
+    window_->close();
+    const QString closing = question(*window_, "closing")->informativeText();
+    QVERIFY2(!closing.contains(QStringLiteral("stays on this computer")), qPrintable(closing));
 }
 
 TOUCHDOWN_TEST(TestSession)

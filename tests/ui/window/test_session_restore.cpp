@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A window takes over what a killed one left: nothing is lost, doubled or replaced.
+#include "ui/window/session.h"
+
+#include <QDir>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
+#include "core/results/steady_writer.h"
+#include "tests/support/sample_steady.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/question.h"
+#include "tests/ui/sample_study.h"
+#include "ui/film/film_window.h"
+#include "ui/film/solution_files.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+
+using namespace touchdown;
+
+namespace test_session_restore {
+
+class TestSessionRestore : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void init();
+    void cleanup();
+    void savesARestoredRunWhole();
+    void leavesARunThatCannotBeRead();
+    void leavesASolutionThatCannotBeRead();
+    void leavesAReportWhoseKindIsTaken();
+    void opensASeriesOnce();
+    void withdrawsAQuestionAboutOutsideFiles();
+
+private:
+    MainWindow& start(const QString& fileOrSample = QStringLiteral("fig10a"))
+    {
+        window_ = std::make_unique<MainWindow>();
+        window_->files().openNow(fileOrSample);
+        window_->show();
+        window_->beginSession(true);
+        return *window_;
+    }
+    void restart()
+    {
+        window_.reset(); // without being closed, as after a kill
+        start();
+    }
+    void restore() { answer(*window_, "restoreSession", QStringLiteral("Restore")); }
+    void run()
+    {
+        window_->startRun();
+        QTRY_VERIFY(!window_->controller().active());
+    }
+    void addStudy(const StudyReport& report)
+    {
+        window_->studies().restore({report, "", "", ""});
+        emit window_->studies().ended(report);
+    }
+    QString message() const { return window_->findChild<MessageStrip*>()->text(); }
+    static QByteArray content(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    static void write(const QString& path, const QByteArray& bytes)
+    {
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    }
+    static QString onlyFolder()
+    {
+        const QStringList all = SessionFolder::all();
+        if (all.size() != 1) qFatal("there are %d sessions", int(all.size()));
+        return all.front();
+    }
+
+    std::unique_ptr<QTemporaryDir> data_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+void TestSessionRestore::initTestCase()
+{
+    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+    QCoreApplication::setApplicationName(QStringLiteral("test_session_restore"));
+}
+
+void TestSessionRestore::init()
+{
+    QSettings().clear();
+    data_ = std::make_unique<QTemporaryDir>();
+    qputenv("XDG_DATA_HOME", data_->path().toLocal8Bit());
+}
+
+void TestSessionRestore::cleanup()
+{
+    window_.reset();
+    qunsetenv("XDG_DATA_HOME");
+}
+
+/// The window has read only a part of its file: not the events, the figures and the verdict.
+void TestSessionRestore::savesARestoredRunWhole()
+{
+    start();
+    run();
+    restart();
+    restore();
+    const RunRecord& restored = window_->runs().record(0);
+    const QByteArray kept = content(restored.kept);
+    QVERIFY(!kept.isEmpty());
+    const QString file = data_->filePath(QStringLiteral("saved.h5"));
+    QCOMPARE(saveHdf5(restored, file), QString());
+    QVERIFY(content(file) == kept);
+}
+
+void TestSessionRestore::leavesARunThatCannotBeRead()
+{
+    start();
+    run();
+    run();
+    const QString folder = onlyFolder(), bad = folder + QStringLiteral("/run1.h5");
+    window_.reset();
+    write(bad, "no results");
+    start();
+    restore();
+    QCOMPARE(window_->runs().count(), 1);
+    QCOMPARE(window_->runs().record(0).number, 2);
+    QVERIFY2(message().contains(bad), qPrintable(message()));
+    QCOMPARE(content(bad), QByteArray("no results"));
+    const SessionState left = readSession(folder).value_or(SessionState{});
+    QCOMPARE(left.runs.size(), std::size_t(1));
+    QCOMPARE(left.runs.front().number, 1);
+    QVERIFY(!left.edited.modified);
+}
+
+void TestSessionRestore::leavesASolutionThatCannotBeRead()
+{
+    start();
+    window_->film().solutions().add(test::sampleFilmCase(), test::sampleSteady());
+    window_->film().solutions().add(test::sampleFilmCase(), test::sampleSteady());
+    const QString bad = onlyFolder() + QStringLiteral("/solution2.h5");
+    window_.reset();
+    write(bad, "no results");
+    start();
+    restore();
+    QCOMPARE(window_->film().solutions().count(), 1);
+    QVERIFY2(message().contains(bad), qPrintable(message()));
+    QCOMPARE(content(bad), QByteArray("no results"));
+}
+
+void TestSessionRestore::leavesAReportWhoseKindIsTaken()
+{
+    start();
+    StudyReport earlier = sampleReport();
+    earlier.findings = {"Found earlier."};
+    addStudy(earlier);
+    const QString report = onlyFolder() + QStringLiteral("/study-work-precision.h5");
+    restart();
+    addStudy(sampleReport());
+    restore();
+    QCOMPARE(window_->studies().outcome("work-precision")->report->findings, sampleReport().findings);
+    QVERIFY2(message().contains(QStringLiteral("work-precision")), qPrintable(message()));
+    QVERIFY(QFileInfo::exists(report));
+    restart();
+    restore();
+    QCOMPARE(window_->studies().outcome("work-precision")->report->findings, sampleReport().findings); // the newest
+    restart();
+    answer(*window_, "restoreSession", QStringLiteral("Later"));
+    QMenu* menu = window_->actions().sessions;
+    emit menu->aboutToShow();
+    QCOMPARE(menu->actions().size(), 2); // one for each report
+}
+
+void TestSessionRestore::opensASeriesOnce()
+{
+    Case c = test::sampleFilmCase();
+    c.steady.radii = {20e-3, 25e-3, 30e-3};
+    const QString file = data_->filePath(QStringLiteral("series.h5"));
+    SteadyWriter writer;
+    QCOMPARE(writer.open(file.toStdString(), c, formatCase(c)), std::string());
+    for (const SteadySeriesPoint& point : seriesOf(c)) QCOMPARE(writer.add(point, test::sampleSteady()), std::string());
+    QCOMPARE(writer.finish(SteadyStatus::Converged, ""), std::string());
+    start();
+    run(); // something that only the session has
+    window_->openResults(file);
+    SolutionsModel& solutions = window_->film().solutions();
+    QCOMPARE(solutions.count(), 3);
+    solutions.setData(solutions.index(2), QStringLiteral("outside"), RecordList::NoteRole);
+    solutions.remove(1);
+    restart();
+    restore();
+    const SolutionsModel& restored = window_->film().solutions();
+    QCOMPARE(restored.count(), 2);
+    QCOMPARE(restored.record(0).value.disk.radius, 20e-3);
+    QCOMPARE(restored.record(1).value.disk.radius, 30e-3);
+    QCOMPARE(restored.record(1).note, QStringLiteral("outside"));
+    QCOMPARE(restored.record(0).file, file);
+    QCOMPARE(restored.record(1).file, file);
+}
+
+/// Its answer would replace what was restored.
+void TestSessionRestore::withdrawsAQuestionAboutOutsideFiles()
+{
+    start();
+    window_->edits().enter(*findParameter("springs.flying_height"), QStringLiteral("4"));
+    const Case edited = window_->edits().value();
+    window_.reset();
+    QVERIFY(QDir(data_->path()).mkdir(QStringLiteral("case")));
+    const QString file = data_->filePath(QStringLiteral("case/mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "model = \"contact\"\n[disk.surface]\nkind = \"file\"\n"
+                                               "motion = \"still\"\nfile = \"../track.txt\"\n"),
+             std::string());
+    start(file);
+    QVERIFY(question(*window_, "outsideFiles"));
+    restore();
+    QVERIFY(!question(*window_, "outsideFiles"));
+    QVERIFY(window_->edits().value() == edited);
+}
+
+TOUCHDOWN_TEST(TestSessionRestore)
+
+} // namespace test_session_restore
+
+#include "test_session_restore.moc"
