@@ -66,7 +66,7 @@ struct Fixture {
         if (!QTest::qWaitFor([&] { return finished.count() == 1; }, 60'000)) qFatal("the run does not end");
         return window.runs().record(window.runs().count() - 1);
     }
-    QMessageBox* question() { return window.findChild<QMessageBox*>(QStringLiteral("unsavedChanges")); }
+    QMessageBox* question() { return window.findChild<QMessageBox*>(QStringLiteral("closing")); }
 
     QTemporaryDir folder;
     MainWindow window;
@@ -127,7 +127,7 @@ void TestCaseChanges::isModified()
     f.window.close();
     QVERIFY(f.window.isVisible());
     QVERIFY(f.question());
-    f.question()->button(QMessageBox::Cancel)->click();
+    f.question()->escapeButton()->click();
 
     f.window.actions().undo->trigger();
     QVERIFY(!f.window.files().modified());
