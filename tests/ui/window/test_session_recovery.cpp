@@ -84,6 +84,7 @@ void TestSessionRecovery::offersTheRunAfterAKill()
     QProcess program;
     startProgram(program);
     QTRY_COMPARE_WITH_TIMEOUT(runFiles().size(), qsizetype(1), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(readResults(runFiles().front().toStdString()).samples.size() > 0, 30'000);
     program.waitForFinished(moment); // the moment of the kill is what the row is about
     ::kill(static_cast<pid_t>(program.processId()), SIGKILL);
     program.waitForFinished();
