@@ -46,10 +46,11 @@ std::unique_ptr<SessionFolder> SessionFolder::create(QString& problem)
     problem = tr("The work of this window is not kept against a crash: %1 cannot be written.")
                   .arg(QDir::toNativeSeparators(sessions.path()));
     if (!sessions.mkpath(QStringLiteral("."))) return nullptr;
+    // Of one time, so that the order of the names is that of the folders.
+    const QString first = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) +
+                          QString::number(QCoreApplication::applicationPid());
     for (int attempt = 0; attempt < 100; ++attempt) {
-        const QString name = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) +
-                             QString::number(QCoreApplication::applicationPid()) +
-                             (attempt == 0 ? QString() : QStringLiteral("-%1").arg(attempt));
+        const QString name = attempt == 0 ? first : QStringLiteral("%1-%2").arg(first).arg(attempt);
         if (!sessions.mkdir(name)) {
             if (sessions.exists(name)) continue;
             return nullptr;

@@ -117,7 +117,10 @@ QString Session::restoreOpened(const QString& file, const std::vector<ListedStat
     for (const ListedState& entry : entries) places.push_back(entry.place);
     QString problem;
     const std::vector<int> numbers = addSolutions(solutions, file, problem, places);
-    for (std::size_t i = 0; i < numbers.size(); ++i) annotate(solutions, numbers[i], entries[i]);
+    if (numbers.size() == entries.size())
+        for (std::size_t i = 0; i < numbers.size(); ++i) annotate(solutions, numbers[i], entries[i]);
+    else if (problem.isEmpty())
+        problem = tr("%1 has fewer states than in the earlier session.").arg(QDir::toNativeSeparators(file));
     return problem;
 }
 

@@ -16,6 +16,7 @@
 #include "core/case_files/case_text.h"
 #include "core/results/results_reader.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/question.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -66,7 +67,6 @@ struct Fixture {
         if (!QTest::qWaitFor([&] { return finished.count() == 1; }, 60'000)) qFatal("the run does not end");
         return window.runs().record(window.runs().count() - 1);
     }
-    QMessageBox* question() { return window.findChild<QMessageBox*>(QStringLiteral("closing")); }
 
     QTemporaryDir folder;
     MainWindow window;
@@ -126,8 +126,7 @@ void TestCaseChanges::isModified()
 
     f.window.close();
     QVERIFY(f.window.isVisible());
-    QVERIFY(f.question());
-    f.question()->escapeButton()->click();
+    answer(f.window, "closing", QStringLiteral("Go on working"));
 
     f.window.actions().undo->trigger();
     QVERIFY(!f.window.files().modified());
@@ -166,7 +165,7 @@ void TestCaseChanges::anUnchangedCaseIsNotModified()
     f.apply([](Case& c) { c.surface.rails[0].recess[0] = 150e-9; });
     QVERIFY(!f.window.files().modified());
     f.window.close();
-    QVERIFY(!f.question());
+    QVERIFY(!question(f.window, "closing"));
     QTRY_VERIFY(!f.window.isVisible());
 }
 

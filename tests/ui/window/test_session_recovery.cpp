@@ -83,10 +83,8 @@ void TestSessionRecovery::offersTheRunAfterAKill()
     QFETCH(const int, moment);
     QProcess program;
     startProgram(program);
-    const auto isRecording = [this] {
-        return runFiles().size() == 1 && readResults(runFiles().front().toStdString()).samples.size() > 0;
-    };
-    QTRY_VERIFY_WITH_TIMEOUT(isRecording(), 30'000);
+    QTRY_COMPARE_WITH_TIMEOUT(runFiles().size(), qsizetype(1), 30'000);
+    QTRY_VERIFY_WITH_TIMEOUT(readResults(runFiles().front().toStdString()).samples.size() > 0, 30'000);
     program.waitForFinished(moment); // the moment of the kill is what the row is about
     ::kill(static_cast<pid_t>(program.processId()), SIGKILL);
     program.waitForFinished();

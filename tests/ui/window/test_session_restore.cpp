@@ -37,6 +37,7 @@ private slots:
     void cleanup();
     void savesARestoredRunWhole();
     void leavesARunThatCannotBeRead();
+    void leavesARunThatCannotBeMoved();
     void leavesASolutionThatCannotBeRead();
     void leavesAReportWhoseKindIsTaken();
     void opensASeriesOnce();
@@ -142,6 +143,21 @@ void TestSessionRestore::leavesARunThatCannotBeRead()
     QCOMPARE(left.runs.size(), std::size_t(1));
     QCOMPARE(left.runs.front().number, 1);
     QVERIFY(!left.edited.modified);
+}
+
+void TestSessionRestore::leavesARunThatCannotBeMoved()
+{
+    start();
+    run();
+    const QString there = onlyFolder() + QStringLiteral("/run1.h5");
+    restart();
+    const QString taken = window_->findChild<Session*>()->folder().runFile(1);
+    write(taken, "in the way");
+    restore();
+    QCOMPARE(window_->runs().count(), 0);
+    QVERIFY2(message().contains(there), qPrintable(message()));
+    QVERIFY(QFileInfo::exists(there));
+    QCOMPARE(content(taken), QByteArray("in the way"));
 }
 
 void TestSessionRestore::leavesASolutionThatCannotBeRead()
