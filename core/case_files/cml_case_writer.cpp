@@ -21,14 +21,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Every file is written before the first one appears.
+/// Every file is written before the first one appears, in the place of one whose name differs in case.
 std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& members)
 {
     std::vector<std::unique_ptr<PartFile>> parts;
     std::string name = folder.string();
     try {
         for (const CmlMember& member : members) {
-            name = (folder / member.name).string();
+            name = findCmlMember(folder, member.name).value_or(folder / member.name).string();
             if (fs::is_directory(name)) return name + ": is a directory, not a file";
             parts.push_back(std::make_unique<PartFile>(name));
             if (const std::string problem = writePart(*parts.back(), member.text); !problem.empty())

@@ -51,6 +51,15 @@ private slots:
         QVERIFY(copy.open(QIODevice::ReadOnly));
         QCOMPARE(copy.readAll(), QByteArray("# my notes\ntitle = \"x\"\nmodel = \"film\"\n"));
     }
+    void replacesTheFileThatItNames()
+    {
+        QVERIFY(QDir(folder_->path()).mkdir("out"));
+        folder_->put("out/RAIL.DAT", QByteArray::fromStdString(cmlRailText()));
+        QCOMPARE(folder_->touchdown({"convert", "film_plane", "out"}).code, 2);
+        QCOMPARE(folder_->touchdown({"convert", "film_plane", "out", "--force"}).code, 0);
+        QCOMPARE(QDir(folder_->path("out")).entryList(QDir::Files, QDir::Name), (QStringList{"RAIL.DAT", "run.dat"}));
+        QVERIFY(openCase(folder_->path("out").toStdString()).valid());
+    }
     /// The surface of the disk stands beside the case that is read, wherever the new one stands.
     void surfacesAreNamedFromTheNewPlace()
     {
