@@ -47,11 +47,11 @@ private:
             const std::string number = std::to_string(i + 1);
             return ChangePlace{key + '[' + number + ']', label + ' ' + number};
         };
-        const auto at = [front](const std::vector<Item>& list, std::size_t end) {
-            return std::ranges::subrange(list.begin() + static_cast<std::ptrdiff_t>(front),
-                                         list.begin() + static_cast<std::ptrdiff_t>(end));
+        const auto at = [](const std::vector<Item>& list, std::size_t i) {
+            return list.begin() + static_cast<std::ptrdiff_t>(i);
         };
-        if (oldEnd == newEnd && oldEnd > front && std::ranges::is_permutation(at(before, oldEnd), at(after, newEnd))) {
+        if (oldEnd == newEnd && oldEnd > front &&
+            std::is_permutation(at(before, front), at(before, oldEnd), at(after, front))) {
             changes_.push_back(
                 {CaseChangeKind::Order,
                  key,

@@ -94,7 +94,8 @@ TOUCHDOWN_VECTOR_CLONES void forwardNineRow(int count, int colour, std::size_t u
                                             const std::array<const Real*, 8> beside, const Number* pivot,
                                             const Number* b, Number* v)
 {
-    const auto [c0, c1, c2, c3, c4, c5, c6, c7] = beside;
+    const Real *c0 = beside[0], *c1 = beside[1], *c2 = beside[2], *c3 = beside[3], *c4 = beside[4], *c5 = beside[5],
+               *c7 = beside[7];
     const Number *below = v - up, *above = v + up;
     updateEverySecond(count, colour, v, [=](int i) {
         return (b[i] - (c0[i] * below[i - 1] + c1[i] * below[i] + c2[i] * below[i + 1]) -

@@ -20,6 +20,7 @@
 
 #include "core/case/case.h"
 #include "core/numerics/spectrum.h"
+#include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
 #include "core/simulation/recording/run_summary.h"
 

@@ -155,8 +155,8 @@ HeightMap readHeightMapHdf5(const std::filesystem::path& path, const ColumnUnits
             throw CmlError(0, "dataset \"height\" is " + shapeText(found) + "; x and y ask for " + shapeText(shape) +
                                   " points (y before x)");
         Dataset height = readDataset(file, "height", unit(isMap ? 2 : 1));
-        const auto row = [&](std::size_t j) {
-            return height.values.begin() + static_cast<std::ptrdiff_t>(j * x.points);
+        const auto row = [&height, points = x.points](std::size_t j) {
+            return height.values.begin() + static_cast<std::ptrdiff_t>(j * points);
         };
         for (std::size_t j = 0; turnedX && j < y.points; ++j) std::reverse(row(j), row(j + 1));
         for (std::size_t j = 0; turnedY && j < y.points / 2; ++j)

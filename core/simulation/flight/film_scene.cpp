@@ -105,7 +105,7 @@ std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& att
     std::vector<FieldSnapshot> result;
     std::size_t set = 0;
     if (const RecordedFields& film = maps_[0]; !film.empty()) {
-        FieldSnapshot& snapshot = result.emplace_back(time, set++, std::vector<std::vector<double>>(2));
+        FieldSnapshot& snapshot = result.emplace_back(FieldSnapshot{time, set++, std::vector<std::vector<double>>(2)});
         for (int j = 0; j < film.grid.ny(); ++j)
             for (int i = 0; i < film.grid.nx(); ++i) {
                 const double x = film.grid.centreX(i), y = film.grid.centreY(j);
@@ -115,7 +115,7 @@ std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& att
             transfer(level->gaps.grid, level->gaps.pad.unpad<double>(p), level->film.ambient(), film.grid);
     }
     if (contact && !maps_[1].empty()) {
-        FieldSnapshot& snapshot = result.emplace_back(time, set, std::vector<std::vector<double>>());
+        FieldSnapshot& snapshot = result.emplace_back(FieldSnapshot{time, set, {}});
         contact->observe(snapshot);
         if (snapshot.values.empty()) result.pop_back();
     }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "core/formats/units.h"
 #include "core/numerics/wall_clock.h"
 #include "core/physics/film/film_grid.h"

@@ -55,7 +55,7 @@ void readGrids(StudyReader& reader, FilmConvergenceTask& task)
         }
     }
     std::ranges::sort(task.grids);
-    task.grids.erase(std::ranges::unique(task.grids).begin(), task.grids.end());
+    task.grids.erase(std::unique(task.grids.begin(), task.grids.end()), task.grids.end());
     task.reference = reader.integer("reference");
     if (!isGood(task.reference))
         reader.add("reference", linesText());

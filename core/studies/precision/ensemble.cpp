@@ -124,7 +124,7 @@ EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
         if (kind == EndKind::Intermittent)
             add({std::string(name(kind)), kind}, places);
         else
-            splitBySpacing(places, [&](std::span<const Place> some) {
+            splitBySpacing(places, [&, kind = kind](std::span<const Place> some) {
                 add({(kind == EndKind::Flying ? "flying at " : "in contact at ") +
                          fewDigits(std::round(meanSpacing(some) * 1e11) / 1e11, "nm", 6),
                      kind},
