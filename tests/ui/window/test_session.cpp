@@ -14,8 +14,8 @@
 #include "tests/support/file_size_limit.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
-#include "tests/ui/question.h"
 #include "tests/ui/sample_study.h"
+#include "tests/ui/window/window_session.h"
 #include "ui/case/case_edits.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/run_record.h"
@@ -29,13 +29,13 @@ using namespace touchdown;
 
 namespace test_session {
 
-class TestSession : public QObject {
+class TestSession : public QObject, test::WindowSession {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void init();
-    void cleanup();
+    void initTestCase() { useNames("test_session"); }
+    void init() { begin(); }
+    void cleanup() { end(); }
     void keepsAnEditWithinASecond();
     void restoresTheCaseWithItsEdits();
     void restoresACaseWithItsFile();
@@ -58,63 +58,20 @@ private slots:
     void goesOnInMemoryWhenTheDiskIsFull();
 
 private:
-    /// A new window, as the program starts it.
-    MainWindow& start(bool offer = true, const QString& sample = QStringLiteral("fig10a"))
-    {
-        window_ = std::make_unique<MainWindow>();
-        window_->files().openNow(sample);
-        window_->show();
-        window_->beginSession(offer);
-        return *window_;
-    }
     void kill() { window_.reset(); }
-    void restore() { answer(*window_, "restoreSession", QStringLiteral("Restore")); }
     QString offered()
     {
         const QMessageBox* box = question(*window_, "restoreSession");
         return box ? box->informativeText() : QString();
     }
     void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
-    void run()
-    {
-        window_->startRun();
-        QTRY_VERIFY(!window_->controller().active());
-    }
     void slowRun()
     {
         QComboBox* pace = window_->actions().pace;
         pace->setCurrentIndex(pace->findData(1e-5));
         window_->startRun();
     }
-    static QString onlyFolder()
-    {
-        const QStringList all = SessionFolder::all();
-        if (all.size() != 1) qFatal("there are %d sessions", int(all.size()));
-        return all.front();
-    }
-
-    std::unique_ptr<QTemporaryDir> data_;
-    std::unique_ptr<MainWindow> window_;
 };
-
-void TestSession::initTestCase()
-{
-    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
-    QCoreApplication::setApplicationName(QStringLiteral("test_session"));
-}
-
-void TestSession::init()
-{
-    QSettings().clear();
-    data_ = std::make_unique<QTemporaryDir>();
-    qputenv("XDG_DATA_HOME", data_->path().toLocal8Bit());
-}
-
-void TestSession::cleanup()
-{
-    window_.reset();
-    qunsetenv("XDG_DATA_HOME");
-}
 
 void TestSession::keepsAnEditWithinASecond()
 {

@@ -13,8 +13,8 @@
 #include "core/results/steady_writer.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
-#include "tests/ui/question.h"
 #include "tests/ui/sample_study.h"
+#include "tests/ui/window/window_session.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
@@ -28,13 +28,13 @@ using namespace touchdown;
 
 namespace test_session_restore {
 
-class TestSessionRestore : public QObject {
+class TestSessionRestore : public QObject, test::WindowSession {
     Q_OBJECT
 
 private slots:
-    void initTestCase();
-    void init();
-    void cleanup();
+    void initTestCase() { useNames("test_session_restore"); }
+    void init() { begin(); }
+    void cleanup() { end(); }
     void savesARestoredRunWhole();
     void leavesARunThatCannotBeRead();
     void leavesARunThatCannotBeMoved();
@@ -44,25 +44,6 @@ private slots:
     void withdrawsAQuestionAboutOutsideFiles();
 
 private:
-    MainWindow& start(const QString& fileOrSample = QStringLiteral("fig10a"))
-    {
-        window_ = std::make_unique<MainWindow>();
-        window_->files().openNow(fileOrSample);
-        window_->show();
-        window_->beginSession(true);
-        return *window_;
-    }
-    void restart()
-    {
-        window_.reset(); // without being closed, as after a kill
-        start();
-    }
-    void restore() { answer(*window_, "restoreSession", QStringLiteral("Restore")); }
-    void run()
-    {
-        window_->startRun();
-        QTRY_VERIFY(!window_->controller().active());
-    }
     void addStudy(const StudyReport& report)
     {
         window_->studies().restore({report, "", "", ""});
@@ -80,42 +61,14 @@ private:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(bytes);
     }
-    static QString onlyFolder()
-    {
-        const QStringList all = SessionFolder::all();
-        if (all.size() != 1) qFatal("there are %d sessions", int(all.size()));
-        return all.front();
-    }
-
-    std::unique_ptr<QTemporaryDir> data_;
-    std::unique_ptr<MainWindow> window_;
 };
-
-void TestSessionRestore::initTestCase()
-{
-    QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
-    QCoreApplication::setApplicationName(QStringLiteral("test_session_restore"));
-}
-
-void TestSessionRestore::init()
-{
-    QSettings().clear();
-    data_ = std::make_unique<QTemporaryDir>();
-    qputenv("XDG_DATA_HOME", data_->path().toLocal8Bit());
-}
-
-void TestSessionRestore::cleanup()
-{
-    window_.reset();
-    qunsetenv("XDG_DATA_HOME");
-}
 
 /// The window has read only a part of its file: not the events, the figures and the verdict.
 void TestSessionRestore::savesARestoredRunWhole()
 {
     start();
     run();
-    restart();
+    start();
     restore();
     const RunRecord& restored = window_->runs().record(0);
     const QByteArray kept = content(restored.kept);
@@ -150,7 +103,7 @@ void TestSessionRestore::leavesARunThatCannotBeMoved()
     start();
     run();
     const QString there = onlyFolder() + QStringLiteral("/run1.h5");
-    restart();
+    start();
     const QString taken = window_->findChild<Session*>()->folder().runFile(1);
     write(taken, "in the way");
     restore();
@@ -182,16 +135,16 @@ void TestSessionRestore::leavesAReportWhoseKindIsTaken()
     earlier.findings = {"Found earlier."};
     addStudy(earlier);
     const QString report = onlyFolder() + QStringLiteral("/study-work-precision.h5");
-    restart();
+    start();
     addStudy(sampleReport());
     restore();
     QCOMPARE(window_->studies().outcome("work-precision")->report->findings, sampleReport().findings);
     QVERIFY2(message().contains(QStringLiteral("work-precision")), qPrintable(message()));
     QVERIFY(QFileInfo::exists(report));
-    restart();
+    start();
     restore();
     QCOMPARE(window_->studies().outcome("work-precision")->report->findings, sampleReport().findings); // the newest
-    restart();
+    start();
     answer(*window_, "restoreSession", QStringLiteral("Later"));
     QMenu* menu = window_->actions().sessions;
     emit menu->aboutToShow();
@@ -214,7 +167,7 @@ void TestSessionRestore::opensASeriesOnce()
     QCOMPARE(solutions.count(), 3);
     solutions.setData(solutions.index(2), QStringLiteral("outside"), RecordList::NoteRole);
     solutions.remove(1);
-    restart();
+    start();
     restore();
     const SolutionsModel& restored = window_->film().solutions();
     QCOMPARE(restored.count(), 2);
@@ -237,7 +190,7 @@ void TestSessionRestore::withdrawsAQuestionAboutOutsideFiles()
     QCOMPARE(writeCaseFile(file.toStdString(), "model = \"contact\"\n[disk.surface]\nkind = \"file\"\n"
                                                "motion = \"still\"\nfile = \"../track.txt\"\n"),
              std::string());
-    start(file);
+    start(true, file);
     QVERIFY(question(*window_, "outsideFiles"));
     restore();
     QVERIFY(!question(*window_, "outsideFiles"));

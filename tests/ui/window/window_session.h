@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A window with a session, in a folder of its own for the data of the program.
+#pragma once
+
+#include <memory>
+
+#include <QComboBox>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "tests/ui/question.h"
+#include "ui/window/main_window.h"
+#include "ui/window/session.h"
+
+namespace touchdown::test {
+
+class WindowSession {
+protected:
+    static void useNames(const char* application)
+    {
+        QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+        QCoreApplication::setApplicationName(QString::fromLatin1(application));
+    }
+    void begin()
+    {
+        QSettings().clear();
+        data_ = std::make_unique<QTemporaryDir>();
+        qputenv("XDG_DATA_HOME", data_->path().toLocal8Bit());
+    }
+    void end()
+    {
+        window_.reset();
+        qunsetenv("XDG_DATA_HOME");
+    }
+
+    /// A new window, as the program starts it. Without close() the one before is left as by a kill.
+    MainWindow& start(bool offer = true, const QString& fileOrSample = QStringLiteral("fig10a"))
+    {
+        window_.reset();
+        window_ = std::make_unique<MainWindow>();
+        window_->files().openNow(fileOrSample);
+        window_->show();
+        window_->beginSession(offer);
+        return *window_;
+    }
+    void restore() { answer(*window_, "restoreSession", QStringLiteral("Restore")); }
+    void run()
+    {
+        window_->startRun();
+        QTRY_VERIFY(!window_->controller().active());
+    }
+    static QString onlyFolder()
+    {
+        const QStringList all = SessionFolder::all();
+        if (all.size() != 1) qFatal("there are %d sessions", int(all.size()));
+        return all.front();
+    }
+
+    std::unique_ptr<QTemporaryDir> data_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+} // namespace touchdown::test
