@@ -34,23 +34,7 @@ bool fits(const StoredRun& run)
 
 } // namespace
 
-StoredRun readResults(const fs::path& path)
-{
-    StoredRun run;
-    std::string problem;
-    try {
-        readAnswer({"run", path, ""}, run);
-        if (!fits(run)) problem = "is damaged: what was read from it does not fit together";
-    } catch (const ReaderFailure& failure) {
-        problem = failure.what();
-    } catch (const std::bad_alloc&) {
-        problem = "does not fit into memory";
-    }
-    if (problem.empty()) return run;
-    StoredRun nothing;
-    nothing.problem = path.string() + ' ' + problem;
-    return nothing;
-}
+StoredRun readResults(const fs::path& path) { return readByProcess<StoredRun>("run", path, fits); }
 
 StoredRun readResultsDirectly(const fs::path& path)
 {

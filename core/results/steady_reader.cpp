@@ -134,20 +134,7 @@ bool fieldsFit(const StoredSteady& stored)
 
 StoredSteady readSteady(const std::filesystem::path& path)
 {
-    StoredSteady stored;
-    std::string problem;
-    try {
-        readAnswer({"steady", path, ""}, stored);
-        if (!fieldsFit(stored)) problem = "is damaged: what was read from it does not fit together";
-    } catch (const ReaderFailure& failure) {
-        problem = failure.what();
-    } catch (const std::bad_alloc&) {
-        problem = "does not fit into memory";
-    }
-    if (problem.empty()) return stored;
-    StoredSteady nothing;
-    nothing.problem = path.string() + ' ' + problem;
-    return nothing;
+    return readByProcess<StoredSteady>("steady", path, fieldsFit);
 }
 
 StoredSteady readSteadyDirectly(const std::filesystem::path& path)

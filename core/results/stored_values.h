@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <new>
 #include <optional>
+#include <string>
 #include <type_traits>
 
 #include "core/formats/passed_values.h"
+#include "core/formats/reader_process.h"
 #include "core/results/results_reader.h"
 #include "core/results/steady_reader.h"
 
@@ -60,6 +64,27 @@ void pass(auto& stream, Passed<SteadyResult> auto& state)
 void pass(auto& stream, Passed<StoredSteady> auto& stored)
 {
     stream(stored.problem, stored.title, stored.caseText, stored.states);
+}
+
+/// Lets a second process read a file, "run" or "steady"; `problem` of the answer says why there is none, or that its
+/// parts do not fit together.
+template <class Stored>
+Stored readByProcess(const char* reader, const std::filesystem::path& file, bool (*fits)(const Stored&))
+{
+    Stored stored;
+    std::string problem;
+    try {
+        readAnswer({reader, file, ""}, stored);
+        if (fits(stored)) return stored;
+        problem = "is damaged: what was read from it does not fit together";
+    } catch (const ReaderFailure& failure) {
+        problem = failure.what();
+    } catch (const std::bad_alloc&) {
+        problem = "does not fit into memory";
+    }
+    Stored nothing;
+    nothing.problem = file.string() + ' ' + problem;
+    return nothing;
 }
 
 } // namespace touchdown
