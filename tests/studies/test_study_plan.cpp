@@ -141,6 +141,24 @@ private slots:
         const StudyPlan asked = parse("case = \"contact_hertz\"\n", nullptr, {"disk.surface.file=" + secret});
         QVERIFY2(!said(asked).contains("outside"), qPrintable(said(asked)));
     }
+    /// Nor does a method, unless the user allows it.
+    void aMethodsSurfaceElsewhere()
+    {
+        const QTemporaryDir folder, other;
+        const std::string study = folder.filePath("study.toml").toStdString(),
+                          surface = other.filePath("track.txt").toStdString();
+        QCOMPARE(writeCaseFile(surface, "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n"), std::string());
+        QCOMPARE(writeCaseFile(study, "case = \"advise_waviness\"\n\n[[method]]\nname = \"measured\"\nset = { "
+                                      "\"disk.surface.kind\" = \"file\", \"disk.surface.file\" = \"" +
+                                          surface + "\" }\n"),
+                 std::string());
+        const StudyPlan refused = openStudy("work-precision", study);
+        QCOMPARE(refused.problems.size(), std::size_t{1});
+        QCOMPARE(refused.problems.front().line, 5);
+        QVERIFY2(said(refused).contains("lies outside the folder of the case"), qPrintable(said(refused)));
+        const StudyPlan allowed = openStudy("work-precision", study, {}, {}, OutsidePaths::Allowed);
+        QVERIFY2(allowed.valid(), qPrintable(said(allowed)));
+    }
     void aGivenCase()
     {
         Case c = openCase("fig10a").value;

@@ -140,7 +140,7 @@ FilmMethod steadyMethod(std::string name, std::vector<CaseSetting> changes)
     return {std::move(name),
             [changes = std::move(changes)](const Case& slider, int nodes, const GoOn& goOn) -> FilmState {
                 Case c = slider;
-                if (std::string problem = changeCase(c, changes); !problem.empty()) {
+                if (std::string problem = changeCase(c, changes, OutsidePaths::Allowed); !problem.empty()) {
                     FilmState state;
                     state.problem = std::move(problem);
                     return state;

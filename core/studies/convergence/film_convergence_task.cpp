@@ -65,10 +65,10 @@ void readGrids(StudyReader& reader, FilmConvergenceTask& task)
 }
 
 /// The problem of a slider that does not allow the changes, or "".
-std::string problemOf(const FilmConvergenceTask& task, const std::vector<CaseSetting>& changes)
+std::string problemOf(const FilmConvergenceTask& task, const std::vector<CaseSetting>& changes, OutsidePaths outside)
 {
     for (Case slider : task.sliders)
-        if (std::string problem = changeCase(slider, changes); !problem.empty())
+        if (std::string problem = changeCase(slider, changes, outside); !problem.empty())
             return (task.sliders.size() > 1 ? slider.title + ": " : "") + problem;
     for (const CaseSetting& change : changes)
         if (change.key == "film.nodes" || change.key == "steady.fixed_attitude")
@@ -89,7 +89,7 @@ void readMethodsOf(StudyReader& reader, FilmConvergenceTask& task)
             reader.add(table, "has no name");
         else if (std::ranges::find(task.methods, name, &FilmMethod::name) != task.methods.end())
             reader.add(table + ".name", inQuotes(name) + " is the name of another method, too");
-        if (const std::string problem = problemOf(task, changes); !problem.empty())
+        if (const std::string problem = problemOf(task, changes, reader.outsidePaths()); !problem.empty())
             reader.addOfSettings(table, {table + ".set"}, problem);
         task.methods.push_back(steadyMethod(name, changes));
     }

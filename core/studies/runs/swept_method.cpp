@@ -74,11 +74,11 @@ std::string problemOfKey(const std::string& key)
 }
 
 /// Applies and says where a setting would have no effect.
-std::string apply(Case& c, const std::vector<CaseSetting>& settings)
+std::string apply(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside)
 {
     for (const CaseSetting& setting : settings)
         if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
-    if (std::string problem = changeCase(c, settings); !problem.empty()) return problem;
+    if (std::string problem = changeCase(c, settings, outside); !problem.empty()) return problem;
     for (const CaseSetting& setting : settings)
         if (const std::string message = unusedMessage(c, std::get<Parameter>(caseKey(c, setting.key)));
             !message.empty())
@@ -94,6 +94,7 @@ std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles)
     std::set<std::string> names;
     for (const std::string& table : reader.tables("method")) {
         MethodSpec& spec = specs.emplace_back();
+        spec.outside = reader.outsidePaths();
         spec.name = reader.text(table + ".name").value_or("");
         spec.set = reader.settings(table + ".set");
         spec.key = reader.text(table + ".key").value_or("");
@@ -144,7 +145,7 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
 {
     method = {.name = spec.name, .key = spec.key};
     Case base = start;
-    if (std::string problem = apply(base, spec.set); !problem.empty()) return problem;
+    if (std::string problem = apply(base, spec.set, spec.outside); !problem.empty()) return problem;
     const bool own = std::ranges::all_of(spec.set, [&](const CaseSetting& setting) {
         const auto parameter = caseKey(start, setting.key);
         return std::holds_alternative<Parameter>(parameter) &&
@@ -156,11 +157,13 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
     }
     const auto swept = caseKey(base, spec.key);
     const auto* parameter = std::get_if<Parameter>(&swept);
-    if (parameter == nullptr) return apply(base, {{spec.key, ""}}); // which says what is wrong with the key
+    if (parameter == nullptr)
+        return apply(base, {{spec.key, ""}}, spec.outside); // which says what is wrong with the key
     bool found = false;
     for (const std::string& value : spec.values) {
         MethodSetting setting{.label = value, .c = base};
-        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*parameter, value)}}); !problem.empty())
+        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*parameter, value)}}, spec.outside);
+            !problem.empty())
             return problem;
         setting.value = numberOf(*parameter, setting.c);
         setting.chosen = own && toText(setting.c, *parameter) == toText(start, *parameter);

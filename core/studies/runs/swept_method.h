@@ -19,6 +19,7 @@
 
 #include "core/case/case.h"
 #include "core/case_files/case_settings.h"
+#include "core/case_files/outside_path.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
@@ -33,6 +34,7 @@ struct MethodSpec {
     std::string key{};            // that is swept; empty: none
     std::vector<std::string> values{};
     std::vector<std::string> ensemble{};
+    OutsidePaths outside = OutsidePaths::Refused; // may its values name files outside the folder of the study?
 };
 /// The methods of a study's file; what is wrong with them as far as no case is needed to see it.
 std::vector<MethodSpec> readMethods(StudyReader& reader, bool ensembles);

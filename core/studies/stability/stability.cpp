@@ -139,7 +139,8 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
         StabilityRow row{.label = label, .value = double(task.rows.size() + 1), .references = {}, .methods = {}};
         Case base = task.start;
         if (task.parameter != nullptr) {
-            if (const std::string problem = changeCase(base, {{task.parameter->key, label}}); !problem.empty()) {
+            const std::vector<CaseSetting> value{{task.parameter->key, label}};
+            if (const std::string problem = changeCase(base, value, reader.outsidePaths()); !problem.empty()) {
                 reader.add("values", problem);
                 continue;
             }
