@@ -9,6 +9,7 @@
 
 #include "core/numerics/wall_clock.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -20,15 +21,16 @@ QString timeLeftText(double seconds)
 {
     if (seconds < 1.0) return ProgressStrip::tr("less than 1 s left");
     if (seconds < 99.5) return ProgressStrip::tr("%1 s left").arg(std::lround(seconds));
-    return ProgressStrip::tr("%1 min left").arg(std::lround(seconds / 60.0));
+    const long minutes = std::lround(seconds / 60.0);
+    if (minutes < 60) return ProgressStrip::tr("%1 min left").arg(minutes);
+    return ProgressStrip::tr("%1 h %2 min left").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
 }
 
 QStringList partsOf(const Progress& progress, std::optional<double> left)
 {
     QStringList parts;
     if (progress.share) parts << ProgressStrip::tr("%1 %").arg(std::floor(100.0 * std::min(1.0, *progress.share)));
-    if (!progress.activity.empty())
-        parts << QString::fromStdString(progress.activity).replace(QStringLiteral(" x "), QStringLiteral(" × "));
+    if (!progress.activity.empty()) parts << readable(progress.activity);
     for (const ProgressFigure& figure : progress.figures) {
         const auto spelled = [&](double value) { return roundedText(value, figure.displayUnit, figure.digits); };
         const QString text = QString::fromStdString(figure.name) + QLatin1Char(' ') + spelled(figure.value);

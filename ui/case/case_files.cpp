@@ -13,6 +13,7 @@
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/quotation.h"
+#include "core/studies/study_plan.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -110,7 +111,10 @@ void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::s
 
 void CaseFiles::open(const QString& fileOrSample)
 {
-    whenSettled([this, fileOrSample] { openNow(fileOrSample); });
+    if (isStudyFile(fileOrSample))
+        emit studyFileChosen(fileOrSample);
+    else
+        whenSettled([this, fileOrSample] { openNow(fileOrSample); });
 }
 
 void CaseFiles::openChanged(const QString& sample, const std::vector<CaseSetting>& settings,
@@ -350,6 +354,13 @@ bool CaseFiles::isResultsFile(const QString& file)
 {
     const QString suffix = QFileInfo(file).suffix().toLower();
     return suffix == QLatin1String("h5") || suffix == QLatin1String("hdf5");
+}
+
+bool CaseFiles::isStudyFile(const QString& file)
+{
+    const QFileInfo info(file);
+    return info.isFile() && info.suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0 &&
+           findStudySource(pathOf(file).string()).has_value();
 }
 
 } // namespace touchdown

@@ -87,11 +87,14 @@ public:
     /// A case file, or what can be imported.
     static bool isCaseFile(const QString& file);
     static bool isResultsFile(const QString& file);
+    /// The text of a study.
+    static bool isStudyFile(const QString& file);
 
 signals:
     void opened();
     void saved();
     void resultsFileChosen(const QString& file);
+    void studyFileChosen(const QString& file);
     /// After `opened`; the warnings list the entries that are not modelled.
     void imported(const QString& path, const QStringList& warnings);
     /// After `opened`, of a case file with entries that are not modelled or have no effect.

@@ -50,6 +50,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
       edits_(edits),
       preset_(new QComboBox(this)),
       search_(new QLineEdit(this)),
+      found_(new QLabel(this)),
       resetAll_(new QToolButton(this)),
       scroll_(new QScrollArea(this)),
       legend_(new QLabel(this))
@@ -59,7 +60,13 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     search_->setPlaceholderText(tr("Search parameters"));
     search_->setAccessibleName(tr("Search parameters"));
     search_->setClearButtonEnabled(true);
-    connect(search_, &QLineEdit::textChanged, this, &CasePanel::refreshVisibility);
+    connect(search_, &QLineEdit::textChanged, this, [this] {
+        everyMatch_ = false;
+        refreshVisibility();
+    });
+    found_->setWordWrap(true);
+    found_->setTextFormat(Qt::RichText);
+    connect(found_, &QLabel::linkActivated, this, &CasePanel::showEveryMatch);
 
     resetAll_->setText(tr("Reset all"));
     resetAll_->setToolTip(tr("Set every parameter back to the case as it was opened"));
@@ -87,6 +94,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     layout->setContentsMargins(8, 6, 4, 6);
     layout->addWidget(preset_);
     layout->addLayout(tools);
+    layout->addWidget(found_);
     layout->addWidget(scroll_, 1);
     layout->addWidget(legend_);
 
@@ -208,6 +216,12 @@ bool CasePanel::showFirstProblem()
     return true;
 }
 
+void CasePanel::showEveryMatch()
+{
+    everyMatch_ = true;
+    refreshVisibility();
+}
+
 void CasePanel::refresh()
 {
     for (ParameterEditor* editor : editors_) editor->show(edits_);
@@ -219,21 +233,32 @@ void CasePanel::refresh()
 
 void CasePanel::refreshVisibility()
 {
-    const QString search = search_->text();
+    const QString search = search_->text().trimmed();
+    std::vector<SearchMatch> matches;
+    for (const ParameterEditor* editor : editors_)
+        matches.push_back(editor->parameter().used(edits_.value()) ? editor->match(search) : SearchMatch::None);
+    const SearchMatch best = *std::ranges::min_element(matches),
+                      last = std::min(everyMatch_ ? SearchMatch::Help : best, SearchMatch::Help);
+    std::ptrdiff_t more = 0; // matches of a lower rank
+    for (std::size_t i = 0; i < editors_.size(); ++i) {
+        editors_[i]->setVisible(matches[i] <= last);
+        more += matches[i] > last && matches[i] != SearchMatch::None ? 1 : 0;
+    }
     for (const Group& group : groups_) {
-        bool any = false;
-        for (ParameterEditor* editor : editors_) {
-            if (editor->parentWidget() != group.body) continue;
-            const bool wanted = editor->parameter().used(edits_.value()) && editor->matches(search);
-            editor->setVisible(wanted);
-            any = any || wanted;
-        }
+        const bool any = std::ranges::any_of(editors_, [&group](const ParameterEditor* editor) {
+            return editor->parentWidget() == group.body && !editor->isHidden();
+        });
         // A search looks into closed groups too.
         const bool open = group.open || !search.isEmpty();
         group.header->setVisible(any);
         group.header->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
         group.body->setVisible(any && open);
     }
+    if (best == SearchMatch::None)
+        found_->setText(tr("No parameter of this case matches “%1”.").arg(search.toHtmlEscaped()));
+    else if (more > 0)
+        found_->setText(tr("<a href=\"more\">%n more in keys and explanations</a>", nullptr, static_cast<int>(more)));
+    found_->setVisible(best == SearchMatch::None || more > 0);
 }
 
 void CasePanel::changeEvent(QEvent* event)

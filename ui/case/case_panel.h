@@ -28,6 +28,10 @@ public:
     /// nullptr for an unknown key.
     ParameterEditor* editor(std::string_view key) const;
     QLineEdit* search() const { return search_; }
+    /// What it says of a search, as rich text: that nothing matches, or how many more there are; else "".
+    QString searchRemark() const { return found_->isHidden() ? QString() : found_->text(); }
+    /// Shows the matches of a lower rank as well.
+    void showEveryMatch();
     /// Brings the first parameter that prevents a run into view; false: none has a field here.
     bool showFirstProblem();
 
@@ -57,6 +61,8 @@ private:
     QString presetName_;
     QComboBox* preset_;
     QLineEdit* search_;
+    QLabel* found_;           // what a search does not show
+    bool everyMatch_ = false; // of the search, in whatever place
     QToolButton* resetAll_;
     QScrollArea* scroll_;
     QLabel* legend_;

@@ -5,8 +5,10 @@
 
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QRegularExpression>
 
 #include "ui/case/case_edits.h"
+#include "ui/case/choice_text.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
@@ -31,6 +33,17 @@ QString labelOf(const Parameter& parameter)
     if (text.startsWith(group)) text.remove(0, group.size());
     if (!text.isEmpty()) text[0] = text[0].toUpper();
     return parameter.symbol.empty() ? text : text + QStringLiteral(" ") + symbolText(parameter.symbol);
+}
+
+/// Whether each word of `search` is the start of a word of the text. Words consist of letters and digits.
+bool hasWords(const QString& text, const QString& search)
+{
+    static const QRegularExpression between(QStringLiteral("[^\\p{L}\\p{N}]+"));
+    const QStringList words = text.split(between, Qt::SkipEmptyParts);
+    return std::ranges::all_of(search.split(between, Qt::SkipEmptyParts), [&words](const QString& wanted) {
+        return std::ranges::any_of(
+            words, [&wanted](const QString& word) { return word.startsWith(wanted, Qt::CaseInsensitive); });
+    });
 }
 
 /// Texts and lists have a line of their own below their label.
@@ -112,9 +125,13 @@ void ParameterEditor::buildInput()
 {
     if (parameter_.kind == ParameterKind::Choice) {
         choice_ = new QComboBox(this);
-        for (const std::string& name : parameter_.choices) choice_->addItem(QString::fromStdString(name));
+        for (const std::string& name : parameter_.choices) {
+            const ChoiceText text = choiceText(parameter_.key, name);
+            choice_->addItem(text.name, QString::fromStdString(name));
+            choice_->setItemData(choice_->count() - 1, text.meaning, Qt::ToolTipRole);
+        }
         choice_->setFocusPolicy(Qt::StrongFocus);
-        connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentText()); });
+        connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentData().toString()); });
     } else if (parameter_.kind == ParameterKind::Boolean) {
         check_ = new QCheckBox(this);
         connect(check_, &QCheckBox::clicked, this,
@@ -147,9 +164,14 @@ void ParameterEditor::describe()
     const auto paragraph = [&tip](const QString& text) {
         if (!text.isEmpty()) tip += QStringLiteral("<p style='margin:4px 0 0 0'>%1</p>").arg(text.toHtmlEscaped());
     };
-    paragraph(QString::fromStdString(parameter_.help));
+    if (choice_) {
+        for (int i = 0; i < choice_->count(); ++i)
+            paragraph(tr("%1: %2").arg(choice_->itemText(i), choice_->itemData(i, Qt::ToolTipRole).toString()));
+    } else {
+        paragraph(QString::fromStdString(parameter_.help));
+    }
     if (const std::string range = allowedRange(parameter_); !range.empty())
-        paragraph(tr("Allowed: %1").arg(QString::fromStdString(range)));
+        paragraph((choice_ ? tr("In a file: %1") : tr("Allowed: %1")).arg(QString::fromStdString(range)));
     if (!parameter_.source.empty()) paragraph(tr("Source: %1").arg(QString::fromStdString(parameter_.source)));
     paragraph(tr("Key: %1").arg(QString::fromStdString(parameter_.key)));
     label_->setToolTip(tip);
@@ -164,7 +186,7 @@ void ParameterEditor::show(const CaseEdits& edits)
     const BadEntry* bad = edits.badEntry(parameter_);
 
     if (choice_) {
-        choice_->setCurrentText(QString::fromStdString(toText(value, parameter_)));
+        choice_->setCurrentIndex(choice_->findData(QString::fromStdString(toText(value, parameter_))));
     } else if (check_) {
         check_->setChecked(std::get<bool>(parameter_.get(value)));
     } else {
@@ -191,13 +213,17 @@ void ParameterEditor::show(const CaseEdits& edits)
     colour();
 }
 
-bool ParameterEditor::matches(const QString& search) const
+SearchMatch ParameterEditor::match(const QString& search) const
 {
-    const QString text = QString::fromStdString(parameter_.key + ' ' + parameter_.label + ' ' + parameter_.symbol +
-                                                ' ' + parameter_.help);
-    const QStringList words = search.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    return std::ranges::all_of(words,
-                               [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+    QString texts = QString::fromStdString(parameter_.help);
+    for (int i = 0; choice_ && i < choice_->count(); ++i)
+        texts += QLatin1Char(' ') + choice_->itemText(i) + QLatin1Char(' ') +
+                 choice_->itemData(i, Qt::ToolTipRole).toString();
+    const QString label = QString::fromStdString(parameter_.label + ' ' + parameter_.symbol),
+                  key = label + QLatin1Char(' ') + QString::fromStdString(parameter_.key);
+    if (hasWords(label, search)) return SearchMatch::Label;
+    if (hasWords(key, search)) return SearchMatch::Key;
+    return hasWords(key + QLatin1Char(' ') + texts, search) ? SearchMatch::Help : SearchMatch::None;
 }
 
 bool ParameterEditor::eventFilter(QObject* watched, QEvent* event)

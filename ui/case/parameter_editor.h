@@ -15,6 +15,9 @@ namespace touchdown {
 class CaseEdits;
 struct Parameter;
 
+/// Label includes the symbol; Help includes the names of choices. From the best match on.
+enum class SearchMatch : std::uint8_t { Label, Key, Help, None };
+
 class ParameterEditor : public QWidget {
     Q_OBJECT
 
@@ -27,8 +30,8 @@ public:
     const Parameter& parameter() const { return parameter_; }
     /// Shows the value of the case.
     void show(const CaseEdits& edits);
-    /// Whether key, label, symbol and help contain all words of `search`.
-    bool matches(const QString& search) const;
+    /// Where all words of `search` are found, each at the start of a word.
+    SearchMatch match(const QString& search) const;
 
     /// The widget that takes the entry.
     QWidget* input() const;

@@ -172,6 +172,7 @@ void FilmView::setResult(const Case& solved, const SteadyResult& result)
     state_ = {solved, result};
     stale_ = false;
     maps_->map()->setSlider(solved.slider.length, solved.slider.width);
+    maps_->map()->setRails(solved.surface.rails);
     maps_->map()->setSkew(solved.disk.skew);
     maps_->proposeSectionPoint(nearestTheDisk(result));
     surface()->setGrid(result.grid);

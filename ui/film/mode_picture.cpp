@@ -10,7 +10,7 @@
 #include <QMenu>
 
 #include "ui/film/mode_motion.h"
-#include "ui/style/save_dialog.h"
+#include "ui/plot/picture_menu.h"
 
 namespace touchdown {
 
@@ -221,11 +221,7 @@ void ModePicture::contextMenuEvent(QContextMenuEvent* event)
 {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("&Copy picture"), this, [this] { copyPicture(*this); });
-    menu->addAction(tr("&Save picture…"), this, [this] {
-        askAndSave(this, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
-                   [this](const QString& path) { return savePicture(*this, path); });
-    });
+    addPictureActions(*menu, *this);
     menu->popup(event->globalPos());
 }
 

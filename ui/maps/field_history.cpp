@@ -10,10 +10,12 @@ namespace touchdown {
 void FieldHistory::add(const FieldSnapshot& snapshot)
 {
     std::size_t values = 0;
+    std::vector<PlotRange> own(snapshot.values.size());
     for (std::size_t i = 0; i < snapshot.values.size(); ++i) {
         values += snapshot.values[i].size();
         if (snapshot.values[i].empty()) continue;
         const auto [low, high] = std::ranges::minmax(snapshot.values[i]);
+        own[i] = {low, high};
         if (i == ranges.size())
             ranges.push_back({low, high});
         else
@@ -21,11 +23,33 @@ void FieldHistory::add(const FieldSnapshot& snapshot)
     }
     if (arrived++ % stride != 0) return;
     snapshots.push_back(snapshot);
+    extremes.push_back(std::move(own));
     if (snapshots.size() * values <= capacity) return;
     stride *= 2;
     std::size_t held = 0;
-    for (std::size_t i = 0; i < snapshots.size(); i += 2) std::swap(snapshots[held++], snapshots[i]);
+    for (std::size_t i = 0; i < snapshots.size(); i += 2) {
+        std::swap(extremes[held], extremes[i]);
+        std::swap(snapshots[held++], snapshots[i]);
+    }
     snapshots.resize(held);
+    extremes.resize(held);
+}
+
+PlotRange FieldHistory::usualRange(std::size_t field) const
+{
+    constexpr std::size_t fewest = 10;
+    const PlotRange& whole = ranges[field];
+    if (extremes.size() < fewest) return whole;
+    std::vector<double> lows, highs;
+    for (const std::vector<PlotRange>& each : extremes) {
+        lows.push_back(each[field].low);
+        highs.push_back(each[field].high);
+    }
+    const auto tenth = static_cast<std::ptrdiff_t>(extremes.size() / 10);
+    std::ranges::nth_element(lows, lows.begin() + tenth);
+    std::ranges::nth_element(highs, highs.end() - 1 - tenth);
+    const double low = lows[static_cast<std::size_t>(tenth)], high = *(highs.end() - 1 - tenth), span = high - low;
+    return {whole.low < low - span ? low : whole.low, whole.high > high + span ? high : whole.high};
 }
 
 std::size_t FieldHistory::nearest(double time) const

@@ -19,6 +19,11 @@ struct FieldHistory {
     std::vector<PlotRange> ranges;        // of each field over the whole run, snapshots that went included
     std::size_t stride = 1;               // of those that came, every how many-th is held
     std::size_t arrived = 0;
+    std::vector<std::vector<PlotRange>> extremes{}; // of each snapshot that is held, of each field
+
+    /// Of a field, without the highest and the lowest tenth of the snapshots that are held, if these reach further by
+    /// more than the rest spans: a landing does not blank all else. At least ten snapshots are needed.
+    PlotRange usualRange(std::size_t field) const;
 
     void add(const FieldSnapshot& snapshot);
     /// The snapshot that is nearest to a time [s]; there is one at least.

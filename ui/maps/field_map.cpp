@@ -6,7 +6,9 @@
 #include <utility>
 
 #include <QPainter>
+#include <QTextStream>
 
+#include "core/formats/units.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
@@ -70,6 +72,12 @@ SurfacePoint FieldMap::centre(std::size_t cell) const
     return {grid().centreX(static_cast<int>(cell % nx)), grid().centreY(static_cast<int>(cell / nx))};
 }
 
+void FieldMap::setRails(std::vector<Rail> rails)
+{
+    rails_ = std::move(rails);
+    update();
+}
+
 void FieldMap::setSectionPoint(const std::optional<SurfacePoint>& point)
 {
     sectionPoint_ = point;
@@ -99,6 +107,7 @@ void FieldMap::paintContent(QPainter& painter, const PlotTheme& theme)
     if (empty()) return;
     paintCells(painter);
     paintGrid(painter);
+    paintRails(painter, theme);
     if (sectionPoint_) {
         const QPointF at = toPixel(*sectionPoint_);
         const QPointF low = toPixel({area().left(), area().top()});
@@ -147,6 +156,34 @@ void FieldMap::paintCells(QPainter& painter) const
     painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
     painter.drawImage(QRectF(area.topLeft(), QSizeF(columns, rows) / finer), image);
     painter.restore();
+}
+
+/// Light over dark, so that they are seen on every colour.
+void FieldMap::paintRails(QPainter& painter, const PlotTheme& theme) const
+{
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(theme.text, 1.6), QPen(theme.background, 0.8)}) {
+        painter.setPen(pen);
+        for (const Rail& rail : rails_) {
+            QPolygonF outline;
+            for (const RailPoint& point : rail.points) outline << toPixel({point.x, point.y});
+            painter.drawPolygon(outline);
+        }
+    }
+}
+
+std::function<void(QIODevice&)> FieldMap::dataWriter() const
+{
+    if (empty()) return {};
+    return [this](QIODevice& device) {
+        QTextStream out(&device);
+        out << "x [m],y [m],\"" << look_.title << " [" << look_.unit << "]\"\n";
+        for (std::size_t cell = 0; cell < values_.size(); ++cell) {
+            const SurfacePoint at = centre(cell);
+            out << QString::fromStdString(formatNumber(at.x)) << ',' << QString::fromStdString(formatNumber(at.y))
+                << ',' << QString::fromStdString(formatNumber(values_[cell] / look_.factor)) << '\n';
+        }
+    };
 }
 
 void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const

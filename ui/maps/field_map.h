@@ -36,6 +36,9 @@ public:
     double value(std::size_t cell) const { return values_[cell]; }
     SurfacePoint centre(std::size_t cell) const;
 
+    /// Their outlines are drawn over the field.
+    void setRails(std::vector<Rail> rails);
+
     /// Where the sections cross; nothing: no sections.
     void setSectionPoint(const std::optional<SurfacePoint>& point);
 
@@ -44,13 +47,18 @@ protected:
     void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) override;
     double keyWidth() const override;
     QStringList readingAt(const SurfacePoint& point) const override;
+    /// The centre of each cell [m] and its value, in the display unit.
+    std::function<void(QIODevice&)> dataWriter() const override;
 
 private:
     void paintCells(QPainter& painter) const;
     void paintExtremes(QPainter& painter, const PlotTheme& theme) const;
     std::vector<ScaleTick> keyTicks() const;
 
+    void paintRails(QPainter& painter, const PlotTheme& theme) const;
+
     std::vector<double> values_;
+    std::vector<Rail> rails_;
     FieldLook look_;
     std::optional<std::size_t> smallest_, largest_; // cells; nothing where several cells have that value
     std::optional<SurfacePoint> sectionPoint_;

@@ -5,8 +5,8 @@
 
 #include <QMenu>
 
+#include "ui/plot/picture_menu.h"
 #include "ui/plot/plot_export.h"
-#include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
@@ -30,7 +30,6 @@ void addCheckable(QMenu* menu, const QString& text, bool checked, PlotWidget* pl
     QObject::connect(action, &QAction::toggled, plot, toggled);
 }
 
-/// Failures to save are shown in a message box that does not block the window.
 void openMenu(PlotWidget* plot, PlotGroup* group, const QPoint& at)
 {
     const auto tr = [](const char* text) { return PlotGroup::tr(text); };
@@ -57,15 +56,7 @@ void openMenu(PlotWidget* plot, PlotGroup* group, const QPoint& at)
     }
     menu->addSeparator();
 
-    menu->addAction(tr("&Copy picture"), plot, [plot] { copyPicture(*plot); });
-    menu->addAction(tr("&Save picture\u2026"), plot, [plot, tr] {
-        askAndSave(plot, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
-                   [plot](const QString& path) { return savePicture(*plot, path); });
-    });
-    menu->addAction(tr("Save visible &data\u2026"), plot, [plot, tr] {
-        askAndSave(plot, tr("Save visible data"), {tr("Comma-separated values (*.csv)")}, QStringLiteral("csv"),
-                   [plot](const QString& path) { return saveCsv(*plot, path); });
-    });
+    addPictureActions(*menu, *plot, [plot](QIODevice& device) { writeCsv(*plot, device); });
     menu->popup(at);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/results/file_header.h"
 #include "core/results/steady_writer.h"
+#include "core/studies/study/study_file.h"
 #include "ui/plot/plot_export.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
@@ -50,8 +51,11 @@ void RunFiles::chooseOpen()
 
 void RunFiles::openResults(const QString& file)
 {
-    if (formatOf(file.toStdString()) == steadyFormat)
+    const std::string format = formatOf(file.toStdString());
+    if (format == steadyFormat)
         emit solutionsChosen(file);
+    else if (format == studyFormat)
+        emit studyChosen(file);
     else
         openRun(file);
 }

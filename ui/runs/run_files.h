@@ -26,7 +26,7 @@ public:
     void chooseSave(int number, bool csv);
     void chooseOpen();
     void choosePicture();
-    /// A saved run, or static solutions.
+    /// A saved run, static solutions or the report of a study.
     void openResults(const QString& file);
 
 signals:
@@ -34,6 +34,7 @@ signals:
     void failed(const QString& sentence);
     /// The file that was to be opened holds static solutions, no run.
     void solutionsChosen(const QString& file);
+    void studyChosen(const QString& file);
 
 private:
     void openRun(const QString& file);

@@ -74,7 +74,9 @@ void RunMaps::buildRows()
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     sameScale_->setChecked(true);
-    sameScale_->setToolTip(tr("On: colours and sections span the whole run. Off: they span the values at this time."));
+    sameScale_->setToolTip(
+        tr("On: colours and sections have one range for the whole run, without a short peak such as that of a landing. "
+           "Off: they span the values at this time."));
     time_->setAccessibleName(tr("Time of the maps"));
     time_->setToolTip(tr("Select the time of the recorded fields (arrow keys, Home, End)"));
     reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -217,7 +219,9 @@ void RunMaps::takeArea()
 {
     const RunRecord& shown = *run();
     const CellGrid& grid = shown.fields[set_].fields.grid;
-    if (sameRectangle(grid, shown.value.slider))
+    const bool isSlider = sameRectangle(grid, shown.value.slider);
+    view_->map()->setRails(isSlider ? shown.value.surface.rails : std::vector<Rail>());
+    if (isSlider)
         view_->map()->setSlider(shown.value.slider.length, shown.value.slider.width);
     else
         view_->map()->setPiece(
@@ -267,7 +271,7 @@ void RunMaps::showSnapshot()
         const double zero = fields_[i].aboveAmbient ? ambient : 0.0;
         values[i] = history->snapshots[index].values[fields_[i].field];
         for (double& value : values[i]) value -= zero;
-        const PlotRange& range = history->ranges[fields_[i].field];
+        const PlotRange range = history->usualRange(fields_[i].field);
         ranges[i] = {range.low - zero, range.high - zero};
     }
     view_->setFields(history->fields.grid, std::move(values),

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QEvent>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QPainter>
+#include <QTextStream>
 
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_velocity.h"
+#include "ui/plot/picture_menu.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/slider/slider_profile.h"
@@ -105,11 +108,45 @@ ProfileDrawing SideView::drawing() const { return {plotArea(), length_, height_.
 
 double SideView::exaggeration() const { return drawing().exaggeration(); }
 
+void SideView::contextMenuEvent(QContextMenuEvent* event)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    std::function<void(QIODevice&)> writer;
+    if (state_) writer = [this](QIODevice& device) { writeProfile(device); };
+    addPictureActions(*menu, *this, writer);
+    menu->popup(event->globalPos());
+}
+
+void SideView::writeProfile(QIODevice& device) const
+{
+    QTextStream out(&device);
+    const auto number = [](double value) { return QString::fromStdString(formatNumber(value)); };
+    out << "x [m],height of the slider above the mean plane of the disk [m]\n";
+    for (int i = 0; i <= SliderProfile::along; ++i) {
+        const double share = static_cast<double>(i) / SliderProfile::along;
+        out << number(share * length_) << ',' << number(heightAt(share)) << '\n';
+    }
+}
+
+void SideView::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
+{
+    painter.save();
+    painter.translate(target.topLeft());
+    painter.scale(target.width() / width(), target.height() / height());
+    paint(painter, theme);
+    painter.restore();
+}
+
 void SideView::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
+    paint(painter, plotTheme(palette()));
+}
+
+void SideView::paint(QPainter& painter, const PlotTheme& theme) const
+{
     painter.setRenderHint(QPainter::Antialiasing);
-    const PlotTheme theme = plotTheme(palette());
     painter.fillRect(rect(), theme.background);
     if (!state_) {
         painter.setPen(theme.mutedText);

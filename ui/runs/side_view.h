@@ -6,6 +6,7 @@
 #pragma once
 
 #include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_export.h"
 #include "ui/plot/plot_theme.h"
 #include "ui/slider/profile_drawing.h"
 
@@ -18,7 +19,7 @@ namespace touchdown {
 
 class RunsModel;
 
-class SideView : public QWidget {
+class SideView : public QWidget, public PagePart {
     Q_OBJECT
 
 public:
@@ -45,18 +46,24 @@ public:
     /// Height of the surface at a share of the slider's length [m].
     double heightAt(double share) const;
 
+    QString title() const override { return tr("Side view"); }
+    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+
     QSize sizeHint() const override { return {640, 400}; }
     QSize minimumSizeHint() const override { return {240, 160}; }
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     void takeRun();
     void takeState();
     QRectF plotArea() const;
     ProfileDrawing drawing() const;
+    void paint(QPainter& painter, const PlotTheme& theme) const;
+    void writeProfile(QIODevice& device) const;
     void paintAxes(QPainter& painter, const PlotTheme& theme) const;
     void paintSlider(QPainter& painter, const PlotTheme& theme) const;
     void paintReadings(QPainter& painter, const PlotTheme& theme) const;

@@ -6,10 +6,13 @@
 #include <numbers>
 
 #include <QApplication>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 
 #include "core/formats/units.h"
+#include "ui/plot/picture_menu.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
@@ -265,6 +268,15 @@ void SliderPlan::paintInto(QPainter& painter, const QRectF& target, const PlotTh
     painter.scale(target.width() / width(), target.height() / height());
     paint(painter, theme);
     painter.restore();
+}
+
+void SliderPlan::contextMenuEvent(QContextMenuEvent* event)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &SliderPlan::fit);
+    addPictureActions(*menu, *this, dataWriter());
+    menu->popup(event->globalPos());
 }
 
 void SliderPlan::paintEvent(QPaintEvent*)

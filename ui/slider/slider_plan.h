@@ -9,6 +9,7 @@
 // Keys: arrows move, + and - zoom, Home fits.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -88,10 +89,13 @@ protected:
     /// Key of the content, in a column of keyWidth().
     virtual void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) = 0;
     virtual double keyWidth() const = 0; // [px]
+    /// What writes the numbers of the content as comma-separated values; nothing: it has none.
+    virtual std::function<void(QIODevice&)> dataWriter() const { return {}; }
     /// To be called when keyWidth() may have changed for another reason than size and font.
     void forgetLayout() { laidOutSize_ = {}; }
 
     void changeEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;

@@ -7,6 +7,7 @@
 #include <QMenu>
 
 #include "core/physics/slider/surface_symmetry.h"
+#include "ui/plot/picture_menu.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/surface_editor.h"
 #include "ui/slider/wall_menu.h"
@@ -68,6 +69,8 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     add(tr("Backward"), QStringLiteral("PgDown"), rails.size() == 1, [this] { moveInOrder(-1); });
     menu->addSeparator();
     add(tr("Delete"), QStringLiteral("Del"), !selection_.empty(), [this] { removeSelected(); });
+    menu->addSeparator();
+    addPictureActions(*menu, *this, dataWriter());
     menu->popup(globalPos);
 }
 

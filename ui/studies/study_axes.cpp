@@ -8,6 +8,7 @@
 #include "core/formats/units.h"
 #include "core/studies/study/study.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -20,8 +21,7 @@ constexpr double furthestShare = 0.5;   // of the width of the points, on a line
 AxisLabel labelOf(const ChartAxis& axis)
 {
     const std::string& unit = axis.displayUnit.empty() ? axis.unit : axis.displayUnit;
-    return {QString::fromStdString(axis.label), unitText(unit),
-            axis.displayUnit.empty() ? 1.0 : unitFactor(axis.displayUnit),
+    return {readable(axis.label), unitText(unit), axis.displayUnit.empty() ? 1.0 : unitFactor(axis.displayUnit),
             axis.logarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
 }
 

@@ -7,6 +7,7 @@
 #include <QFontMetricsF>
 
 #include "ui/plot/plot_painter.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -28,9 +29,8 @@ QFont titleFontOf(const QFont& font)
 double wrappedHeight(const QFont& font, const std::string& text, double width)
 {
     if (text.empty()) return 0.0;
-    return std::ceil(QFontMetricsF(font)
-                         .boundingRect(QRectF(0.0, 0.0, width, 1e5), Qt::TextWordWrap, QString::fromStdString(text))
-                         .height());
+    return std::ceil(
+        QFontMetricsF(font).boundingRect(QRectF(0.0, 0.0, width, 1e5), Qt::TextWordWrap, readable(text)).height());
 }
 
 struct Raster {
@@ -116,12 +116,12 @@ void StudyChartDrawing::paint(QPainter& painter) const
     painter.fillRect(QRectF(QPointF(), size_), theme_.background);
     painter.setPen(theme_.text);
     painter.setFont(titleFont_);
-    painter.drawText(title_, Qt::TextWordWrap, QString::fromStdString(chart_.title));
+    painter.drawText(title_, Qt::TextWordWrap, readable(chart_.title));
     legend_.paint(painter, legendBox_);
     for (const StudyPanel& panel : panels_) panel.paint(painter);
     painter.setPen(theme_.mutedText);
     painter.setFont(captionFont_);
-    painter.drawText(caption_, Qt::TextWordWrap, QString::fromStdString(chart_.caption));
+    painter.drawText(caption_, Qt::TextWordWrap, readable(chart_.caption));
 }
 
 } // namespace touchdown

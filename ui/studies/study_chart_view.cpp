@@ -12,7 +12,9 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "ui/plot/picture_menu.h"
 #include "ui/plot/plot_export.h"
+#include "ui/studies/study_chart_data.h"
 #include "ui/studies/study_chart_drawing.h"
 #include "ui/style/save_dialog.h"
 
@@ -249,8 +251,7 @@ void StudyChartView::contextMenuEvent(QContextMenuEvent* event)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &StudyChartView::fit);
     menu->addSeparator();
-    menu->addAction(tr("&Copy picture"), this, &StudyChartView::copy);
-    menu->addAction(tr("&Save picture…"), this, &StudyChartView::chooseSave);
+    addPictureActions(*menu, *this, [this](QIODevice& device) { writeChartCsv(chart_, device); });
     menu->popup(event->globalPos());
 }
 

@@ -12,7 +12,9 @@
 #include <QVBoxLayout>
 
 #include "core/formats/toml_document.h"
+#include "core/formats/toml_editor.h"
 #include "core/studies/study/study_head.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
@@ -43,8 +45,8 @@ StudyCatalogue coreStudies()
             sampleStudies(),
             studyTemplate,
             [](const std::string& kind, const std::string& text, const std::string& name,
-               const std::filesystem::path& folder,
-               const Case& c) { return parseStudy(kind, text, name, folder, &c); }};
+               const std::filesystem::path& folder, const Case& c) { return parseStudy(kind, text, name, folder, &c); },
+            studyForm};
 }
 
 StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
@@ -52,7 +54,11 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
       catalogue_(std::move(catalogue)),
       kinds_(new QComboBox(this)),
       help_(new QLabel(this)),
+      subject_(new QLabel(this)),
+      tabs_(new QTabWidget(this)),
+      form_(new StudyFormView(this)),
       text_(new StudyTextEdit(this)),
+      gallery_(new StudyGallery(this)),
       problems_(new QLabel(this)),
       run_(new QPushButton(tr("Perform"), this)),
       stop_(new QPushButton(tr("Stop"), this)),
@@ -63,7 +69,6 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     for (const StudyKind& kind : catalogue_.kinds)
         kinds_->addItem(QString::fromStdString(kind.title), QString::fromStdString(kind.name));
     build();
-    buildOpenMenu();
     soon_.setSingleShot(true);
     soon_.setInterval(planDelay);
     connect(&soon_, &QTimer::timeout, this, &StudyEditor::replan);
@@ -73,7 +78,13 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
         stale_ = true;
         soon_.start();
     });
-    connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) { text_->goToLine(line.toInt()); });
+    connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
+    connect(gallery_, &StudyGallery::chosen, this, &StudyEditor::openSample);
+    connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) {
+        tabs_->setCurrentWidget(text_);
+        text_->goToLine(line.toInt());
+    });
+    connect(open_, &QToolButton::clicked, this, &StudyEditor::chooseOpen);
     connect(run_, &QPushButton::clicked, this, &StudyEditor::runRequested);
     connect(stop_, &QPushButton::clicked, this, &StudyEditor::stopRequested);
     connect(save_, &QToolButton::clicked, this, &StudyEditor::chooseSave);
@@ -99,10 +110,9 @@ void StudyEditor::build()
     stop_->setToolTip(tr("Stop the study; its results so far are kept (F8)"));
     stop_->setEnabled(false);
     for (QPushButton* button : {run_, stop_}) button->setAutoDefault(false);
-    open_->setText(tr("Open"));
+    open_->setText(tr("Open…"));
     open_->setAccessibleName(tr("Open a study"));
-    open_->setToolTip(tr("Open a study file or a sample study of this kind"));
-    open_->setPopupMode(QToolButton::InstantPopup);
+    open_->setToolTip(tr("Open a study file"));
     save_->setText(tr("Save…"));
     save_->setAccessibleName(tr("Save the study's text"));
     save_->setToolTip(tr("Save this text as a study file; the command line can perform it, too"));
@@ -113,6 +123,14 @@ void StudyEditor::build()
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::TabFocus);
     }
+
+    subject_->setWordWrap(true);
+    subject_->setAccessibleName(tr("The case that is studied"));
+    tabs_->setDocumentMode(true);
+    tabs_->addTab(form_, tr("Form"));
+    tabs_->addTab(text_, tr("Text"));
+    tabs_->addTab(gallery_, tr("Samples"));
+    tabs_->setAccessibleName(tr("The study as form and text; sample studies"));
 
     auto* files = new QHBoxLayout;
     files->setSpacing(2);
@@ -129,7 +147,8 @@ void StudyEditor::build()
     layout->addWidget(kinds_);
     layout->addWidget(help_);
     layout->addLayout(files);
-    layout->addWidget(text_, 1);
+    layout->addWidget(subject_);
+    layout->addWidget(tabs_, 1);
     layout->addWidget(problems_);
     layout->addLayout(buttons);
     setMinimumWidth(240);
@@ -141,21 +160,6 @@ void StudyEditor::colour()
     QPalette quiet;
     quiet.setColor(QPalette::WindowText, meaningColours(palette()).muted);
     help_->setPalette(quiet);
-}
-
-void StudyEditor::buildOpenMenu()
-{
-    auto* menu = new QMenu(open_);
-    open_->setMenu(menu);
-    connect(menu, &QMenu::aboutToShow, this, [this, menu] {
-        menu->clear();
-        menu->addAction(tr("&File…"), this, &StudyEditor::chooseOpen);
-        menu->addSection(tr("Sample studies"));
-        for (const SampleStudy& sample : catalogue_.samples) {
-            if (QString::fromStdString(sample.kind) != kind()) continue;
-            menu->addAction(QString::fromStdString(sample.title), this, [this, sample] { openSample(sample); });
-        }
-    });
 }
 
 void StudyEditor::setCase(const Case& c)
@@ -174,13 +178,17 @@ void StudyEditor::openSample(const SampleStudy& sample)
 {
     setKind(QString::fromStdString(sample.kind));
     drafts_[kind()].file.clear();
-    setText(QString::fromStdString(sample.text));
+    setText(withoutLicence(sample.text));
+    replan();
+    tabs_->setCurrentWidget(form_);
 }
 
 void StudyEditor::showKind()
 {
     const auto found = std::ranges::find(catalogue_.kinds, kind().toStdString(), &StudyKind::name);
     help_->setText(found == catalogue_.kinds.end() ? QString() : sentence(found->help));
+    gallery_->setSamples(catalogue_.samples, kind().toStdString());
+    tabs_->setTabVisible(tabs_->indexOf(gallery_), gallery_->count() > 0);
     const Draft draft = drafts_[kind()];
     text_->setPlainText(draft.text);
     stale_ = true;
@@ -216,8 +224,39 @@ void StudyEditor::replan()
     plan_ = catalogue_.plan(kind().toStdString(), draft.text.toStdString(), name.toStdString(), folder.toStdString(),
                             case_);
     stale_ = false;
+    showForm();
     showProblems();
     emit planned();
+}
+
+void StudyEditor::showForm()
+{
+    const TomlDocument toml = readToml(plan_.text);
+    const bool namesCase = std::ranges::find(toml.entries, "case", &TomlEntry::key) != toml.entries.end();
+    const QString title = QString::fromStdString(plan_.start.value.title).toHtmlEscaped();
+    const bool differs = namesCase && !caseDifference(case_, plan_.start.value).isEmpty();
+    subject_->setText(namesCase ? tr("Studies <b>%1</b>; changes at the left have no effect.").arg(title)
+                                : tr("Studies the case at the left: <b>%1</b>").arg(title));
+    setTextColour(subject_, differs ? meaningColours(palette()).warning : QColor());
+    if (catalogue_.form)
+        form_->show(catalogue_.form(kind().toStdString(), plan_.start.value).keys, toml,
+                    QString::fromStdString(case_.title));
+    form_->mark(plan_.problems, plan_.name);
+}
+
+void StudyEditor::enter(const QString& key, const QString& value)
+{
+    const std::string text = toText().toStdString();
+    const TomlDocument toml = readToml(text);
+    TomlEditor editor(text, toml);
+    if (value.isEmpty())
+        editor.remove(key.toStdString());
+    else
+        editor.put(key.toStdString(), value.toStdString());
+    QTextCursor all(text_->document()); // so that the text's own undo takes it back
+    all.select(QTextCursor::Document);
+    all.insertText(QString::fromStdString(editor.result()));
+    replan();
 }
 
 void StudyEditor::showProblems()
@@ -305,7 +344,9 @@ void StudyEditor::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) {
         colour();
-        if (!stale_) showProblems();
+        if (stale_) return;
+        showForm();
+        showProblems();
     }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The kind of study and its text, which starts with the defaults for the case in the window. Errors are listed while
-// the user types. The text of each kind is kept; a text without changes follows the case.
+// The kind of study and its text, which starts with the defaults for the case in the window: as a form, as text, and
+// the sample studies of the kind. Errors are listed while the user types. The text of each kind is kept; a text without
+// changes follows the case.
 #pragma once
 
 #include <functional>
@@ -11,14 +12,16 @@
 
 #include <QComboBox>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTimer>
 #include <QToolButton>
 #include <QWidget>
 
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
+#include "ui/studies/study_form_view.h"
+#include "ui/studies/study_gallery.h"
 #include "ui/studies/study_text_edit.h"
 
 namespace touchdown {
@@ -31,6 +34,7 @@ struct StudyCatalogue {
     std::function<StudyPlan(const std::string& kind, const std::string& text, const std::string& name,
                             const std::filesystem::path& folder, const Case& c)>
         plan;
+    std::function<StudyForm(const std::string& kind, const Case& c)> form{}; // none: without fields
 };
 StudyCatalogue coreStudies();
 
@@ -59,6 +63,11 @@ public:
     QPushButton* run() const { return run_; }
     QPushButton* stop() const { return stop_; }
     QString problems() const { return problems_->text(); }
+    StudyFormView* form() const { return form_; }
+    StudyGallery* gallery() const { return gallery_; }
+    QTabWidget* tabs() const { return tabs_; }
+    /// Which case is studied, as rich text.
+    QString subject() const { return subject_->text(); }
 
 signals:
     void runRequested();
@@ -81,10 +90,11 @@ private:
     };
 
     void build();
-    void buildOpenMenu();
     void chooseOpen();
     void chooseSave();
     void showKind();
+    void showForm();
+    void enter(const QString& key, const QString& value);
     void takeDefaults();
     void replan();
     void showProblems();
@@ -99,7 +109,11 @@ private:
 
     QComboBox* kinds_;
     QLabel* help_;
+    QLabel* subject_; // the case that is studied
+    QTabWidget* tabs_;
+    StudyFormView* form_;
     StudyTextEdit* text_;
+    StudyGallery* gallery_;
     QLabel* problems_;
     QPushButton *run_, *stop_;
     QToolButton *open_, *save_, *defaults_;

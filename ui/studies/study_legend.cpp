@@ -7,6 +7,7 @@
 #include <QFontMetricsF>
 
 #include "ui/plot/plot_painter.h"
+#include "ui/style/readable.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -31,7 +32,7 @@ void StudyLegend::addSeries(const StudyChart& chart, const ChartStyles& styles)
     for (const bool quiet : {false, true})
         for (const ChartPanel& panel : chart.panels)
             for (const ChartSeries& series : panel.series) {
-                const QString name = QString::fromStdString(series.name);
+                const QString name = readable(series.name);
                 const auto known = std::ranges::find(entries_, name, &Entry::text);
                 if (series.quiet != quiet || name.isEmpty() || known != entries_.end()) continue;
                 entries_.push_back({Entry::Kind::Series,
@@ -50,7 +51,7 @@ void StudyLegend::addClasses(const StudyChart& chart)
         const std::vector<ClassStyle> fills = classStyles(panel.map->classes, theme_);
         for (std::size_t i = 0; i < fills.size(); ++i) {
             const bool used = std::ranges::find(panel.map->cells, static_cast<int>(i)) != panel.map->cells.end();
-            const QString name = QString::fromStdString(panel.map->classes[i].name);
+            const QString name = readable(panel.map->classes[i].name);
             const bool known =
                 std::ranges::any_of(classes, [&name](const auto& each) { return each.second.text == name; });
             if (used && !known)

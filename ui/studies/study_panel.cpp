@@ -10,6 +10,7 @@
 
 #include "core/studies/study/study.h"
 #include "ui/plot/plot_painter.h"
+#include "ui/style/readable.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -20,7 +21,7 @@ constexpr double gap = 6.0;    // between things that belong together [px]
 constexpr double reach = 20.0; // [widths of the area] lines end this far outside: painters fail at larger coordinates
 constexpr double near = 9.0;   // of a pointer to a point [px]
 
-QString plain(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+QString plain(const std::string& text) { return readable(text).toHtmlEscaped(); }
 
 QString valueLine(const PlotAxis& axis, double value, double error)
 {

@@ -12,6 +12,7 @@
 
 #include "core/studies/study/study.h"
 #include "ui/studies/study_labels.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -132,7 +133,7 @@ void StudyPanel::paintBands(QPainter& painter) const
 
 QString StudyPanel::withArrow(const ChartBand& band) const
 {
-    const QString text = QString::fromStdString(band.label);
+    const QString text = readable(band.label);
     const PlotRange& range = band.alongX ? axes_.x.range() : axes_.y.range();
     if (band.upper < range.low) return (band.alongX ? QStringLiteral("← ") : QStringLiteral("↓ ")) + text;
     if (band.lower > range.high) return band.alongX ? text + QStringLiteral(" →") : QStringLiteral("↑ ") + text;
@@ -238,7 +239,7 @@ void StudyPanel::paintLabels(QPainter& painter) const
             if (series.markers || point.chosen)
                 taken.emplace_back(at.x() - radius, at.y() - radius, 2.0 * radius, 2.0 * radius);
             if (point.label.empty() || labels.size() >= mostLabels) continue;
-            texts.push_back(QString::fromStdString(point.label));
+            texts.push_back(readable(point.label));
             inks.push_back(series.quiet ? theme_.mutedText : theme_.text);
             labels.push_back(
                 {at, radius, {metrics.horizontalAdvance(texts.back()), 0.95 * metrics.height()}, point.chosen});

@@ -13,6 +13,7 @@
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
 
@@ -198,7 +199,7 @@ void StudyResults::showCharts()
     QStringList titles;
     for (std::size_t i = 0; i < charts_.size(); ++i) {
         charts_[i]->setChart(report_->charts[i]);
-        titles << QString::fromStdString(report_->charts[i].title).section(QLatin1Char(':'), 0, 0);
+        titles << readable(report_->charts[i].title).section(QLatin1Char(':'), 0, 0);
     }
     setTabTexts(chartTabs_, titles);
     chartTabs_->setVisible(titles.size() > 1);
@@ -243,7 +244,7 @@ void StudyResults::writeFindings()
     // The first finding of a study that checks something is its verdict.
     const StudyVerdict verdict = report_->status == StudyStatus::Completed ? verdictOf(*report_) : StudyVerdict::None;
     for (std::size_t i = 0; i < report_->findings.size(); ++i) {
-        const QString finding = QString::fromStdString(report_->findings[i]);
+        const QString finding = readable(report_->findings[i]);
         if (i == 0 && verdict == StudyVerdict::Holds)
             add(QStringLiteral("✓"), colours.success, finding);
         else if (i == 0 && verdict != StudyVerdict::None)
@@ -251,8 +252,7 @@ void StudyResults::writeFindings()
         else
             add(QStringLiteral("•"), colours.change, finding);
     }
-    for (const std::string& warning : report_->warnings)
-        add(QStringLiteral("⚠"), colours.warning, QString::fromStdString(warning));
+    for (const std::string& warning : report_->warnings) add(QStringLiteral("⚠"), colours.warning, readable(warning));
     html = QStringLiteral("<table cellspacing='0'>%1</table>").arg(html);
     if (underWay_ && report_->findings.empty())
         html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("In progress…"));

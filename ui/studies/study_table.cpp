@@ -13,6 +13,7 @@
 #include "core/formats/units.h"
 #include "ui/plot/plot_axis.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -60,7 +61,7 @@ int StudyTableModel::columnCount(const QModelIndex& parent) const
 
 QString StudyTableModel::text(const StudyColumn& column, const StudyValue& value) const
 {
-    if (const auto* words = std::get_if<std::string>(&value)) return QString::fromStdString(*words);
+    if (const auto* words = std::get_if<std::string>(&value)) return readable(*words);
     const auto* number = std::get_if<double>(&value);
     if (number == nullptr) return QString(QChar(0x2013));
     return numberText(column.displayUnit.empty() ? *number : *number / unitFactor(column.displayUnit));
@@ -90,7 +91,7 @@ QVariant StudyTableModel::headerData(int section, Qt::Orientation orientation, i
     if (orientation != Qt::Horizontal || section < 0 || section >= columnCount())
         return QAbstractTableModel::headerData(section, orientation, role);
     const StudyColumn& column = table_.columns[static_cast<std::size_t>(section)];
-    const QString title = QString::fromStdString(column.longName.empty() ? column.name : column.longName);
+    const QString title = readable(column.longName.empty() ? column.name : column.longName);
     const QString unit = unitText(column.displayUnit.empty() ? column.unit : column.displayUnit);
     if (role == Qt::DisplayRole) return unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
     if (role == Qt::ToolTipRole) return QStringLiteral("%1 (%2)").arg(title, QString::fromStdString(column.name));

@@ -11,6 +11,7 @@
 #include <QRegularExpression>
 
 #include "core/formats/units.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -85,7 +86,7 @@ QString sentence(std::string_view reason)
     // A symbol such as d_e keeps its spelling.
     if (text.size() > 1 && text[1] != QLatin1Char('_')) text[0] = text[0].toUpper();
     if (!text.endsWith(QLatin1Char('.'))) text += QLatin1Char('.');
-    return text;
+    return readable(text.toStdString());
 }
 
 QString readout(double value, std::string_view displayUnit, int decimals, const QLocale& locale)

@@ -93,7 +93,10 @@ void MainWindow::openCase(const CaseDocument& document, const QString& file) { f
 
 bool MainWindow::isResultsFile(const QString& file) { return CaseFiles::isResultsFile(file); }
 
-void MainWindow::openFile(const QString& file) { files_->openNow(file); }
+void MainWindow::openFile(const QString& file)
+{
+    CaseFiles::isStudyFile(file) ? openStudy(file) : void(files_->openNow(file));
+}
 
 void MainWindow::openResults(const QString& file) { runFiles_->openResults(file); }
 

@@ -67,6 +67,8 @@ public:
     void openCase(const CaseDocument& document, const QString& file);
     /// Reads a case file; shows its problems, and asks where it names files outside its folder.
     void openFile(const QString& file);
+    /// The text of a study (TOML) or its saved report (HDF5).
+    void openStudy(const QString& file);
     void openResults(const QString& file);
     static bool isResultsFile(const QString& file);
     using Page = WindowPages::Page;

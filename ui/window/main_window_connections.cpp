@@ -9,6 +9,7 @@
 
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/study.h"
+#include "core/studies/study/study_file_reader.h"
 #include "core/studies/study/study_verdict.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
@@ -33,6 +34,8 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
+#include "ui/window/apply_question.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -181,11 +184,15 @@ void MainWindow::connectStudies()
     connect(studies_, &StudyWindow::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
-        edits_->setAll(found, tr("apply the study: %1").arg(title));
-        messages_->show(
-            MessageStrip::Kind::Success,
-            tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
+        askToApply(*this, edits_->value(), found, title, [this, found, title] {
+            edits_->setAll(found, tr("apply the study: %1").arg(title));
+            messages_->show(
+                MessageStrip::Kind::Success,
+                tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
+        });
     });
+    connect(files_, &CaseFiles::studyFileChosen, this, &MainWindow::openStudy);
+    connect(runFiles_, &RunFiles::studyChosen, this, &MainWindow::openStudy);
 }
 
 void MainWindow::connectView()
@@ -230,12 +237,34 @@ void MainWindow::connectHelp()
     });
 }
 
+void MainWindow::openStudy(const QString& file)
+{
+    QString problem;
+    if (CaseFiles::isResultsFile(file)) {
+        StoredStudy stored = readStudy(file.toStdString());
+        problem = QString::fromStdString(stored.problem);
+        if (problem.isEmpty()) {
+            studies_->editor()->setKind(QString::fromStdString(stored.report.kind));
+            studies_->restore(std::move(stored));
+        }
+    } else {
+        problem = studies_->editor()->open(file);
+    }
+    if (!problem.isEmpty()) return messages_->show(MessageStrip::Kind::Failure, problem);
+    setPage(Page::Studies);
+    messages_->show(MessageStrip::Kind::Success, tr("Opened: %1").arg(QDir::toNativeSeparators(file)));
+}
+
 void MainWindow::onStudied(const StudyReport& report)
 {
     updateRunActions();
     const QString title = QString::fromStdString(report.title);
-    QStringList lines{report.findings.empty() ? tr("Completed: %1").arg(title)
-                                              : QString::fromStdString(report.findings.front())};
+    // The findings stand on the page of studies.
+    const bool onItsPage =
+        pages_->page() == Page::Studies && studies_->editor()->kind() == QString::fromStdString(report.kind);
+    QStringList lines{report.findings.empty() || onItsPage ? tr("Completed: %1").arg(title)
+                                                           : readable(report.findings.front())};
+    if (onItsPage && verdictOf(report) == StudyVerdict::HoldsNot) lines << tr("What it checks does not hold.");
     if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
     switch (report.status) {
     case StudyStatus::Completed: messages_->show(kindOf(report), lines.join(QLatin1Char('\n'))); break;

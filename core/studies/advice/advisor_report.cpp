@@ -57,17 +57,17 @@ std::string windowText(const AdvisorTask& task, const AdvisorResult& result)
                              : "over the first " + fewDigitsOfTime(result.pilotTime) + " of " + duration;
 }
 
+/// What to do with the advice, on the command line and in the window.
 std::string applyText(const CandidateOutcome& advice)
 {
-    if (advice.found && advice.command == "steady")
-        return "Its case (--apply FILE) has this answer as its static state: touchdown steady FILE.";
+    const std::string itsCase = "Its case (--apply FILE, or Apply to the case) ";
+    if (advice.found && advice.command == "steady") return itsCase + "has this answer as its static state.";
     if (advice.found && advice.model.kind == CandidateKind::ContactRest)
-        return "Its case (--apply FILE) begins at this rest, over a flat disk, and stays there: touchdown run FILE. "
-               "That run checks the rest in a film over a tenth of the duration, and takes about a tenth of the full "
-               "model's time.";
-    if (advice.found) return "Its case (--apply FILE) is to be run: touchdown run FILE.";
-    return "No case has this answer alone: its numbers stand in the table below, touchdown modes lists the modes, and "
-           "--option models=" +
+        return itsCase + "begins at this rest, over a flat disk, and a run stays there. That run checks the rest in a "
+                         "film over a tenth of the duration, and takes about a tenth of the full model's time.";
+    if (advice.found) return itsCase + "is to be run.";
+    return "No case has this answer alone: its numbers stand in the table below, the modes of the film list those of "
+           "the air bearing, and models = " +
            std::string(name(advice.model.kind)) + " tries this model alone.";
 }
 

@@ -72,6 +72,8 @@ private slots:
     void emitsTheChosenPreset();
     void acceptsADecimalComma();
     void searches();
+    void ranksWhatItFinds();
+    void enteringAChoice();
     void closesAndOpensGroups();
     void ignoresTheWheelUnlessFocused();
     void committingTwiceIsOneEdit();
@@ -175,7 +177,7 @@ void TestCasePanel::hidesFieldsThatTheModelDoesNotUse()
     f.edits.enter(*findParameter("run.integrator"), QStringLiteral("rk4"));
     QVERIFY(!f.panel.editor("run.tolerance")->isVisible());
     QVERIFY(f.panel.editor("run.step")->isVisible());
-    QCOMPARE(qobject_cast<QComboBox*>(f.panel.editor("run.integrator")->input())->currentText(), QStringLiteral("rk4"));
+    QCOMPARE(qobject_cast<QComboBox*>(f.panel.editor("run.integrator")->input())->currentData(), QStringLiteral("rk4"));
 
     QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->isVisible());
     f.edits.enter(*findParameter("contact"), QStringLiteral("none"));
@@ -240,7 +242,7 @@ void TestCasePanel::warnsOfAContactThatCreatesEnergy()
 {
     Fixture f;
     f.type("ono_yamane.meniscus_force", QStringLiteral("1 mN")); // W = 1 mN * 2 nm - 2.5 pJ
-    QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->reason().startsWith(QLatin1String("W = -0.5 pJ")));
+    QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->reason().startsWith(QStringLiteral("W = −0.5 pJ")));
     QVERIFY(f.edits.reasonNotToRun().isEmpty());
     f.type("ono_yamane.meniscus_force", QStringLiteral("1.3 mN"));
     QVERIFY(f.panel.editor("ono_yamane.meniscus_force")->reason().isEmpty());
@@ -370,6 +372,47 @@ void TestCasePanel::searches()
     QVERIFY(!f.panel.editor("springs.front_stiffness")->isVisible());
     f.panel.setPreset({});
     QVERIFY(f.panel.editor("springs.front_stiffness")->isVisible());
+}
+
+void TestCasePanel::enteringAChoice()
+{
+    Fixture f;
+    auto* choice = qobject_cast<QComboBox*>(f.panel.editor("run.integrator")->input());
+    const int newmark = choice->findData(QStringLiteral("newmark"));
+    QCOMPARE(choice->itemText(newmark), QStringLiteral("Newmark"));
+    choice->setCurrentIndex(newmark);
+    emit choice->activated(newmark);
+    QCOMPARE(f.edits.value().run.integrator, IntegratorKind::Newmark);
+    f.edits.undoStack().undo();
+    QCOMPARE(choice->currentData(), QStringLiteral("dopri5"));
+}
+
+void TestCasePanel::ranksWhatItFinds()
+{
+    Fixture f;
+    const auto isShown = [&f](const char* key) { return f.panel.editor(key)->isVisible(); };
+    // Labels first; explanations only when asked for.
+    f.panel.search()->setText(QStringLiteral("mass"));
+    QVERIFY(isShown("slider.mass"));
+    QVERIFY(!isShown("springs.front_distance")); // "Distance from the mass centre ..."
+    QVERIFY2(f.panel.searchRemark().contains(QStringLiteral("more in keys")), qPrintable(f.panel.searchRemark()));
+    f.panel.showEveryMatch();
+    QVERIFY(isShown("slider.mass"));
+    QVERIFY(isShown("springs.front_distance"));
+    QCOMPARE(f.panel.searchRemark(), QString());
+    // Keys before explanations, and only the starts of words.
+    f.panel.search()->setText(QStringLiteral("springs.cut"));
+    QVERIFY(isShown("springs.cutoff"));
+    f.panel.search()->setText(QStringLiteral("ass"));
+    QVERIFY(!isShown("slider.mass"));
+    // A choice is found by its name.
+    f.panel.search()->setText(QStringLiteral("newmark"));
+    QVERIFY(isShown("run.integrator"));
+    f.panel.search()->setText(QStringLiteral("<b>zebra"));
+    QCOMPARE(f.panel.searchRemark(), QStringLiteral("No parameter of this case matches “&lt;b&gt;zebra”."));
+    for (const ParameterEditor* editor : f.panel.findChildren<ParameterEditor*>()) QVERIFY(!editor->isVisible());
+    f.panel.search()->clear();
+    QCOMPARE(f.panel.searchRemark(), QString());
 }
 
 void TestCasePanel::closesAndOpensGroups()

@@ -2,8 +2,13 @@
 #include "ui/maps/field_map.h"
 
 #include <cmath>
+#include <map>
 #include <memory>
 
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QMenu>
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -29,6 +34,8 @@ private slots:
     void printsNumbersWithFourDigits_data();
     void printsNumbersWithFourDigits();
     void drawsWithoutAField();
+    void outlinesTheRails();
+    void offersPictureAndNumbers();
 
 private:
     QColor at(const SurfacePoint& point) const
@@ -58,6 +65,45 @@ void TestFieldMap::init()
     map_->setField(grid_, {0.0, 1e3, 2e3, 3e3, 4e3, 5e3});
     map_->show();
     QVERIFY(QTest::qWaitForWindowExposed(map_.get()));
+}
+
+void TestFieldMap::outlinesTheRails()
+{
+    const SurfacePoint onTheEdge{0.6e-3, 0.3e-3}, beside{0.7e-3, 0.35e-3};
+    const QColor before = at(onTheEdge), inside = at(beside);
+    Rail rail;
+    rail.points = {{0.6e-3, 0.1e-3}, {0.9e-3, 0.1e-3}, {0.9e-3, 0.45e-3}, {0.6e-3, 0.45e-3}};
+    map_->setRails({rail});
+    QVERIFY(at(onTheEdge) != before);
+    QCOMPARE(at(beside), inside);
+    map_->setRails({});
+    QCOMPARE(at(onTheEdge), before);
+}
+
+void TestFieldMap::offersPictureAndNumbers()
+{
+    const auto actions = [this] {
+        const QPoint middle = map_->rect().center();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, middle, map_->mapToGlobal(middle));
+        QApplication::sendEvent(map_.get(), &event);
+        QMenu* menu = map_->findChildren<QMenu*>().back();
+        std::map<QString, QAction*> named;
+        for (QAction* action : menu->actions()) named[QString(action->text()).remove(QLatin1Char('&'))] = action;
+        return named;
+    };
+    auto offered = actions();
+    QVERIFY(offered.contains(QStringLiteral("Copy picture")) && offered.contains(QStringLiteral("Save picture…")) &&
+            offered.contains(QStringLiteral("Save data…")));
+    offered.at(QStringLiteral("Copy data"))->trigger();
+    const QStringList lines = QGuiApplication::clipboard()->text().split(QLatin1Char('\n'), Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 7);
+    QCOMPARE(lines[0], QStringLiteral("x [m],y [m],\"Pressure [kPa]\""));
+    QCOMPARE(lines[2], QStringLiteral("0.00025,0.0001,1"));
+    offered.at(QStringLiteral("Copy picture"))->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->image().isNull(), false);
+    map_->setField({}, {});
+    offered = actions();
+    QVERIFY(offered.contains(QStringLiteral("Copy picture")) && !offered.contains(QStringLiteral("Copy data")));
 }
 
 void TestFieldMap::findsTheCell_data()

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include <QDockWidget>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
@@ -265,6 +266,12 @@ void TestStudyPage::appliesWhatWasFound()
     f.perform();
     QVERIFY(f.apply()->isVisible());
     QTest::mouseClick(f.apply(), Qt::LeftButton);
+    QCOMPARE(f.window.edits().value().springs.flyingHeight, 7e-9); // asks first, and says what will change
+    auto* box = f.window.findChild<QMessageBox*>(QStringLiteral("applyQuestion"));
+    QVERIFY(box != nullptr && box->isVisible());
+    QVERIFY2(box->informativeText().contains(QStringLiteral("7\u00A0nm → 5\u00A0nm")),
+             qPrintable(box->informativeText()));
+    QTest::mouseClick(box->defaultButton(), Qt::LeftButton);
     QCOMPARE(f.window.edits().value().springs.flyingHeight, 5e-9);
     f.window.actions().undo->trigger();
     QCOMPARE(f.window.edits().value().springs.flyingHeight, 7e-9);

@@ -242,7 +242,10 @@ void TestXvfbWorkbench::showsAndWritesAStudy()
     QTRY_VERIFY(editor->isVisible() && window_->studies().results()->isVisible());
     QTRY_VERIFY(!editor->toText().isEmpty());
     QTRY_VERIFY2(editor->run()->isEnabled(), qPrintable(editor->problems()));
+    QTabBar* views = editor->tabs()->tabBar();
+    click(views, views->tabRect(1).center());
     auto* text = editor->findChild<QPlainTextEdit*>();
+    QTRY_VERIFY(text->isVisible());
     click(text, QPoint(60, 12));
     QTRY_VERIFY(text->hasFocus());
     press("ctrl+End");

@@ -11,8 +11,12 @@
 #include <QtTest>
 
 #include "tests/ui/question.h"
+#include "ui/runs/run_controller.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_model.h"
 #include "ui/window/main_window.h"
 #include "ui/window/session.h"
+#include "ui/window/window_actions.h"
 
 namespace touchdown::test {
 

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The form of a study and its text are two views of one study.
+#include "ui/studies/study_editor.h"
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "core/case_files/case_file.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace test_study_editor {
+
+class TestStudyEditor : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        editor_ = std::make_unique<StudyEditor>(coreStudies());
+        editor_->setCase(openCase("fig10a").value);
+        editor_->setKind(QStringLiteral("hysteresis"));
+        editor_->resize(360, 700);
+        editor_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(editor_.get()));
+    }
+    void cleanup() { editor_.reset(); }
+    void showsTheDefaults()
+    {
+        QCOMPARE(line("from")->text(), QStringLiteral("14 nm"));
+        QCOMPARE(line("steps")->text(), QStringLiteral("40"));
+        QCOMPARE(line("hold")->text(), QStringLiteral("2000 µs"));
+        QVERIFY(qobject_cast<QCheckBox*>(editor_->form()->field("equilibria"))->isChecked());
+        QVERIFY2(editor_->subject().contains(QStringLiteral("the case at the left")), qPrintable(editor_->subject()));
+        const auto* cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
+        QVERIFY2(cases->currentText().startsWith(QStringLiteral("The case at the left")),
+                 qPrintable(cases->currentText()));
+        QCOMPARE(editor_->form()->field("title"), nullptr);
+        QCOMPARE(editor_->form()->field("set"), nullptr);
+    }
+    void entries_data()
+    {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<QString>("written"); // in the text
+        QTest::newRow("a whole number") << "steps"
+                                        << "7"
+                                        << "steps = 7";
+        QTest::newRow("a bare number has the unit that stood there") << "from"
+                                                                     << "12"
+                                                                     << "from = \"12 nm\"";
+        QTest::newRow("another unit") << "from" << QStringLiteral("0.012 µm") << "from = \"0.012 um\"";
+        QTest::newRow("a key of the case") << "parameter"
+                                           << "springs.flying_height"
+                                           << "parameter = \"springs.flying_height\"";
+    }
+    void entries()
+    {
+        QFETCH(QString, key);
+        QFETCH(QString, typed);
+        QFETCH(QString, written);
+        enter(key, typed);
+        QVERIFY2(editor_->toText().contains(written), qPrintable(editor_->toText()));
+        QVERIFY2(editor_->plan().valid(), qPrintable(editor_->problems()));
+        QCOMPARE(editor_->form()->problemOf(key.toStdString()), QString());
+    }
+    void anEntryThatCannotBeTaken()
+    {
+        enter(QStringLiteral("from"), QStringLiteral("abc"));
+        QVERIFY(!editor_->run()->isEnabled());
+        QVERIFY2(editor_->form()->problemOf("from").contains(QStringLiteral("abc")),
+                 qPrintable(editor_->form()->problemOf("from")));
+        enter(QStringLiteral("from"), QStringLiteral("9 nm"));
+        QVERIFY(editor_->run()->isEnabled());
+        QCOMPARE(editor_->form()->problemOf("from"), QString());
+    }
+    /// An empty field leaves its key out; the default stands there in grey.
+    void anEmptyField()
+    {
+        enter(QStringLiteral("steps"), {});
+        QVERIFY(!editor_->toText().contains(QRegularExpression(QStringLiteral("(^|\n)steps ="))));
+        QCOMPARE(line("steps")->placeholderText(), QStringLiteral("40"));
+        QVERIFY(editor_->plan().valid());
+    }
+    /// Springs have no static state to study: no field without a meaning.
+    void aKeyOfAnotherModel()
+    {
+        editor_->setKind(QStringLiteral("work-precision"));
+        editor_->plan();
+        QVERIFY(editor_->form()->field("quantity") != nullptr);
+        QCOMPARE(editor_->form()->field("of"), nullptr);
+        editor_->setCase(openCase("film_pico").value);
+        editor_->plan();
+        QVERIFY(editor_->form()->field("of") != nullptr);
+    }
+    void aCheckBox()
+    {
+        QTest::mouseClick(editor_->form()->field("anew"), Qt::LeftButton, {}, QPoint(8, 8));
+        QVERIFY(editor_->toText().contains(QStringLiteral("anew = true")));
+    }
+    /// Comments and order of the text are kept, and its own undo takes an entry back.
+    void theTextOfAnEntry()
+    {
+        editor_->setText(QStringLiteral("# mine\nkind = \"hysteresis\"\nsteps = 5 # few\nfrom = \"9 nm\"\n"));
+        editor_->plan();
+        QCOMPARE(line("steps")->text(), QStringLiteral("5"));
+        enter(QStringLiteral("steps"), QStringLiteral("6"));
+        QCOMPARE(editor_->toText(),
+                 QStringLiteral("# mine\nkind = \"hysteresis\"\nsteps = 6 # few\nfrom = \"9 nm\"\n"));
+        editor_->findChild<QPlainTextEdit*>()->undo();
+        QVERIFY(editor_->toText().contains(QStringLiteral("steps = 5 # few")));
+        QVERIFY(editor_->plan().valid());
+        QCOMPARE(line("steps")->text(), QStringLiteral("5"));
+    }
+    void anotherCase()
+    {
+        auto* cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
+        choose(cases, cases->findData(QStringLiteral("fig12b")));
+        QVERIFY(editor_->toText().contains(QStringLiteral("case = \"fig12b\"")));
+        QVERIFY2(editor_->subject().contains(QStringLiteral("changes at the left have no effect")),
+                 qPrintable(editor_->subject()));
+        cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
+        QCOMPARE(cases->currentData().toString(), QStringLiteral("fig12b"));
+        choose(cases, 0);
+        QVERIFY(!editor_->toText().contains(QStringLiteral("case = \"fig12b\"")));
+        QVERIFY(!editor_->subject().contains(QStringLiteral("no effect")));
+        // A file that is no sample has an entry, too.
+        editor_->setText(QStringLiteral("case = \"../mine.toml\"\n"));
+        editor_->plan();
+        cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
+        QCOMPARE(cases->currentText(), QStringLiteral("../mine.toml"));
+    }
+    void aList()
+    {
+        editor_->setKind(QStringLiteral("statements"));
+        enter(QStringLiteral("only"), QStringLiteral("Fig. 12, Fig. 13"));
+        QVERIFY2(editor_->toText().contains(QStringLiteral("only = [\"Fig. 12\", \"Fig. 13\"]")),
+                 qPrintable(editor_->toText()));
+        editor_->plan();
+        QCOMPARE(line("only")->text(), QStringLiteral("Fig. 12, Fig. 13"));
+    }
+    void aTextThatCannotBeRead()
+    {
+        editor_->setText(QStringLiteral("steps = = 5\n"));
+        editor_->plan();
+        QVERIFY(!editor_->form()->field("steps")->isEnabled());
+        editor_->setText(QStringLiteral("steps = 5\n"));
+        editor_->plan();
+        QVERIFY(editor_->form()->field("steps")->isEnabled());
+    }
+    /// Each kind with its fields, filled by the defaults of a case that it takes, without a problem at one.
+    void everyKind_data()
+    {
+        QTest::addColumn<QString>("of");
+        for (const StudyKind& kind : studyKinds())
+            QTest::newRow(kind.name.c_str()) << (kind.name == "advise" || kind.name == "design" ? "film_pico"
+                                                 : kind.name == "convergence"                   ? "contact_hertz"
+                                                                                                : "fig10a");
+    }
+    void everyKind()
+    {
+        QFETCH(QString, of);
+        const std::string kind = QTest::currentDataTag();
+        editor_->setCase(openCase(of.toStdString()).value);
+        editor_->setKind(QString::fromStdString(kind));
+        editor_->plan();
+        QVERIFY(editor_->form()->field("case") != nullptr);
+        for (const StudyKey& key : studyForm(kind, openCase(of.toStdString()).value).keys)
+            QCOMPARE(editor_->form()->problemOf(key.key), QString());
+    }
+    void samples()
+    {
+        QVERIFY(editor_->gallery()->count() >= 3);
+        const QString text = editor_->gallery()->item(0)->text();
+        QCOMPARE(text.count(QLatin1Char('\n')), 1);
+        QVERIFY2(text.endsWith(QLatin1Char('.')), qPrintable(text));
+        editor_->tabs()->setCurrentWidget(editor_->gallery());
+        emit editor_->gallery()->itemClicked(editor_->gallery()->item(0));
+        QVERIFY(!editor_->toText().contains(QStringLiteral("SPDX")));
+        QVERIFY(editor_->plan().valid());
+        QCOMPARE(editor_->tabs()->currentWidget(), static_cast<QWidget*>(editor_->form()));
+    }
+    void firstSentences()
+    {
+        QCOMPARE(firstSentence("# SPDX-License-Identifier: X\n#\n# One 5.3 nm step\n# more. Two.\n\nkind = 1\n"),
+                 QStringLiteral("One 5.3 nm step more."));
+        QCOMPARE(firstSentence("# As in Fig. 12, or Figs. 5 to 8. Two.\n"),
+                 QStringLiteral("As in Fig. 12, or Figs. 5 to 8."));
+        QCOMPARE(firstSentence("kind = 1\n"), QString());
+        QCOMPARE(withoutLicence("# SPDX-License-Identifier: X\n#\n# A.\n"), QStringLiteral("# A.\n"));
+    }
+
+private:
+    QLineEdit* line(const char* key) const { return qobject_cast<QLineEdit*>(editor_->form()->field(key)); }
+    void enter(const QString& key, const QString& text) const
+    {
+        QLineEdit* field = line(key.toLatin1().constData());
+        field->setText(text);
+        emit field->editingFinished();
+    }
+    static void choose(QComboBox* box, int index)
+    {
+        box->setCurrentIndex(index);
+        emit box->activated(index);
+    }
+
+    std::unique_ptr<StudyEditor> editor_;
+};
+
+TOUCHDOWN_TEST(TestStudyEditor)
+
+} // namespace test_study_editor
+
+#include "test_study_editor.moc"

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/picture_menu.h"
+
+#include <QBuffer>
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "ui/plot/plot_export.h"
+#include "ui/style/save_dialog.h"
+#include "ui/style/translate.h"
+#include "ui/style/whole_file.h"
+
+namespace touchdown {
+
+void addPictureActions(QMenu& menu, QWidget& shown, const std::function<void(QIODevice&)>& writeData)
+{
+    QWidget* part = &shown;
+    menu.addAction(tr("&Copy picture"), part, [part] { copyPicture(*part); });
+    menu.addAction(tr("&Save picture…"), part, [part] {
+        askAndSave(part, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
+                   [part](const QString& path) { return savePicture(*part, path); });
+    });
+    if (!writeData) return;
+    const auto written = [writeData] {
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        writeData(buffer);
+        return buffer.data();
+    };
+    menu.addAction(tr("Copy &data"), part,
+                   [written] { QGuiApplication::clipboard()->setText(QString::fromUtf8(written())); });
+    menu.addAction(tr("Save &data…"), part, [part, written] {
+        askAndSave(part, tr("Save the data"), {tr("Comma-separated values (*.csv)")}, QStringLiteral("csv"),
+                   [written](const QString& path) { return writeWholeFile(path, written()); });
+    });
+}
+
+} // namespace touchdown

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The keys of a study as fields with their help. The study's text is the one source: fields show what it says, and an
+// entry is a change of the text. Lists of tables, such as [[method]], are only counted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <QLabel>
+#include <QScrollArea>
+
+#include "core/formats/input_problem.h"
+#include "core/studies/study/study_key.h"
+
+class QComboBox;
+class QGridLayout;
+
+namespace touchdown {
+
+struct TomlDocument;
+
+class StudyFormView : public QScrollArea {
+    Q_OBJECT
+
+public:
+    explicit StudyFormView(QWidget* parent = nullptr);
+
+    /// `keys` as studyForm() lists them; `givenTitle`: of the case that is studied where the text names none.
+    void show(const std::vector<StudyKey>& keys, const TomlDocument& toml, const QString& givenTitle);
+    /// Shows each problem of the text `name` at its field.
+    void mark(const std::vector<InputProblem>& problems, const std::string& name);
+    /// nullptr if the key has no field: a QLineEdit, QCheckBox or QComboBox.
+    QWidget* field(const std::string& key) const;
+    /// What is wrong with the value of a key; "" if nothing.
+    QString problemOf(const std::string& key) const;
+
+signals:
+    /// The value as TOML; empty: the key is to be left out.
+    void entered(const QString& key, const QString& value);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        StudyKey key;
+        QWidget* input = nullptr;
+        QLabel *help = nullptr, *problem = nullptr;
+        QString shown; // text that was put into a line
+    };
+
+    void build(std::vector<StudyKey> keys);
+    QWidget* makeInput(const StudyKey& key);
+    void fill(Row& row, const TomlDocument& toml, const QString& givenTitle);
+    void fillCases(QComboBox* cases, const std::string& chosen, const QString& givenTitle);
+    void commit(const std::string& key);
+    void colour();
+
+    std::vector<StudyKey> keys_; // that have fields
+    std::vector<Row> rows_;
+    QLabel* lists_ = nullptr; // what only the text shows
+};
+
+} // namespace touchdown

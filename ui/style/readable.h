@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Texts of the core, which are written with the characters of a keyboard, with those of print.
+#pragma once
+
+#include <string_view>
+
+#include <QString>
+
+namespace touchdown {
+
+/// "0.5 +- 0.1 um^2, f_m >= -3 mN" as "0.5 ± 0.1 µm², fₘ ≥ −3 mN". Keys of a case, and what stands in quotation marks
+/// or backquotes, stay as they are; of subscripts those of which a character exists.
+QString readable(std::string_view text);
+
+} // namespace touchdown

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/apply_question.h"
+
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "ui/case/parameter_text.h"
+#include "ui/style/translate.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr qsizetype mostShown = 10; // changes; all of them are in the details
+
+} // namespace
+
+void askToApply(QWidget& window, const Case& open, const Case& found, const QString& title,
+                const std::function<void()>& apply)
+{
+    const QStringList changes = caseDifference(open, found);
+    const bool isOther = open.model != found.model || open.title != found.title;
+    auto* box = new QMessageBox(changes.isEmpty() ? QMessageBox::Information : QMessageBox::Question,
+                                tr("Apply to the case"), {}, QMessageBox::Cancel, &window);
+    box->setObjectName(QStringLiteral("applyQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    if (changes.isEmpty()) {
+        box->setText(tr("The open case already has the values that the study found."));
+        box->setStandardButtons(QMessageBox::Close);
+        return box->open();
+    }
+    box->setText(isOther ? tr("“%1” studied another case. Replace the open case, “%2”, by the one that it found?")
+                               .arg(title, QString::fromStdString(open.title))
+                         : tr("Change the open case as “%1” found?").arg(title));
+    QStringList shown = changes.mid(0, mostShown);
+    if (changes.size() > mostShown) {
+        shown << tr("and %1 more").arg(changes.size() - mostShown);
+        box->setDetailedText(changes.join(QLatin1Char('\n')));
+    }
+    box->setInformativeText(shown.join(QLatin1Char('\n')) + QLatin1Char('\n') + tr("Undo takes it back."));
+    QPushButton* yes = box->addButton(isOther ? tr("Replace") : tr("Apply"), QMessageBox::AcceptRole);
+    box->setDefaultButton(isOther ? qobject_cast<QPushButton*>(box->button(QMessageBox::Cancel)) : yes);
+    QObject::connect(yes, &QPushButton::clicked, &window, apply);
+    box->open();
+}
+
+} // namespace touchdown
