@@ -12,7 +12,7 @@ ContactJump locateJump(const TracedContact& contact, double from, double forceAt
 {
     assert(resolution > 0.0);
     contact.remember();
-    ContactJump jump{false, from, to, forceAtFrom, contact.force(to)};
+    ContactJump jump{false, from, to, forceAtFrom, contact.force(to), 0.0, 0.0};
     const auto change = [&] { return std::abs(jump.forceAfter - jump.forceBefore); };
     constexpr int halvings = 3;
     std::array<double, halvings> earlier{}; // changes over the intervals twice, four times and eight times as long
@@ -23,7 +23,9 @@ ContactJump locateJump(const TracedContact& contact, double from, double forceAt
         earlier = {change(), earlier[0], earlier[1]};
         contact.recall();
         const double force = contact.force(middle);
-        if (std::abs(jump.forceAfter - force) > std::abs(force - jump.forceBefore)) {
+        const double first = std::abs(force - jump.forceBefore);
+        const bool jumpsFirst = contact.jumped && first > smallest && contact.jumped();
+        if (!jumpsFirst && std::abs(jump.forceAfter - force) > first) {
             jump.before = middle;
             jump.forceBefore = force;
             contact.remember();

@@ -88,6 +88,36 @@ private slots:
         QVERIFY(!locateJump(contact, 0.0, force(0.0), 1e-9, 1e-12, 1e-9).found);
     }
 
+    /// Two latches in one interval: the smaller one lets go first, and the force alone would lead to the larger.
+    void firstOfTwo()
+    {
+        Latch small{.off = 4e-9, .stiffness = 0.6e6}, large{.off = 6e-9};
+        small.held = large.held = true;
+        bool jumped = false;
+        const auto force = [&](double d) {
+            const bool before = small.held || large.held, both = small.held && large.held;
+            const double sum = small.force(d) + large.force(d);
+            jumped = before != (small.held || large.held) || both != (small.held && large.held);
+            return sum;
+        };
+        TracedContact contact{force,
+                              [&] {
+                                  small.kept = small.held;
+                                  large.kept = large.held;
+                              },
+                              [&] {
+                                  small.held = small.kept;
+                                  large.held = large.kept;
+                              },
+                              [&] { return jumped; }};
+        const ContactJump first = locateJump(contact, 3.5e-9, force(3.5e-9), 6.5e-9, 1e-13, 1e-6);
+        QVERIFY(first.found);
+        QVERIFY(std::abs(first.before - 4e-9) <= 1e-13);
+        const ContactJump second = locateJump(contact, first.after, force(first.after), 6.5e-9, 1e-13, 1e-6);
+        QVERIFY(second.found);
+        QVERIFY(std::abs(second.before - 6e-9) <= 1e-13);
+    }
+
     void tooSmall()
     {
         Latch latch{.held = true};
