@@ -43,4 +43,34 @@ ContactJump locateJump(const TracedContact& contact, double from, double forceAt
     return jump;
 }
 
+ContactJump locateFirstJump(const TracedContact& contact, double from, double forceAtFrom, double to, double resolution,
+                            double smallest)
+{
+    if (contact.mark) contact.mark();
+    const ContactJump jump = locateJump(contact, from, forceAtFrom, to, resolution, smallest);
+    if (!contact.mark) return jump;
+    constexpr int pieces = 16;
+    constexpr double sudden = 1.5;
+    contact.back();
+    double at = from, force = forceAtFrom, lastChange = 0.0;
+    for (int k = 1; k <= pieces; ++k) {
+        const double next = k == pieces ? jump.before : from + (jump.before - from) * k / pieces;
+        contact.remember();
+        double after = contact.force(next);
+        const double change = std::abs(after - force);
+        const bool jumps = contact.jumped && contact.jumped();
+        if (change > smallest && next != at && (jumps || (k > 1 && change > sudden * lastChange))) {
+            contact.recall();
+            const ContactJump earlier = locateJump(contact, at, force, next, resolution, smallest);
+            if (earlier.found) return earlier;
+            after = contact.force(next);
+        }
+        lastChange = change;
+        at = next;
+        force = after;
+    }
+    contact.remember();
+    return {jump.found, jump.before, jump.after, force, jump.forceAfter, 0.0, 0.0};
+}
+
 } // namespace touchdown

@@ -10,12 +10,13 @@
 
 namespace touchdown {
 
-/// A contact whose force depends on the separation and on how it came there. It has one memory slot.
+/// A contact whose force depends on the separation and on how it came there. It has one memory slot, or two.
 struct TracedContact {
     std::function<double(double)> force; // moves the contact to the separation d [m]; returns the force, > 0 repels [N]
     std::function<void()> remember;      // stores the present state in place of the one stored before
     std::function<void()> recall;        // returns to the stored state, any number of times
     std::function<bool()> jumped{};      // whether the last move may have jumped; may be empty: by the force alone
+    std::function<void()> mark{}, back{}; // remember and recall of the second slot; may be empty
 };
 
 struct ContactJump {
@@ -33,5 +34,11 @@ struct ContactJump {
 /// state `before`, which is remembered; force(after) steps over the jump.
 ContactJump locateJump(const TracedContact& contact, double from, double forceAtFrom, double to, double resolution,
                        double smallest);
+
+/// The same for the first of several jumps, of which the bisection finds the largest: the way to what the bisection
+/// finds is walked again in sixteen steps, and a step over which the contact may have jumped, or over which the force
+/// changes by more than half as much again as over the one before, is searched. With the second slot only.
+ContactJump locateFirstJump(const TracedContact& contact, double from, double forceAtFrom, double to, double resolution,
+                            double smallest);
 
 } // namespace touchdown

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <string_view>
 
 #include "core/case/case.h"
@@ -26,25 +27,28 @@ auto figureOf(std::vector<RunFigure>& figures, std::string_view name)
     return std::ranges::find(figures, name, [](const RunFigure& figure) { return figure.quantity.name; });
 }
 
-/// The figure in another run of the case; of a jump, which may be the first one here and not there, the nearest.
-std::optional<double> otherValue(const Case& c, const Summary& other, const RunFigure& own)
+/// What a figure differs by in another run of the case. Of a jump, which may be the first one here and not there, the
+/// distance to the nearest, and that of the last ones of both.
+std::optional<double> difference(const Case& c, const Summary& own, const Summary& other, const RunFigure& figure)
 {
-    const std::string& name = own.quantity.name;
-    const bool away = name == "release_separation";
-    std::optional<double> value;
-    if (away || name == "snap_in_separation") {
-        for (const RunEvent& event : other.events) {
-            const double d = padSeparation(c, event.time);
-            if ((event.time > 0.5 * c.run.duration) == away &&
-                (!value || std::abs(d - own.value) < std::abs(*value - own.value)))
-                value = d;
-        }
-    } else if (const auto found =
-                   std::ranges::find(other.figures, name, [](const RunFigure& figure) { return figure.quantity.name; });
-               found != other.figures.end()) {
-        value = found->value;
+    const std::string& name = figure.quantity.name;
+    if (name != "release_separation" && name != "snap_in_separation") {
+        const auto found = std::ranges::find(other.figures, name, [](const RunFigure& f) { return f.quantity.name; });
+        if (found == other.figures.end()) return std::nullopt;
+        return std::abs(found->value - figure.value);
     }
-    return value;
+    const auto jumps = [&](const Summary& summary) {
+        std::vector<double> list; // separations [m]
+        for (const RunEvent& event : summary.events)
+            if ((event.time > 0.5 * c.run.duration) == (name == "release_separation"))
+                list.push_back(padSeparation(c, event.time));
+        return list;
+    };
+    const std::vector<double> here = jumps(own), there = jumps(other);
+    if (here.empty() || there.empty()) return std::nullopt;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double d : there) nearest = std::min(nearest, std::abs(d - figure.value));
+    return std::max(nearest, std::abs(here.back() - there.back()));
 }
 
 std::string millinewtons(double force) { return fewDigits(force, "mN", 3); }
@@ -118,14 +122,14 @@ void addErrors(const Case& c, Summary& summary, const Summary& other, double adh
         if (own == summary.figures.end()) continue;
         std::string text(name);
         std::ranges::replace(text, '_', ' ');
-        const std::optional<double> its = otherValue(c, other, *own);
-        if (!its) {
+        const std::optional<double> distance = difference(c, summary, other, *own);
+        if (!distance) {
             missing += (missing.empty() ? "" : ", ") + text;
             continue;
         }
         const Quantity quantity = own->quantity;
         const double value = own->value;
-        const double error = moreThanOther * std::abs(value - *its) + (quantity.unit == "m" ? resolution : 0.0) +
+        const double error = moreThanOther * *distance + (quantity.unit == "m" ? resolution : 0.0) +
                              (name == "pull_off_force" ? adhesionBeyond : 0.0);
         if (name.ends_with("_force") && error > largeDifference * std::abs(value))
             large += (large.empty() ? "" : ", ") + text + " " + fewDigits(value, quantity.displayUnit, 3) + " up to " +

@@ -54,9 +54,9 @@ public:
     /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
-    /// Stores the present state; returns to it.
-    virtual void remember() {}
-    virtual void recall() {}
+    /// Stores the present state in one of two places; returns to it.
+    virtual void remember(std::size_t /*place*/ = 0) {}
+    virtual void recall(std::size_t /*place*/ = 0) {}
 
     /// Fills the values of contactMaps() after a move.
     virtual void observe(FieldSnapshot& snapshot) const;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double jumpResolution = 1e-12; // of the separation [m]
 constexpr double smallestJump = 1e-3;    // against the largest force of the run so far [-]
-constexpr double suddenChange = 4.0;     // of the force over a step, against the one before: worth a search [-]
+constexpr double suddenChange = 1.5;     // of the force over a step, against the one before: worth a search [-]
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
 constexpr int shortSteps = 8;
@@ -141,6 +141,7 @@ private:
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
         figures_.add(forces_, away_);
+        if (!away_) way_.assign(1, {d, forces_.net()}); // at last the closest approach, where the way out begins
         if (forces_.contact > hardest_.contact) {
             hardest_ = forces_;
             hardestTime_ = station.time;
@@ -185,14 +186,17 @@ private:
                                         good = move(separation, timeAt(separation)) && good;
                                         return forces_.net();
                                     },
-                                    [&] { model_->remember(); }, [&] { model_->recall(); },
-                                    [&] { return model_->mayHaveJumped(); }};
+                                    [&] { model_->remember(); },
+                                    [&] { model_->recall(); },
+                                    [&] { return model_->mayHaveJumped(); },
+                                    [&] { model_->remember(1); },
+                                    [&] { model_->recall(1); }};
         const double change = std::abs(forces_.net() - before);
         model_->recall();
         double at = from, force = before;
         int misses = 0;
         for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
-            ContactJump jump = locateJump(contact, at, force, d, jumpResolution, smallestJump * largestForce_);
+            ContactJump jump = locateFirstJump(contact, at, force, d, jumpResolution, smallestJump * largestForce_);
             if (!good) return false;
             if (jump.found) {
                 if (!measure(jump)) return false;
@@ -246,7 +250,10 @@ private:
     /// before it, to which it returns.
     bool measure(ContactJump& jump)
     {
+        if (!move(jump.after, wayTime(jump.after))) return false;
+        jump.forceAfter = forces_.net();
         jump.energyAfter = forces_.energy;
+        model_->recall();
         if (!move(jump.before, wayTime(jump.before))) return false;
         jump.energyBefore = forces_.energy;
         const bool good = !away_ || way_.empty() || refinePull(way_.front(), {jump.before, jump.forceBefore});

@@ -140,14 +140,14 @@ void ElasticPad::solve(Part& part, double separation, double time)
     jumped_ = jumped_ || summary.jumped;
 }
 
-void ElasticPad::remember()
+void ElasticPad::remember(std::size_t place)
 {
-    for (Part& part : parts_) part.contact.remember();
+    for (Part& part : parts_) part.contact.remember(place);
 }
 
-void ElasticPad::recall()
+void ElasticPad::recall(std::size_t place)
 {
-    for (Part& part : parts_) part.contact.recall();
+    for (Part& part : parts_) part.contact.recall(place);
 }
 
 ContactDoubts ElasticPad::doubts(const std::function<bool()>& goOn) const
@@ -220,7 +220,8 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
                            ", but adhesion parts the surfaces over a zone of " +
                            formatQuantity(std::round(zone * 1e10) / 1e10, "um") +
                            " at the edges of a contact: where they are smooth, these hang on the cells and "
-                           "jump from one to the next; cells of half that length follow them smoothly");
+                           "jump from one to the next, which the stated errors do not cover; cells of half that length "
+                           "follow them smoothly");
     }
     if (c.adhesion.kind == AdhesionKind::VanDerWaals && c.adhesion.hamakerB > 0.0)
         list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the "

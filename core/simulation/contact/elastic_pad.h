@@ -30,8 +30,8 @@ public:
     const ContactForces& move(double separation, double time) override;
     bool canJump() const override { return case_.adhesion.acts(); }
     bool mayHaveJumped() const override { return jumped_; }
-    void remember() override;
-    void recall() override;
+    void remember(std::size_t place = 0) override;
+    void recall(std::size_t place = 0) override;
     void observe(FieldSnapshot& snapshot) const override;
     ContactDoubts doubts(const std::function<bool()>& goOn) const override;
     std::vector<std::string> remarks() const override;
