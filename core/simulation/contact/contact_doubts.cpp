@@ -28,7 +28,7 @@ auto figureOf(std::vector<RunFigure>& figures, std::string_view name)
 }
 
 /// What a figure differs by in another run of the case. Of a jump, which may be the first one here and not there, the
-/// distance to the nearest, and that of the last ones of both.
+/// distance to the nearest, and on the way out that of the last ones of both.
 std::optional<double> difference(const Case& c, const Summary& own, const Summary& other, const RunFigure& figure)
 {
     const std::string& name = figure.quantity.name;
@@ -48,7 +48,7 @@ std::optional<double> difference(const Case& c, const Summary& own, const Summar
     if (here.empty() || there.empty()) return std::nullopt;
     double nearest = std::numeric_limits<double>::infinity();
     for (const double d : there) nearest = std::min(nearest, std::abs(d - figure.value));
-    return std::max(nearest, std::abs(here.back() - there.back()));
+    return name == "release_separation" ? std::max(nearest, std::abs(here.back() - there.back())) : nearest;
 }
 
 std::string millinewtons(double force) { return fewDigits(force, "mN", 3); }

@@ -18,6 +18,7 @@ namespace {
 constexpr double jumpResolution = 1e-12; // of the separation [m]
 constexpr double smallestJump = 1e-3;    // against the largest force of the run so far [-]
 constexpr double suddenChange = 1.5;     // of the force over a step, against the one before: worth a search [-]
+constexpr double suddenOfCoarse = 4.0;   // of the run with cells twice as large, whose small jumps do not matter [-]
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
 constexpr int shortSteps = 8;
@@ -170,7 +171,8 @@ private:
         started_ = true;
         if (steps_ == 1 || !model_->canJump()) return true;
         const double change = std::abs(forces_.net() - before);
-        const bool sudden = change > suddenChange * lastChange_ && change > smallestJump * largestForce_;
+        const bool sudden =
+            change > (coarser_ ? suddenOfCoarse : suddenChange) * lastChange_ && change > smallestJump * largestForce_;
         lastChange_ = change;
         if (model_->mayHaveJumped() || sudden) return findJumps(from, fromTime, before, d, time);
         return followPull(d);
@@ -196,7 +198,9 @@ private:
         double at = from, force = before;
         int misses = 0;
         for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
-            ContactJump jump = locateFirstJump(contact, at, force, d, jumpResolution, smallestJump * largestForce_);
+            const double smallest = smallestJump * largestForce_;
+            ContactJump jump = coarser_ ? locateJump(contact, at, force, d, jumpResolution, smallest)
+                                        : locateFirstJump(contact, at, force, d, jumpResolution, smallest);
             if (!good) return false;
             if (jump.found) {
                 if (!measure(jump)) return false;
