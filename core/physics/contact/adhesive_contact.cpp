@@ -58,7 +58,7 @@ AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, cons
     periodic_.emplace(fastGrid(grid), space.modulus(), HalfSpaceEdges::Periodic);
     repeated_.assign(periodic_->grid().cells(), 0.0);
     space_.emplace(std::move(space));
-    for (Solution* solution : {&now_, &kept_, &before_, &lower_})
+    for (Solution* solution : {&now_, &kept_[0], &kept_[1], &before_, &lower_})
         for (auto* field : {&solution->separation, &solution->total, &solution->displacement})
             field->assign(grid.cells(), 0.0);
     for (auto* field : {&pressure_, &gap_, &present_, &offset_, &weight_, &residual_, &change_, &moved_, &direction_,

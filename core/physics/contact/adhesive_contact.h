@@ -26,6 +26,7 @@
 // ("far").
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -84,9 +85,9 @@ public:
 
     /// Forgets the last solution.
     void reset();
-    /// Stores the last solution; recall() returns to it, so that the next solve() starts there.
-    void remember() { kept_ = now_; }
-    void recall() { now_ = kept_; }
+    /// Stores the last solution in one of two places; recall() returns to it, so that the next solve() starts there.
+    void remember(std::size_t place = 0) { kept_[place] = now_; }
+    void recall(std::size_t place = 0) { now_ = kept_[place]; }
 
 private:
     struct Solution {
@@ -126,9 +127,10 @@ private:
     std::vector<double> repeated_;          // on its grid
     AdhesiveContactOptions options_;
     AdhesiveCell cell_;
-    double reach_;                         // the most that pressures up to 1 Pa displace [m/Pa]
-    double freeScale_;                     // z0, the scale of changes of a gap [m]
-    Solution now_, kept_, before_, lower_; // lower_: the one of least energy on the descent
+    double reach_;     // the most that pressures up to 1 Pa displace [m/Pa]
+    double freeScale_; // z0, the scale of changes of a gap [m]
+    std::array<Solution, 2> kept_;
+    Solution now_, before_, lower_; // lower_: the one of least energy on the descent
     std::vector<double> pressure_, attraction_, gap_;
     // Of the descent: the law's tangents at the present gaps s + C q, and the change that is made with them.
     AdhesiveCell::Tangents tangents_;

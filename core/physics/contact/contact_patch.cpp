@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/contact/contact_grid_error.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/physics/slider/recess.h"
 
@@ -77,6 +78,7 @@ public:
 
     SurfacePoint lowest() const { return lowest_; }
     double recess(double x, double y) const { return recess_.at(x, y); }
+    bool holds(double x, double y) const { return x >= 0.0 && x <= length_ && y >= 0.0 && y <= width_; }
     /// Above the lowest point; nothing comes lower than it, but for the rounding of where that is.
     double height(double x, double y) const
     {
@@ -155,19 +157,24 @@ std::string wholeMicrometres(double length) { return std::to_string(std::llround
 ContactPatch flatPatch(double length, double width, double cell)
 {
     const UniformGrid grid = gridOf(0.0, 0.0, length, width, cell);
-    return {grid, std::vector<double>(grid.cells(), 0.0), {}};
+    const double endX = grid.nx * grid.dx, endY = grid.ny * grid.dy;
+    const auto heightAt = [endX, endY](double x, double y) {
+        return x >= 0.0 && x <= endX && y >= 0.0 && y <= endY ? 0.0 : beyondPad;
+    };
+    return {grid, std::vector<double>(grid.cells(), 0.0), {}, heightAt, {}};
 }
 
 ContactPatch spherePatch(double length, double width, double cell, double radius)
 {
     ContactPatch patch = flatPatch(length, width, cell);
     const UniformGrid& grid = patch.grid;
+    const double middleX = 0.5 * grid.nx * grid.dx, middleY = 0.5 * grid.ny * grid.dy;
+    patch.heightAt = [middleX, middleY, radius](double atX, double atY) {
+        const double x = atX - middleX, y = atY - middleY;
+        return (x * x + y * y) / (2.0 * radius);
+    };
     for (int j = 0; j < grid.ny; ++j)
-        for (int i = 0; i < grid.nx; ++i) {
-            const double x = grid.x(i) - 0.5 * grid.nx * grid.dx;
-            const double y = grid.y(j) - 0.5 * grid.ny * grid.dy;
-            patch.height[grid.at(i, j)] = (x * x + y * y) / (2.0 * radius);
-        }
+        for (int i = 0; i < grid.nx; ++i) patch.height[grid.at(i, j)] = patch.heightAt(grid.x(i), grid.y(j));
     return patch;
 }
 
@@ -211,11 +218,22 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
                 patch.recess.push_back(scan.recess(patch.grid.x(i), patch.grid.y(j)));
             }
         }
+        patch.heightAt = [scan](double x, double y) { return scan.holds(x, y) ? scan.height(x, y) : beyondPad; };
+        patch.recessAt = [scan](double x, double y) { return scan.holds(x, y) ? scan.recess(x, y) : beyondPad; };
         result.patches.push_back(std::move(patch));
     }
     const auto lowestOf = [](const ContactPatch& patch) { return *std::ranges::min_element(patch.height); };
     std::ranges::stable_sort(result.patches, {}, lowestOf);
     return result;
+}
+
+ContactPatch coarsened(const ContactPatch& patch)
+{
+    const UniformGrid grid = coarsened(patch.grid);
+    ContactPatch coarse{grid, std::vector<double>(grid.cells()), {}, patch.heightAt, patch.recessAt};
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) coarse.height[grid.at(i, j)] = patch.heightAt(grid.x(i), grid.y(j));
+    return coarse;
 }
 
 ContactPatch withoutMargin(ContactPatch patch, double limit)
@@ -228,6 +246,8 @@ ContactPatch withoutMargin(ContactPatch patch, double limit)
     if (box.x1 <= box.x0) return patch;
     ContactPatch inner;
     inner.grid = {box.x1 - box.x0, box.y1 - box.y0, grid.dx, grid.dy};
+    inner.heightAt = patch.heightAt;
+    inner.recessAt = patch.recessAt;
     inner.grid.x0 = grid.x0 + box.x0 * grid.dx;
     inner.grid.y0 = grid.y0 + box.y0 * grid.dy;
     for (int j = box.y0; j < box.y1; ++j)

@@ -23,10 +23,17 @@
 
 namespace touchdown {
 
+/// A length at any point of the pad [m].
+using LengthAt = std::function<double(double x, double y)>;
+/// What it is where the pad has ended [m].
+inline constexpr double beyondPad = 1.0;
+
 struct ContactPatch {
     UniformGrid grid;           // in the coordinates of pad or slider
     std::vector<double> height; // of the pad above its lowest point, at the cells' centres [m], >= 0
     std::vector<double> recess; // slider: the surface's own, there, at no pitch and roll [m]; else empty
+    LengthAt heightAt;          // both at any point, also beside the patch
+    LengthAt recessAt;
 };
 
 /// Length and width are whole numbers of cells, to rounding. The lowest point of the sphere is at the middle.
@@ -43,6 +50,9 @@ struct SliderPatches {
 /// across a patch. `goOn` is asked at each line and row; if it returns false there are no patches.
 SliderPatches sliderPatches(const AirBearingSurface& surface, double length, double width, double pitch, double roll,
                             double cell, double reach, int mostCells, const std::function<bool()>& goOn = {});
+
+/// The same patch on half as many cells along and across, one more where that is no whole number; of heights only.
+ContactPatch coarsened(const ContactPatch& patch);
 
 /// Without the outer rows and columns that are nowhere as low as `limit` [m]; as it is where no cell is.
 ContactPatch withoutMargin(ContactPatch patch, double limit);

@@ -6,40 +6,27 @@
 
 namespace touchdown {
 
-void ContactFigures::follow(double separation, double force)
-{
-    if (lastSeparation_) workOfStep_ -= 0.5 * (lastForce_ + force) * (separation - *lastSeparation_);
-    lastSeparation_ = separation;
-    lastForce_ = force;
-}
-
 void ContactFigures::add(const ContactForces& forces, bool away)
 {
-    follow(forces.separation, forces.net());
-    if (jumpInStep_) lostInJumps_ += workOfStep_ - (forces.energy - lastEnergy_);
-    jumpInStep_ = false;
-    workOfStep_ = 0.0;
-    lastEnergy_ = forces.energy;
     largestContact_ = std::max(largestContact_, forces.contact);
     if (!closest_ || forces.separation < closest_->separation) closest_ = forces;
-    if (away && forces.net() < strongestPull_.value_or(0.0)) {
-        strongestPull_ = forces.net();
-        strongestPullAt_ = forces.separation;
-    }
+    if (away) addPull(forces.separation, forces.net());
 }
 
 void ContactFigures::addJump(const ContactJump& jump)
 {
     jumps_.push_back(jump);
-    jumpInStep_ = true;
-    follow(jump.before, jump.forceBefore);
-    follow(jump.after, jump.forceAfter);
-    // The force just before a pull-off lies between two samples.
-    const bool away = jump.after > jump.before;
-    if (away && jump.forceBefore < strongestPull_.value_or(0.0)) {
-        strongestPull_ = jump.forceBefore;
-        strongestPullAt_ = jump.before;
-    }
+    // What is released beyond the work done between the two separations.
+    lostInJumps_ +=
+        jump.energyBefore - jump.energyAfter - 0.5 * (jump.forceBefore + jump.forceAfter) * (jump.after - jump.before);
+    if (jump.after > jump.before) addPull(jump.before, jump.forceBefore);
+}
+
+void ContactFigures::addPull(double separation, double force)
+{
+    if (force >= strongestPull_.value_or(0.0)) return;
+    strongestPull_ = force;
+    strongestPullAt_ = separation;
 }
 
 std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatistics>& surface,

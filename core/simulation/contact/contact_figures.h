@@ -18,24 +18,19 @@ public:
 
     void add(const ContactForces& forces, bool away);
     void addJump(const ContactJump& jump);
+    /// A state on the way out, between those that are added [m], net [N].
+    void addPull(double separation, double force);
+    double strongestPull() const { return -strongestPull_.value_or(0.0); } // so far [N], >= 0
     /// With the loop of the full multi-asperity model where it was fitted.
     std::vector<RunFigure> figures(const std::optional<SurfaceStatistics>& surface,
                                    const std::optional<CharacteristicFit>& fit = {}) const;
 
 private:
-    /// Adds the work of a way to this state.
-    void follow(double separation, double force);
-
     const Case& case_;
     std::optional<ContactForces> closest_;
     double largestContact_ = 0.0;                           // [N]
     std::optional<double> strongestPull_, strongestPullAt_; // net force on the way out [N], [m]
     std::vector<ContactJump> jumps_;
-    std::optional<double> lastSeparation_; // [m]
-    double lastForce_ = 0.0;               // net [N]
-    double lastEnergy_ = 0.0;              // [J]
-    double workOfStep_ = 0.0;              // done on the contact since the last state, by the trapezoidal rule [J]
-    bool jumpInStep_ = false;
     double lostInJumps_ = 0.0; // [J]
 };
 

@@ -134,12 +134,12 @@ std::vector<ContactSwitch> ContactModel::switchesUntil(double) const { return {}
 
 void ContactModel::observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
 
-std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn)
+std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn, bool coarser)
 {
     switch (c.contact) {
     case ContactKind::None: break;
     case ContactKind::OnoYamane: return std::make_unique<CharacteristicPad>(c);
-    case ContactKind::Elastic: return std::make_unique<ElasticPad>(c, goOn);
+    case ContactKind::Elastic: return std::make_unique<ElasticPad>(c, goOn, coarser);
     case ContactKind::Asperity: return std::make_unique<AsperityPad>(c);
     case ContactKind::MultiAsperity: return std::make_unique<MultiAsperityPad>(c);
     }

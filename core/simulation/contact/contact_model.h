@@ -14,6 +14,7 @@
 #include "core/case/case.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/physics/disk/surface_statistics.h"
+#include "core/simulation/contact/contact_doubts.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
 
@@ -53,12 +54,14 @@ public:
     /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }
     virtual bool mayHaveJumped() const { return false; }
-    /// Stores the present state; returns to it.
-    virtual void remember() {}
-    virtual void recall() {}
+    /// Stores the present state in one of two places; returns to it.
+    virtual void remember(std::size_t /*place*/ = 0) {}
+    virtual void recall(std::size_t /*place*/ = 0) {}
 
     /// Fills the values of contactMaps() after a move.
     virtual void observe(FieldSnapshot& snapshot) const;
+    /// What is wrong with the last state because of its grid and its patch. If `goOn` returns false it is not known.
+    virtual ContactDoubts doubts(const std::function<bool()>& /*goOn*/) const { return {}; }
     /// What was assumed or left out, in sentences.
     virtual std::vector<std::string> remarks() const { return {}; }
     virtual std::optional<CharacteristicFit> fit() const { return std::nullopt; }
@@ -66,7 +69,9 @@ public:
 };
 
 /// `c` is valid, of the model "contact". If `goOn`, asked within long solutions, returns false they have a problem.
-std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {});
+/// `coarser`: a pad with a grid gets cells twice as large.
+std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::function<bool()>& goOn = {},
+                                               bool coarser = false);
 
 /// A state as it is recorded, and what a run of the case records of it.
 struct ContactSample {

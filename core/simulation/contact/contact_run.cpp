@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "core/formats/units.h"
-#include "core/physics/contact/contact_jump.h"
+#include "core/physics/contact/strongest_pull.h"
 #include "core/simulation/contact/contact_figures.h"
 #include "core/simulation/contact/contact_model.h"
 #include "core/simulation/recording/run_recorder.h"
@@ -17,10 +17,14 @@ namespace {
 
 constexpr double jumpResolution = 1e-12; // of the separation [m]
 constexpr double smallestJump = 1e-3;    // against the largest force of the run so far [-]
-constexpr double suddenChange = 4.0;     // of the force over a step, against the one before: worth a search [-]
+constexpr double suddenChange = 1.5;     // of the force over a step, against the one before: worth a search [-]
+constexpr double suddenOfCoarse = 4.0;   // of the run with cells twice as large, whose small jumps do not matter [-]
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
 constexpr int shortSteps = 8;
+constexpr double pullResolution = 2e-12;  // of the separation of the strongest pull [m]
+constexpr double worthRefining = 0.95;    // of the strongest pull so far, for a search between the samples [-]
+constexpr double mostCoarseSteps = 200.0; // of the run with cells twice as large
 
 /// Where the pad goes: the times of all states, and which of them are recorded.
 struct Station {
@@ -57,8 +61,10 @@ std::vector<Station> stations(const Case& c)
 /// Moves the pad from station to station, and records its states.
 class ContactRun {
 public:
-    ContactRun(const Case& c, const RunCallback& callback)
+    /// `coarser`: on cells twice as large, for the figures alone.
+    ContactRun(const Case& c, const RunCallback& callback, bool coarser = false)
         : case_(c),
+          coarser_(coarser),
           rows_(contactRows(c)),
           recorder_(c, quantitiesOf(rows_), callback),
           figures_(c),
@@ -67,7 +73,8 @@ public:
 
     Summary run()
     {
-        model_ = makeContactModel(case_, [this] { return lookAtClock(); });
+        model_ = makeContactModel(
+            case_, [this] { return lookAtClock(); }, coarser_);
         for (const Station& station : stations(case_))
             if (!lookAtClock() || !visit(station)) break;
         flush();
@@ -75,10 +82,12 @@ public:
         summary.steps = steps_;
         summary.evaluations = iterations_;
         // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
-        const bool stopped = end_.status == RunStatus::Cancelled;
+        const bool stopped = end_.status == RunStatus::Cancelled || coarser_;
         summary.fit = model_->fit();
         summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics(), summary.fit);
+        if (coarser_) return summary;
         std::ranges::copy(model_->remarks(), std::back_inserter(summary.warnings));
+        if (end_.completed() && case_.contact == ContactKind::Elastic) addDoubts(summary);
         if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
         if (end_.completed() && isTouching() && !startsInContact_)
             summary.warnings.push_back(
@@ -92,18 +101,56 @@ public:
     }
 
 private:
+    /// The error of the grid: without adhesion from the state of the largest force on other cells, else from the whole
+    /// way on cells twice as large.
+    void addDoubts(Summary& summary)
+    {
+        const auto goOn = [this] { return lookAtClock(); };
+        if (!model_->canJump()) {
+            if (!(hardest_.contact > 0.0)) {
+                hardest_.separation = case_.approach.closest;
+                hardestTime_ = 0.5 * case_.run.duration;
+            }
+            closest_ = model_->move(hardest_.separation, hardestTime_);
+            doubts_ = model_->doubts(goOn);
+        }
+        std::ranges::move(warningsOf(case_, doubts_, closest_.contact, closest_.adhesion),
+                          std::back_inserter(summary.warnings));
+        if (doubts_.grid) addErrors(summary, *doubts_.grid, hardest_.separation == case_.approach.closest);
+        if (!model_->canJump()) return;
+        Case coarse = case_;
+        coarse.run.fieldSnapshots = 0;
+        coarse.run.sampleInterval = std::max(case_.run.sampleInterval, case_.run.duration / mostCoarseSteps);
+        const RunCallback callback = [&](const RunUpdate&) { return lookAtClock(); };
+        const Summary other = ContactRun(coarse, callback, true).run();
+        if (other.status == RunStatus::Completed)
+            addErrors(case_, summary, other, doubts_.adhesionBeyond, jumpResolution);
+        else
+            summary.warnings.push_back("the error of the contact's grid is not known: with cells twice as large " +
+                                       other.message);
+    }
+
     /// False when the run ends here.
     bool visit(const Station& station)
     {
         const double d = padSeparation(case_, station.time);
-        const bool away = station.time > 0.5 * case_.run.duration;
+        away_ = station.time > 0.5 * case_.run.duration;
         for (const ContactSwitch& known : model_->switchesUntil(d))
-            recorder_.addEvent(away ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
+            recorder_.addEvent(away_ ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
                                known.name);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
-        figures_.add(forces_, away);
+        figures_.add(forces_, away_);
+        if (!away_) way_.assign(1, {d, forces_.net()}); // at last the closest approach, where the way out begins
+        if (forces_.contact > hardest_.contact) {
+            hardest_ = forces_;
+            hardestTime_ = station.time;
+        }
+        if (model_->canJump() && d == case_.approach.closest && !coarser_) {
+            closest_ = forces_;
+            doubts_ = model_->doubts({});
+        }
         record(station);
         if (station.snapshot && recordsFields_) {
             FieldSnapshot snapshot{station.time, 0, {}};
@@ -124,10 +171,11 @@ private:
         started_ = true;
         if (steps_ == 1 || !model_->canJump()) return true;
         const double change = std::abs(forces_.net() - before);
-        const bool sudden = change > suddenChange * lastChange_ && change > smallestJump * largestForce_;
+        const bool sudden =
+            change > (coarser_ ? suddenOfCoarse : suddenChange) * lastChange_ && change > smallestJump * largestForce_;
         lastChange_ = change;
-        if (!model_->mayHaveJumped() && !sudden) return true;
-        return findJumps(from, fromTime, before, d, time);
+        if (model_->mayHaveJumped() || sudden) return findJumps(from, fromTime, before, d, time);
+        return followPull(d);
     }
 
     bool findJumps(double from, double fromTime, double before, double d, double time)
@@ -140,17 +188,24 @@ private:
                                         good = move(separation, timeAt(separation)) && good;
                                         return forces_.net();
                                     },
-                                    [&] { model_->remember(); }, [&] { model_->recall(); }};
+                                    [&] { model_->remember(); },
+                                    [&] { model_->recall(); },
+                                    [&] { return model_->mayHaveJumped(); },
+                                    [&] { model_->remember(1); },
+                                    [&] { model_->recall(1); }};
         const double change = std::abs(forces_.net() - before);
         model_->recall();
         double at = from, force = before;
         int misses = 0;
         for (int i = 0; i < mostJumpsInStep && at != d; ++i) {
-            ContactJump jump = locateJump(contact, at, force, d, jumpResolution, smallestJump * largestForce_);
+            const double smallest = smallestJump * largestForce_;
+            ContactJump jump = coarser_ ? locateJump(contact, at, force, d, jumpResolution, smallest)
+                                        : locateFirstJump(contact, at, force, d, jumpResolution, smallest);
             if (!good) return false;
-            if (jump.found)
+            if (jump.found) {
+                if (!measure(jump)) return false;
                 takeJump(jump, timeAt);
-            else if (++misses > mostMisses)
+            } else if (++misses > mostMisses)
                 break;
             // Just before the end of a branch a long step falls over, and a short one does not: then the search ends on
             // this side of it, and continues from there.
@@ -159,7 +214,7 @@ private:
             model_->remember();
             const double ahead = std::abs(contact.force(d) - force);
             if (!good) return false;
-            if (jump.found ? !model_->mayHaveJumped() : ahead < 0.5 * change) return true; // it is at d
+            if (jump.found ? !model_->mayHaveJumped() : ahead < 0.5 * change) return followPull(d); // it is at d
             model_->recall();
         }
         return goInShortSteps(at, force, d, change, timeAt);
@@ -168,13 +223,21 @@ private:
     /// The rest of a way with a suspected jump that was not located: short steps distinguish it from a steep way.
     bool goInShortSteps(double at, double force, double d, double change, const std::function<double(double)>& timeAt)
     {
+        double energy = forces_.energy;
+        if (at != d) {
+            if (!move(at, timeAt(at))) return false;
+            energy = forces_.energy;
+        }
         for (int i = 1; i <= shortSteps; ++i) {
             const double next = i == shortSteps ? d : at + (d - at) / (shortSteps + 1 - i);
             if (!move(next, timeAt(next))) return false;
             if (model_->mayHaveJumped() && std::abs(forces_.net() - force) > 0.5 * change)
-                takeJump({true, at, next, force, forces_.net()}, timeAt);
+                takeJump({true, at, next, force, forces_.net(), energy, forces_.energy}, timeAt);
+            else if (!followPull(next))
+                return false;
             at = next;
             force = forces_.net();
+            energy = forces_.energy;
         }
         return true;
     }
@@ -183,7 +246,62 @@ private:
     {
         recorder_.addEvent(timeAt(0.5 * (jump.before + jump.after)), jump.after < jump.before ? "snap-in" : "pull-off");
         figures_.addJump(jump);
+        if (away_) way_.assign(1, {jump.after, jump.forceAfter});
         widestBracket_ = std::max(widestBracket_, std::abs(jump.after - jump.before));
+    }
+
+    /// The energies of a located jump, and the strongest pull on the way to it. The contact is in the remembered state
+    /// before it, to which it returns.
+    bool measure(ContactJump& jump)
+    {
+        if (!move(jump.after, wayTime(jump.after))) return false;
+        jump.forceAfter = forces_.net();
+        jump.energyAfter = forces_.energy;
+        model_->recall();
+        if (!move(jump.before, wayTime(jump.before))) return false;
+        jump.energyBefore = forces_.energy;
+        const bool good = !away_ || way_.empty() || refinePull(way_.front(), {jump.before, jump.forceBefore});
+        model_->recall();
+        return good;
+    }
+
+    /// After a smooth move on the way out: the strongest pull between the samples, once it is passed.
+    bool followPull(double d)
+    {
+        if (!away_) return true;
+        const PullPoint now{d, forces_.net()};
+        bool good = true;
+        if (way_.size() == 2 && way_[1].force <= way_[0].force && way_[1].force < now.force) {
+            const ContactForces here = forces_;
+            model_->remember();
+            good = refinePull(way_[0], now);
+            model_->recall();
+            forces_ = here;
+        }
+        if (way_.size() == 2) way_.erase(way_.begin());
+        way_.push_back(now);
+        return good;
+    }
+
+    /// On a smooth way between two points; each try starts from the remembered state.
+    bool refinePull(PullPoint from, PullPoint to)
+    {
+        if (std::min(from.force, to.force) > -worthRefining * figures_.strongestPull()) return true;
+        bool good = true;
+        const TracedContact contact{[&](double separation) {
+                                        good = move(separation, wayTime(separation)) && good;
+                                        return forces_.net();
+                                    },
+                                    {},
+                                    [&] { model_->recall(); }};
+        const PullPoint strongest = strongestPull(contact, from.separation, to.separation, pullResolution);
+        if (good) figures_.addPull(strongest.separation, strongest.force);
+        return good;
+    }
+
+    double wayTime(double separation) const
+    {
+        return away_ ? retractionTime(case_, separation) : approachTime(case_, separation);
     }
 
     bool move(double d, double time)
@@ -233,6 +351,7 @@ private:
     }
 
     const Case& case_;
+    bool coarser_;
     ContactRows rows_;
     RunRecorder recorder_;
     ContactFigures figures_;
@@ -240,7 +359,13 @@ private:
     bool recordsFields_;
     std::vector<double> values_; // of the newest sample; empty without one
     bool started_ = false, startsInContact_ = false;
+    bool away_ = false; // on the way out
     ContactForces forces_;
+    std::vector<PullPoint> way_; // out, the last two since a jump
+    ContactForces hardest_;      // of the largest contact force
+    double hardestTime_ = 0.0;   // [s]
+    ContactForces closest_;      // to which the doubts belong
+    ContactDoubts doubts_;
     double time_ = 0.0;          // of the last good state [s]
     double largestForce_ = 0.0;  // so far [N]
     double widestBracket_ = 0.0; // of a jump [m]

@@ -9,6 +9,8 @@
 #include "core/case/contact_patches.h"
 #include "core/case/disk_setup.h"
 #include "core/formats/units.h"
+#include "core/physics/disk/disk_surface_check.h"
+#include "core/physics/disk/surface_sampling.h"
 #include "core/simulation/static_state/disk_under_film.h"
 
 namespace touchdown {
@@ -18,6 +20,11 @@ namespace {
 /// With fewer cells in the zone where adhesion lets go, edges of a contact hang on cells.
 constexpr double cellsOfZone = 2.0;
 
+constexpr double unresolvedShare = 0.1; // of a measured surface's RMS, between cells: a wave of 7 cells [-]
+constexpr double lostShare = 0.01;      // of the RMS, that counts [-]
+constexpr double cellsOfBump = 4.0;
+constexpr double seamShare = 1e-6; // of the surface's whole height: rounding [-]
+
 std::vector<double> lines(double first, double step, int count)
 {
     std::vector<double> result;
@@ -25,15 +32,55 @@ std::vector<double> lines(double first, double step, int count)
     return result;
 }
 
+/// What the cells of a patch lose of the disk's surface.
+void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& surface, std::vector<std::string>& list)
+{
+    const auto micrometres = [](double length) { return fewDigits(length, "um", 4); };
+    const auto nanometres = [](double length) { return fewDigits(length, "nm", 3); };
+    const SurfaceSampling sampling = surfaceSampling(surface, grid);
+    const DiskSurface& disk = c.diskSurface;
+    if (hasFile(disk) && sampling.unresolved > unresolvedShare * sampling.rmsOfMap)
+        list.push_back("the measured surface has features below a cell: elastic.cell is " + micrometres(grid.dx) +
+                       ", the points of its map are " + micrometres(surface.period().dx) +
+                       " apart, and in the middle of four cells it differs by " + nanometres(sampling.unresolved) +
+                       " RMS from their mean, of " + nanometres(sampling.rmsOfMap) +
+                       " RMS in all; the contact does not know of it: take a smaller elastic.cell");
+    if ((hasFile(disk) || hasRoughness(disk)) && sampling.rms < (1.0 - lostShare) * sampling.rmsOfMap)
+        list.push_back("the centres of the patch's cells lie between the points of the surface's map, where it is "
+                       "smoother: their heights have an RMS of " +
+                       nanometres(sampling.rms) + ", those of the points " + nanometres(sampling.rmsOfMap) + ", " +
+                       percent(1.0 - sampling.rms / sampling.rmsOfMap) +
+                       " more; a map with closer points (disk.surface.cell) loses less");
+    if (hasBumps(disk)) {
+        double narrowest = *std::ranges::min_element(disk.bumpLengths);
+        if (!disk.bumpWidths.empty()) narrowest = std::min(narrowest, *std::ranges::min_element(disk.bumpWidths));
+        if (narrowest < cellsOfBump * grid.dx)
+            list.push_back("a bump of " + micrometres(narrowest) + " has only " +
+                           fewDigits(narrowest / grid.dx, "", 2) + " cells of " + micrometres(grid.dx) +
+                           " across: its contact is coarse, or missed; take a smaller elastic.cell");
+    }
+    if (!c.elastic.periodic || c.model != ModelKind::Contact) return;
+    const double seam = largestSeam(surface, grid);
+    if (seam > seamShare * (surface.highest() - surface.lowest()))
+        list.push_back(
+            "elastic.periodic repeats the patch of " + micrometres(grid.nx * grid.dx) + " by " +
+            micrometres(grid.ny * grid.dy) + ", but the surface does not repeat with it: at the seam its " +
+            "height jumps by up to " + nanometres(seam) + " (RMS height " + nanometres(sampling.rmsOfMap) + ")" +
+            (surface.repeats() ? "; its period is " + micrometres(surface.period().nx * surface.period().dx) + " by " +
+                                     micrometres(surface.period().ny * surface.period().dy)
+                               : std::string()));
+}
+
 } // namespace
 
-ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn)
+ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn, bool coarser)
     : case_(c),
       topography_(diskTopography(c, goOn)),
       velocity_(surfaceVelocity(c, topography_)),
       modulus_(contactModulus(c.elastic.pair))
 {
     for (ContactPatch& patch : patchesOf(c, topography_).patches) {
+        if (coarser) patch = coarsened(patch);
         HalfSpace space(patch.grid, modulus_, c.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free,
                         goOn);
         AdhesiveContact contact(std::move(space), c.adhesion,
@@ -58,6 +105,7 @@ const ContactForces& ElasticPad::move(double separation, double time)
 {
     forces_ = {};
     forces_.separation = separation;
+    time_ = time;
     forces_.minimumGap = std::numeric_limits<double>::infinity();
     jumped_ = false;
     for (Part& part : parts_) solve(part, separation, time);
@@ -92,14 +140,52 @@ void ElasticPad::solve(Part& part, double separation, double time)
     jumped_ = jumped_ || summary.jumped;
 }
 
-void ElasticPad::remember()
+void ElasticPad::remember(std::size_t place)
 {
-    for (Part& part : parts_) part.contact.remember();
+    for (Part& part : parts_) part.contact.remember(place);
 }
 
-void ElasticPad::recall()
+void ElasticPad::recall(std::size_t place)
 {
-    for (Part& part : parts_) part.contact.recall();
+    for (Part& part : parts_) part.contact.recall(place);
+}
+
+ContactDoubts ElasticPad::doubts(const std::function<bool()>& goOn) const
+{
+    ContactDoubts doubts;
+    for (const Part& part : parts_) {
+        const SeparationOn separation = [&](const UniformGrid& grid, std::span<double> s) {
+            topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, s);
+            for (int j = 0; j < grid.ny; ++j)
+                for (int i = 0; i < grid.nx; ++i) {
+                    double& at = s[grid.at(i, j)];
+                    at = forces_.separation + part.patch.heightAt(grid.x(i), grid.y(j)) - at;
+                }
+        };
+        const ContactState state{.grid = part.patch.grid,
+                                 .modulus = modulus_,
+                                 .edges = case_.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free,
+                                 .hardness = case_.elastic.hardness,
+                                 .pressure = part.contact.pressure()};
+        doubts.cutOff = doubts.cutOff || isCutOff(state, separation);
+        if (part.contact.adheres())
+            doubts.adhesionBeyond += adhesionBeyond(part);
+        else
+            doubts.add(contactGridError(state, separation, goOn));
+    }
+    return doubts;
+}
+
+/// Beyond a circle around a sphere: the integral of f(s) 2 pi r dr, with r dr = R ds.
+double ElasticPad::adhesionBeyond(const Part& part) const
+{
+    if (case_.pad.shape != PadShape::Sphere || case_.elastic.periodic) return 0.0;
+    const UniformGrid& grid = part.patch.grid;
+    const std::span<const double> gap = part.contact.gap();
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < grid.nx; ++i) least = std::min({least, gap[grid.at(i, 0)], gap[grid.at(i, grid.ny - 1)]});
+    for (int j = 0; j < grid.ny; ++j) least = std::min({least, gap[grid.at(0, j)], gap[grid.at(grid.nx - 1, j)]});
+    return 2.0 * std::numbers::pi * case_.pad.radius * std::max(-part.contact.law().energy(least), 0.0);
 }
 
 void ElasticPad::observe(FieldSnapshot& snapshot) const
@@ -117,10 +203,11 @@ std::vector<std::string> ElasticPad::remarks() const
 {
     std::vector<UniformGrid> grids;
     for (const Part& part : parts_) grids.push_back(part.patch.grid);
-    return elasticRemarks(case_, grids);
+    return elasticRemarks(case_, grids, topography_);
 }
 
-std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches)
+std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches,
+                                        const DiskTopography& surface)
 {
     const double modulus = contactModulus(c.elastic.pair);
     std::vector<std::string> list;
@@ -133,12 +220,14 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
                            ", but adhesion parts the surfaces over a zone of " +
                            formatQuantity(std::round(zone * 1e10) / 1e10, "um") +
                            " at the edges of a contact: where they are smooth, these hang on the cells and "
-                           "jump from one to the next; cells of half that length follow them smoothly");
+                           "jump from one to the next, which the stated errors do not cover; cells of half that length "
+                           "follow them smoothly");
     }
     if (c.adhesion.kind == AdhesionKind::VanDerWaals && c.adhesion.hamakerB > 0.0)
         list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the "
                        "adhesion force, and bears no "
                        "friction");
+    if (!patches.empty() && !surface.flat()) addSampling(c, patches.front(), surface, list);
     if (patches.size() < 2) return list;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < patches.size(); ++i)

@@ -14,14 +14,15 @@
 
 namespace touchdown {
 
-/// What was assumed or left out for these patches, in sentences.
-std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches);
+/// What was assumed or left out for these patches on this surface, in sentences.
+std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches,
+                                        const DiskTopography& surface);
 /// Fields of the first patch; empty without one.
 RecordedFields elasticFields(const Case& c, const SliderPatches& patches);
 
 class ElasticPad final : public ContactModel {
 public:
-    explicit ElasticPad(const Case& c, const std::function<bool()>& goOn = {});
+    explicit ElasticPad(const Case& c, const std::function<bool()>& goOn = {}, bool coarser = false);
 
     /// Number of cells of all patches.
     std::size_t cells() const;
@@ -29,9 +30,10 @@ public:
     const ContactForces& move(double separation, double time) override;
     bool canJump() const override { return case_.adhesion.acts(); }
     bool mayHaveJumped() const override { return jumped_; }
-    void remember() override;
-    void recall() override;
+    void remember(std::size_t place = 0) override;
+    void recall(std::size_t place = 0) override;
     void observe(FieldSnapshot& snapshot) const override;
+    ContactDoubts doubts(const std::function<bool()>& goOn) const override;
     std::vector<std::string> remarks() const override;
     std::optional<SurfaceStatistics> surfaceStatistics() const override;
 
@@ -47,6 +49,7 @@ private:
         double surfaceTime = -1.0;      // of `surface` [s]
     };
     void solve(Part& part, double separation, double time);
+    double adhesionBeyond(const Part& part) const;
 
     Case case_;
     DiskTopography topography_;
@@ -54,6 +57,7 @@ private:
     double modulus_;    // E* [Pa]
     std::vector<Part> parts_;
     ContactForces forces_;
+    double time_ = 0.0; // of the last move [s]
     bool jumped_ = false;
 };
 

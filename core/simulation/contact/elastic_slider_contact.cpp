@@ -52,7 +52,7 @@ double longestStepOf(const DiskTopography& surface, Velocity velocity, double ce
 ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
                                            const CellGrid& grid, const PaddedGrid& pad,
                                            const std::function<bool()>& goOn)
-    : case_(c), spacing_(spacing), pad_(pad), highest_(surface.highest()), lever_(c)
+    : case_(c), spacing_(spacing), surface_(surface), pad_(pad), highest_(surface.highest()), lever_(c)
 {
     const Velocity velocity = surfaceVelocity(c, surface);
     longestStep_ = longestStepOf(surface, velocity, c.elastic.cell, goOn);
@@ -95,6 +95,7 @@ const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, do
         if (forces_.problem.empty()) forces_.problem = patch.problem;
         stiffness_ += patch.stiffness;
     }
+    last_ = {attitude, time, forces_.contact};
     return forces_;
 }
 
@@ -106,6 +107,19 @@ bool ElasticSliderContact::outOfReach(const Attitude& attitude) const
 void ElasticSliderContact::accept()
 {
     for (Part& part : parts_) part.patch.accept();
+    if (last_.contact > hardest_.contact) hardest_ = last_;
+}
+
+SliderContact::Doubts ElasticSliderContact::doubts(const std::function<bool()>& goOn)
+{
+    Doubts doubts;
+    if (!(hardest_.contact > 0.0)) return doubts;
+    const SliderContactForces& forces = at(hardest_.attitude, hardest_.time);
+    doubts.contact = forces.contact;
+    doubts.adhesion = forces.adhesion;
+    for (const Part& part : parts_)
+        if (part.near) part.patch.addDoubts(doubts.of, goOn);
+    return doubts;
 }
 
 bool ElasticSliderContact::deform(std::span<double> height) const
@@ -134,7 +148,7 @@ std::vector<std::string> ElasticSliderContact::remarks() const
 {
     std::vector<UniformGrid> grids;
     for (const Part& part : parts_) grids.push_back(part.patch.grid());
-    return elasticRemarks(case_, grids);
+    return elasticRemarks(case_, grids, surface_);
 }
 
 std::string ElasticSliderContact::problemAt(const Attitude& attitude) const

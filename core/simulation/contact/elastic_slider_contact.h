@@ -31,6 +31,7 @@ public:
     bool deform(std::span<double> height) const override;
     void clearTouching(std::span<double> field) const override;
     void observe(FieldSnapshot& snapshot) const override;
+    Doubts doubts(const std::function<bool()>& goOn) override;
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;
 
@@ -45,12 +46,20 @@ private:
 
     Case case_;
     const MinimumSpacing& spacing_;
+    const DiskTopography& surface_;
     const PaddedGrid& pad_;
     double highest_;     // of the disk [m]
     double longestStep_; // [s]
     ContactLever lever_;
     std::vector<Part> parts_;
     SliderContactForces forces_;
+    /// When and where the contact force was largest.
+    struct Moment {
+        Attitude attitude;
+        double time = 0.0;    // [s]
+        double contact = 0.0; // [N]
+    };
+    Moment last_, hardest_; // of at(), of the accepted ones
     Matrix3 stiffness_ = Matrix3::Zero();
 };
 

@@ -15,6 +15,7 @@
 #include "core/numerics/interval.h"
 #include "core/numerics/small_matrix.h"
 #include "core/physics/slider/attitude.h"
+#include "core/simulation/contact/contact_doubts.h"
 #include "core/simulation/recording/field_snapshot.h"
 
 namespace touchdown {
@@ -67,6 +68,13 @@ public:
 
     /// Fills the values of contactFields() at the last call.
     virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
+    /// What is wrong, because of grid and patches, with the accepted state of the largest contact force. It replaces
+    /// the last state: the run is over. If `goOn` returns false it is not known.
+    struct Doubts {
+        ContactDoubts of;
+        double contact = 0.0, adhesion = 0.0; // forces of that state [N]
+    };
+    virtual Doubts doubts(const std::function<bool()>& /*goOn*/) { return {}; }
     /// What was assumed or left out, in sentences.
     virtual std::vector<std::string> remarks() const { return {}; }
     /// A sentence where the slider touches outside the modelled patches; else empty.

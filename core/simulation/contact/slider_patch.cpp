@@ -16,6 +16,10 @@ constexpr double sameState = 1e-12;
 /// Above the reach of the patch: a recess beside it, where nothing touches [m].
 constexpr double deep = 1e-7;
 
+constexpr double reachOfPull = 10.0;   // of an attraction, in its own lengths [-]
+constexpr double moreThanCoarse = 1.5; // of a difference: the error shrinks as cell^0.74 or faster
+constexpr int stepsDown = 20;          // to a state with adhesion
+
 constexpr double looserThanAlone = 1e4; // [-]
 constexpr double loosest = 1e-2;        // [-]
 
@@ -31,13 +35,12 @@ std::size_t firstCell(const UniformGrid& whole, const UniformGrid& part)
                     static_cast<int>(std::lround((part.y0 - whole.y0) / whole.dy)));
 }
 
-AdhesiveContact contactOf(const Case& c, const UniformGrid& grid, const std::function<bool()>& goOn)
+AdhesiveContactOptions optionsOf(const Case& c, const std::function<bool()>& goOn)
 {
-    return AdhesiveContact(HalfSpace(grid, contactModulus(c.elastic.pair), HalfSpaceEdges::Free, goOn), c.adhesion,
-                           {.tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest),
-                            .maximumIterations = c.elastic.maximumIterations,
-                            .hardness = c.elastic.hardness,
-                            .goOn = goOn});
+    return {.tolerance = std::min(looserThanAlone * c.elastic.tolerance, loosest),
+            .maximumIterations = c.elastic.maximumIterations,
+            .hardness = c.elastic.hardness,
+            .goOn = goOn};
 }
 
 } // namespace
@@ -51,10 +54,12 @@ SliderPatch::SliderPatch(const Case& c, ContactPatch patch, const DiskTopography
       length_(c.slider.length),
       width_(c.slider.width),
       modulus_(contactModulus(c.elastic.pair)),
+      adhesion_(c.adhesion),
+      options_(optionsOf(c, goOn)),
       topography_(surface),
       velocity_(velocity),
       lever_(c),
-      contact_(contactOf(c, grid_, goOn)),
+      contact_(HalfSpace(grid_, modulus_, HalfSpaceEdges::Free, goOn), c.adhesion, options_),
       space_(whole_.grid, modulus_, HalfSpaceEdges::Free, goOn),
       displacement_(whole_.grid.cells(), 0.0),
       surface_(surface.flat() ? 0 : grid_.cells()),
@@ -90,6 +95,69 @@ void SliderPatch::setSeparation(const Attitude& attitude, double time)
     forHeights(attitude, [&](std::size_t at, double height) {
         separation_[at] = height - (surface_.empty() ? 0.0 : surface_[at]);
     });
+}
+
+void SliderPatch::separationOn(const UniformGrid& grid, std::span<double> separation) const
+{
+    topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, separation);
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) {
+            const double x = grid.x(i), y = grid.y(j);
+            double& at = separation[grid.at(i, j)];
+            at = attitude_.height + attitude_.pitch * (length_ - x) - attitude_.roll * (y - 0.5 * width_) +
+                 whole_.recessAt(x, y) - at;
+        }
+}
+
+void SliderPatch::addDoubts(ContactDoubts& doubts, const std::function<bool()>& goOn) const
+{
+    const SeparationOn separation = [this](const UniformGrid& grid, std::span<double> s) { separationOn(grid, s); };
+    const ContactState state{
+        .grid = grid_, .modulus = modulus_, .hardness = options_.hardness, .pressure = contact_.pressure()};
+    doubts.cutOff = doubts.cutOff || isCutOff(state, separation);
+    doubts.add(contact_.adheres() ? adhesiveError(goOn) : contactGridError(state, separation, goOn));
+}
+
+// With adhesion a state depends on its history: what a straight way down to it gives on both grids is compared.
+ContactGridError SliderPatch::adhesiveError(const std::function<bool()>& goOn) const
+{
+    struct Sums {
+        double contact = 0.0, adhesion = 0.0, area = 0.0;
+        long long cells = 0;
+        bool converged = true;
+    };
+    AdhesiveContactOptions options = options_;
+    options.goOn = goOn;
+    const auto comeDown = [&](const UniformGrid& grid) {
+        AdhesiveContact contact(HalfSpace(grid, modulus_, HalfSpaceEdges::Free, goOn), adhesion_, options);
+        std::vector<double> separation(grid.cells()), lifted(grid.cells());
+        separationOn(grid, separation);
+        const double lift = std::max(-*std::ranges::min_element(separation), 0.0) +
+                            reachOfPull * std::max(adhesion_.equilibriumDistance, contact.law().peakGap());
+        Sums sums;
+        for (int step = 1; step <= stepsDown && sums.converged; ++step) {
+            const double above = lift * (stepsDown - step) / stepsDown;
+            std::ranges::transform(separation, lifted.begin(), [&](double s) { return s + above; });
+            sums.converged = contact.solve(lifted).converged;
+        }
+        for (const double p : contact.pressure())
+            if (p > 0.0) {
+                sums.contact += p * grid.cellArea();
+                sums.area += grid.cellArea();
+                ++sums.cells;
+            }
+        for (const double f : contact.adhesion()) sums.adhesion += f * grid.cellArea();
+        return sums;
+    };
+    const UniformGrid coarse = coarsened(grid_);
+    const Sums own = comeDown(grid_), other = comeDown(coarse);
+    return {.known = own.converged && other.converged,
+            .force = moreThanCoarse *
+                     std::max(std::abs(own.contact - other.contact), std::abs(own.adhesion - other.adhesion)),
+            .area = moreThanCoarse * std::abs(own.area - other.area),
+            .cell = coarse.dx,
+            .other = other.contact,
+            .cells = own.cells};
 }
 
 const PatchForces& SliderPatch::solve(const Attitude& attitude, double time)

@@ -28,6 +28,7 @@
 #include "core/physics/disk/disk_topography.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/slider/attitude.h"
+#include "core/simulation/contact/contact_doubts.h"
 #include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/recording/field_snapshot.h"
 
@@ -58,6 +59,9 @@ public:
     void part(const Attitude& attitude, double time);
     void accept();
 
+    /// Adds what is wrong with the last solution because of its cells and its border.
+    void addDoubts(ContactDoubts& doubts, const std::function<bool()>& goOn) const;
+
     /// Prepares deform() for the cells of a film.
     void overlap(const CellGrid& grid);
     /// Takes the mean displacement of the disk in each cell off `height` (padded) [m].
@@ -78,6 +82,8 @@ private:
     template <typename Visit>
     void forHeights(const Attitude& attitude, const Visit& visit) const;
     void setSeparation(const Attitude& attitude, double time);
+    void separationOn(const UniformGrid& grid, std::span<double> separation) const;
+    ContactGridError adhesiveError(const std::function<bool()>& goOn) const;
     void setDisplacement();
     void sum();
     /// Calls visit(cell of the whole patch, solved cell) for each solved one.
@@ -90,6 +96,8 @@ private:
     std::vector<double> recess_; // [m]
     double length_, width_;      // of the slider [m]
     double modulus_;             // E* [Pa]
+    Adhesion adhesion_;
+    AdhesiveContactOptions options_;
     const DiskTopography& topography_;
     Velocity velocity_; // of the surface [m/s]
     ContactLever lever_;

@@ -74,12 +74,26 @@ public:
                               std::back_inserter(summary.warnings));
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
+        if (contact_ && recorder_ && end_.status != RunStatus::Cancelled) addDoubts(summary);
         if (recorder_) addCost(summary);
         run_.setTimes(summary);
         return summary;
     }
 
 private:
+    void addDoubts(Summary& summary)
+    {
+        const SliderContact::Doubts doubts = contact_->doubts([this] { return goOn(); });
+        std::ranges::move(warningsOf(case_, doubts.of, doubts.contact, doubts.adhesion),
+                          std::back_inserter(summary.warnings));
+        if (!doubts.of.grid || !doubts.of.grid->known) return;
+        summary.figures.push_back(
+            {{"contact_force_error", "N", "mN", "Error of the contact's grid at the largest contact force"},
+             doubts.of.grid->force});
+        summary.figures.push_back(
+            {{"contact_area_error", "m^2", "um^2", "Error of its grid in the area of contact"}, doubts.of.grid->area});
+    }
+
     void addCost(Summary& summary) const
     {
         const CoupledCost& cost = stepper_->cost();

@@ -281,4 +281,25 @@ bool movesOn(std::span<const double> lastHalf)
     return changesOf(lastHalf, mean - 0.5 * Rule::smallestSwing, mean + 0.5 * Rule::smallestSwing).count < 2;
 }
 
+bool isFolded(const MotionSamples& samples, std::size_t first)
+{
+    constexpr double turnedBack = 0.3;
+    double excess = 0.0, amplitudes = 0.0, largest = 0.0;
+    const std::size_t count = samples.spacing.size();
+    const auto low = [&](std::size_t k) {
+        return std::min({samples.least[k], samples.spacing[k], samples.spacing[k - 1]});
+    };
+    const auto high = [&](std::size_t k) {
+        return std::max({samples.most[k], samples.spacing[k], samples.spacing[k - 1]});
+    };
+    for (std::size_t k = first + 2; k + 1 < count; ++k) {
+        excess += high(k) - low(k) - std::abs(samples.spacing[k] - samples.spacing[k - 1]);
+        const double amplitude =
+            0.5 * (std::max({high(k - 1), high(k), high(k + 1)}) - std::min({low(k - 1), low(k), low(k + 1)}));
+        amplitudes += amplitude;
+        largest = std::max(largest, amplitude);
+    }
+    return largest > 0.5 * Rule::smallestSwing && excess > turnedBack * amplitudes;
+}
+
 } // namespace touchdown

@@ -53,6 +53,12 @@ struct MotionSamples {
 
 MotionVerdict judgeMotion(const MotionSamples& samples);
 
+/// Whether the motion from the sample `first` on is faster than half of the sampling rate, so that its spectrum shows
+/// it at a wrong frequency: the spacing turns back between the samples. What its range within an interval exceeds the
+/// difference of the two samples by is, over half of its range there and in the neighbours, in the mean 0.36 of a sine
+/// at half of the sampling rate, more above it, and 0.2 at 2.5 samples a period; the limit is 0.3.
+bool isFolded(const MotionSamples& samples, std::size_t first);
+
 // ------------------------------------------------------------------------------------------------ parts of the rule
 
 struct MotionRule {

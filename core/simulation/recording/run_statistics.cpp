@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/formats/units.h"
 #include "core/simulation/recording/motion_verdict.h"
 
 namespace touchdown {
@@ -168,10 +169,15 @@ void RunStatistics::finish(Summary& summary) const
         if (event.name == "touch-down" || event.name == "take-off") samples.switches.push_back(event.time);
     summary.verdict = judgeMotion(samples);
     // The periods of a random motion are not counted.
+    if (isFolded(motion_, beforeSpectrum_)) {
+        summary.verdict.undersampled = true;
+        summary.verdict.frequency = 0.0;
+    }
     if (summary.verdict.undersampled)
-        summary.warnings.emplace_back("a period of the motion is shorter than 2.5 samples: plots and spectra do not "
-                                      "show its frequency; a shorter "
-                                      "run.sample_interval does");
+        summary.warnings.push_back("a period of the motion is shorter than 2.5 samples: plots and spectra do not show "
+                                   "its frequency, and what is above half of the sampling rate, " +
+                                   fewDigits(0.5 / case_.run.sampleInterval, "kHz", 4) +
+                                   ", appears in them at a wrong, lower one; a shorter run.sample_interval shows it");
     else if (summary.verdict.forced && !summary.peaks.empty())
         summary.verdict.frequency = summary.peaks.front().frequency;
 }

@@ -88,6 +88,50 @@ private slots:
         QVERIFY(!locateJump(contact, 0.0, force(0.0), 1e-9, 1e-12, 1e-9).found);
     }
 
+    void firstOfTwo_data()
+    {
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("stiffness"); // of the latch that lets go first [N/m]
+        QTest::newRow("a large one") << 3.5e-9 << 0.6e6;
+        QTest::newRow("a small one, on a long way") << 1e-9 << 0.3e6;
+    }
+    /// Two latches in one interval: the smaller one lets go at 4 nm, where bisection alone finds the larger at 6 nm.
+    void firstOfTwo()
+    {
+        QFETCH(double, from);
+        QFETCH(double, stiffness);
+        Latch small{.off = 4e-9, .stiffness = stiffness, .held = true}, large{.off = 6e-9, .held = true};
+        bool smallMarked = false, largeMarked = false;
+        TracedContact contact{[&](double d) { return small.force(d) + large.force(d); },
+                              [&] {
+                                  small.kept = small.held;
+                                  large.kept = large.held;
+                              },
+                              [&] {
+                                  small.held = small.kept;
+                                  large.held = large.kept;
+                              },
+                              {},
+                              [&] {
+                                  smallMarked = small.held;
+                                  largeMarked = large.held;
+                              },
+                              [&] {
+                                  small.held = smallMarked;
+                                  large.held = largeMarked;
+                              }};
+        const double start = contact.force(from);
+        const ContactJump first = locateFirstJump(contact, from, start, 6.5e-9, 1e-13, 1e-6);
+        QVERIFY(first.found);
+        QVERIFY(std::abs(first.before - 4e-9) <= 1e-13);
+        QVERIFY(small.held);
+        const ContactJump second =
+            locateFirstJump(contact, first.after, contact.force(first.after), 6.5e-9, 1e-13, 1e-6);
+        QVERIFY(second.found);
+        QVERIFY(std::abs(second.before - 6e-9) <= 1e-13);
+        QVERIFY(large.held);
+    }
+
     void tooSmall()
     {
         Latch latch{.held = true};

@@ -65,22 +65,22 @@ private slots:
         QCOMPARE(value(list, "pull_off_force"), 4e-3);
         QCOMPARE(value(list, "pull_off_separation"), 3e-9);
     }
-    /// The step with a jump: what was done on the contact and has not become energy.
+    /// A jump releases energy; what is not work between its two separations is lost. A pull between two samples counts.
     void workOfTheLoop()
     {
         Case c = defaultsOf(ModelKind::Contact);
         c.diskSurface.kind = DiskSurfaceKind::Flat;
         ContactFigures figures(c);
-        figures.add(forces(4e-9, 0.0, 0.0), false);
-        figures.addJump({true, 3e-9, 3e-9, 0.0, -1e-3});
-        ContactForces before = forces(2e-9, 0.0, -1e-3); // the contact did 1 pJ
-        before.energy = -1.4e-12;
-        figures.add(before, false);
-        QVERIFY(std::isnan(value(figures.figures({}), "loop_work")));         // not yet a loop
-        figures.addJump({true, 4e-9, std::nextafter(4e-9, 1.0), -1e-3, 0.0}); // takes 2 pJ
-        figures.add(forces(5e-9, 0.0, 0.0), true);
-        const double work = value(figures.figures({}), "loop_work");
+        figures.addJump({true, 3e-9, 3e-9, 0.0, -1e-3, -0.1e-12, -0.5e-12});
+        QVERIFY(std::isnan(value(figures.figures({}), "loop_work"))); // not yet a loop
+        // 2 nm against a pull of 0.5 mN in the mean put 1 pJ into it, of which 0.4 pJ stay.
+        figures.addJump({true, 4e-9, 6e-9, -1e-3, 0.0, -0.4e-12, 0.0});
+        figures.addPull(3.5e-9, -1.5e-3);
+        const auto list = figures.figures({});
+        const double work = value(list, "loop_work");
         QVERIFY2(std::abs(work - (0.4e-12 + 0.6e-12)) < 1e-22, qPrintable(QString::number(work)));
+        QCOMPARE(value(list, "pull_off_force"), 1.5e-3);
+        QCOMPARE(value(list, "pull_off_separation"), 3.5e-9);
     }
     void surface()
     {

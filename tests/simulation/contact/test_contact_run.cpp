@@ -295,6 +295,32 @@ private slots:
         QVERIFY(std::ranges::all_of(trace.column("adhesion_force"), [](double force) { return force <= 0.0; }));
         QVERIFY(trace.summary.warnings.empty());
     }
+    /// Snap-in, pull-off and the strongest pull do not depend on where the samples lie: jumps are located to 1 pm, the
+    /// flat maximum of the pull to some pm, its value to 1e-5 of itself, and the loop's work by the energies.
+    void samplesDecideNothing()
+    {
+        const char* const names[] = {"pull_off_force", "pull_off_separation", "snap_in_separation",
+                                     "release_separation", "loop_work"};
+        std::vector<double> least(5, INFINITY), most(5, -INFINITY);
+        for (const double interval : {10.0, 13.0, 17.0, 20.0, 25.0, 29.0, 30.0, 37.0, 43.0, 50.0}) {
+            Case c = sample("contact_pull_off");
+            c.pad.length = c.pad.width = 1.5e-6;
+            c.approach = {13e-9, 3e-9};
+            c.run.sampleInterval = 2.0 * interval * 1e-6;
+            c.run.fieldSnapshots = 0;
+            const Summary summary = run(c);
+            for (std::size_t i = 0; i < 5; ++i) {
+                const double value = figure(summary, names[i]);
+                least[i] = std::min(least[i], value);
+                most[i] = std::max(most[i], value);
+            }
+        }
+        QVERIFY2(most[0] - least[0] < 1e-5 * most[0], qPrintable(QString::number(most[0] - least[0])));
+        QVERIFY2(most[1] - least[1] < 10e-12, qPrintable(QString::number(most[1] - least[1])));
+        QVERIFY2(most[2] - least[2] < 2e-12, qPrintable(QString::number(most[2] - least[2])));
+        QVERIFY2(most[3] - least[3] < 2e-12, qPrintable(QString::number(most[3] - least[3])));
+        QVERIFY2(most[4] - least[4] < 2e-3 * most[4], qPrintable(QString::number(most[4] - least[4])));
+    }
     /// Elastic contact with adhesion loses energy in its jumps alone: the area of the loop, from the forces, is what
     /// the jumps lose, from the energies.
     void theLoopIsLostInJumps()

@@ -297,6 +297,45 @@ private slots:
         }
         QVERIFY(pressed > 20 && pressed < 90);
     }
+    void doubts_data() { carriesWhatThePadAloneCarries_data(); }
+    /// The accepted state of the largest force counts; its stated error covers what half of the cells changes.
+    void doubts()
+    {
+        QFETCH(bool, adhesion);
+        Case c = withRoughDisk(adhesion);
+        c.diskSurface.motion = SurfaceMotion::Still;
+        Scene scene(c);
+        QVERIFY(!scene.contact.doubts({}).of.grid);
+        const Attitude hardest = at(-0.5e-9);
+        const double force = scene.contact.at(hardest, 0.0).contact;
+        scene.contact.at(at(-2e-9), 0.0); // a try that is not accepted
+        scene.contact.at(hardest, 0.0);
+        scene.contact.accept();
+        scene.contact.at(at(0.2e-9), 0.0);
+        scene.contact.accept();
+        const SliderContact::Doubts doubts = scene.contact.doubts({});
+        QVERIFY(doubts.of.grid && doubts.of.grid->known);
+        QVERIFY(!doubts.of.cutOff);
+        QVERIFY(near(doubts.contact, force, 1e-3));
+        c.elastic.cell *= 0.5;
+        Scene finer(c);
+        const double change = std::abs(finer.contact.at(hardest, 0.0).contact - force);
+        QVERIFY2(doubts.of.grid->force >= change && doubts.of.grid->force < 0.5 * force,
+                 qPrintable(QString("%1 %2 %3").arg(doubts.of.grid->force).arg(change).arg(force)));
+    }
+    /// A pitch at which the pad touches with its leading edge, not within reach at elastic.patch_pitch, cuts the patch.
+    void cutOff()
+    {
+        Case c = withPad();
+        c.elastic.patchReach = 0.5e-9; // 3 um of the pad
+        Scene scene(c);
+        Attitude flat = at(0.0);
+        flat.pitch = 0.0;
+        flat.height = -1e-9;
+        scene.contact.at(flat, 0.0);
+        scene.contact.accept();
+        QVERIFY(scene.contact.doubts({}).of.cutOff);
+    }
     /// A pressed pad is about as stiff as the change of its force over a tenth of a nanometre.
     void stiffnessLeads()
     {

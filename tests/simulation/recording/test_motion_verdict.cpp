@@ -261,6 +261,42 @@ private slots:
             names.insert(name(motion));
         QCOMPARE(names.size(), std::size_t(7));
     }
+
+    void folded_data()
+    {
+        QTest::addColumn<double>("samplesInPeriod");
+        QTest::addColumn<bool>("folded");
+        for (const double samples : {0.51, 0.66, 0.99, 1.0, 1.41, 1.65, 1.98, 2.03})
+            QTest::newRow(qPrintable(QString("%1 samples in a period").arg(samples))) << samples << true;
+        for (const double samples : {2.5, 3.0, 5.0, 20.0, 200.0})
+            QTest::newRow(qPrintable(QString("%1 samples in a period").arg(samples))) << samples << false;
+    }
+    /// A decaying sine over a slow drift, with its extremes between the samples.
+    void folded()
+    {
+        QFETCH(double, samplesInPeriod);
+        QFETCH(bool, folded);
+        const auto height = [&](double k) {
+            return 10e-9 + 5e-9 * std::exp(-k / 400.0) * std::sin(2.0 * std::numbers::pi * k / samplesInPeriod) +
+                   1e-12 * k;
+        };
+        MotionSamples samples;
+        for (int k = 0; k < 1000; ++k) {
+            double least = INFINITY, most = -INFINITY;
+            for (int i = 0; i <= 200; ++i) {
+                least = std::min(least, height(k - i / 200.0));
+                most = std::max(most, height(k - i / 200.0));
+            }
+            samples.add(height(k), least, most, Touch::Never);
+        }
+        QCOMPARE(isFolded(samples, 0), folded);
+    }
+    void restIsNotFolded()
+    {
+        MotionSamples samples;
+        for (int k = 0; k < 100; ++k) samples.add(7e-9, 7e-9 - 1e-13, 7e-9 + 1e-13, Touch::Never);
+        QVERIFY(!isFolded(samples, 0));
+    }
 };
 
 TOUCHDOWN_TEST(TestMotionVerdict)

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/contact_doubts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "core/case/case.h"
+#include "core/formats/units.h"
+#include "core/simulation/contact/contact_run.h"
+
+namespace touchdown {
+namespace {
+
+constexpr double largeError = 0.02;     // of a force, for a warning [-]
+constexpr double largeDifference = 0.2; // of a force from that with cells twice as large, which is much more wrong [-]
+constexpr double moreThanOther = 1.5;   // of a difference: the error shrinks as cell^0.74 or faster
+constexpr double ofCut = 2.5;           // sides of a patch that holds a contact, against sqrt(R d) [-]
+constexpr std::array<std::string_view, 7> ofGrid = {
+    "largest_contact_force", "pull_off_force", "pull_off_separation", "snap_in_separation",
+    "release_separation",    "loop_work",      "closest_contact_area"};
+
+auto figureOf(std::vector<RunFigure>& figures, std::string_view name)
+{
+    return std::ranges::find(figures, name, [](const RunFigure& figure) { return figure.quantity.name; });
+}
+
+/// What a figure differs by in another run of the case. Of a jump, which may be the first one here and not there, the
+/// distance to the nearest, and on the way out that of the last ones of both.
+std::optional<double> difference(const Case& c, const Summary& own, const Summary& other, const RunFigure& figure)
+{
+    const std::string& name = figure.quantity.name;
+    if (name != "release_separation" && name != "snap_in_separation") {
+        const auto found = std::ranges::find(other.figures, name, [](const RunFigure& f) { return f.quantity.name; });
+        if (found == other.figures.end()) return std::nullopt;
+        return std::abs(found->value - figure.value);
+    }
+    const auto jumps = [&](const Summary& summary) {
+        std::vector<double> list; // separations [m]
+        for (const RunEvent& event : summary.events)
+            if ((event.time > 0.5 * c.run.duration) == (name == "release_separation"))
+                list.push_back(padSeparation(c, event.time));
+        return list;
+    };
+    const std::vector<double> here = jumps(own), there = jumps(other);
+    if (here.empty() || there.empty()) return std::nullopt;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double d : there) nearest = std::min(nearest, std::abs(d - figure.value));
+    return name == "release_separation" ? std::max(nearest, std::abs(here.back() - there.back())) : nearest;
+}
+
+std::string millinewtons(double force) { return fewDigits(force, "mN", 3); }
+std::string micrometres(double length) { return fewDigits(length, "um", 4); }
+
+void addError(std::vector<RunFigure>& figures, std::string_view name, double error)
+{
+    const auto figure = figureOf(figures, name);
+    if (figure == figures.end() || !std::isfinite(error)) return;
+    RunFigure added = *figure;
+    added.quantity.name += "_error";
+    added.quantity.longName = "Error of its grid: " + figure->quantity.longName;
+    added.value = error;
+    figures.insert(figure + 1, std::move(added));
+}
+
+std::string wantedPatch(const Case& c)
+{
+    if (c.model != ModelKind::Contact)
+        return "elastic.patch_reach, and elastic.patch_pitch, decide what belongs to a patch";
+    if (c.pad.shape != PadShape::Sphere) return "a smaller approach.closest belongs to a larger patch";
+    const double depth = std::max(-c.approach.closest, 0.0);
+    const double side = ofCut * std::sqrt(c.pad.radius * depth);
+    const std::string wish = "pad.length and pad.width must be larger";
+    return side > std::min(c.pad.length, c.pad.width) ? wish + ", about " + micrometres(roundedTo(side, 2)) : wish;
+}
+
+} // namespace
+
+void ContactDoubts::add(const ContactGridError& patch)
+{
+    if (!grid) grid = ContactGridError{.known = true};
+    grid->known = grid->known && patch.known;
+    grid->force += patch.force;
+    grid->area += patch.area;
+    grid->other += patch.other;
+    grid->cell = std::max(grid->cell, patch.cell);
+    grid->cells += patch.cells;
+}
+
+std::vector<std::string> warningsOf(const Case& c, const ContactDoubts& doubts, double force, double adhesion)
+{
+    std::vector<std::string> list;
+    if (doubts.cutOff)
+        list.push_back("the contact reaches the border of its patch and is cut off there: force and area are too "
+                       "small; " +
+                       wantedPatch(c));
+    if (doubts.adhesionBeyond > -largeError * adhesion && doubts.adhesionBeyond > 0.0)
+        list.push_back("the attraction beyond the border of the patch, up to " + millinewtons(doubts.adhesionBeyond) +
+                       " where that on the patch is " + millinewtons(-adhesion) +
+                       ", is left out: pad.length and pad.width must be larger");
+    if (!doubts.grid) return list;
+    const ContactGridError& grid = *doubts.grid;
+    const double large = grid.cell > c.elastic.cell ? largeDifference : largeError;
+    if (!grid.known)
+        list.emplace_back("the error of the contact's grid is not known: the solution on other cells did not converge");
+    else if (grid.force > large * force && grid.force > 0.0)
+        list.push_back("the cells are large for this contact: " + std::to_string(grid.cells) +
+                       (grid.cells == 1 ? " cell touches" : " cells touch") + ", and the contact force of " +
+                       millinewtons(force) + " has an error of up to " + millinewtons(grid.force) + " (" +
+                       millinewtons(grid.other) + " with cells of " + micrometres(grid.cell) + " instead of " +
+                       micrometres(c.elastic.cell) + "); take a smaller elastic.cell");
+    return list;
+}
+
+void addErrors(const Case& c, Summary& summary, const Summary& other, double adhesionBeyond, double resolution)
+{
+    std::string large, missing;
+    for (const std::string_view name : ofGrid) {
+        const auto own = figureOf(summary.figures, name);
+        if (own == summary.figures.end()) continue;
+        std::string text(name);
+        std::ranges::replace(text, '_', ' ');
+        const std::optional<double> distance = difference(c, summary, other, *own);
+        if (!distance) {
+            missing += (missing.empty() ? "" : ", ") + text;
+            continue;
+        }
+        const Quantity quantity = own->quantity;
+        const double value = own->value;
+        const double error = moreThanOther * *distance + (quantity.unit == "m" ? resolution : 0.0) +
+                             (name == "pull_off_force" ? adhesionBeyond : 0.0);
+        if (name.ends_with("_force") && error > largeDifference * std::abs(value))
+            large += (large.empty() ? "" : ", ") + text + " " + fewDigits(value, quantity.displayUnit, 3) + " up to " +
+                     fewDigits(error, quantity.displayUnit, 2);
+        addError(summary.figures, name, error);
+    }
+    const std::string cells = micrometres(2.0 * c.elastic.cell);
+    if (!large.empty())
+        summary.warnings.push_back("the cells are large for this contact: compared with cells of " + cells +
+                                   " the errors are: " + large + "; take a smaller elastic.cell");
+    if (!missing.empty())
+        summary.warnings.push_back("the error of the contact's grid is not known for the " + missing +
+                                   ": with cells of " + cells + " there is none; take a smaller elastic.cell");
+}
+
+void addErrors(Summary& summary, const ContactGridError& error, bool withArea)
+{
+    if (!error.known) return;
+    addError(summary.figures, "largest_contact_force", error.force);
+    if (withArea) addError(summary.figures, "closest_contact_area", error.area);
+}
+
+} // namespace touchdown
