@@ -26,6 +26,8 @@ public:
     void chooseSave(int number, bool csv);
     void chooseOpen();
     void choosePicture();
+    /// Whether runs differ in their dashes in exported pictures.
+    void setDashes(bool dashes) { dashes_ = dashes; }
     /// A saved run, or static solutions.
     void openResults(const QString& file);
 
@@ -43,6 +45,7 @@ private:
     RunsModel& runs_;
     QWidget& page_;
     QWidget& window_;
+    bool dashes_ = false;
 };
 
 } // namespace touchdown

@@ -11,6 +11,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/results/steady_writer.h"
+#include "core/studies/study/study_file_reader.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"

@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include "tests/ui/question.h"
+#include "ui/runs/run_controller.h"
 #include "ui/window/main_window.h"
 #include "ui/window/session.h"
 
