@@ -23,6 +23,7 @@ struct WelchOptions {
     std::size_t segment = 2048; // samples, >= 8; cut to the length of the signal
     double overlap = 0.5;       // [0, 0.95]
     bool removeMean = true;     // of each segment
+    bool operator==(const WelchOptions&) const = default;
 };
 
 struct Spectrum {

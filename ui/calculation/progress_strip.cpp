@@ -94,7 +94,9 @@ void ProgressStrip::advance(const Progress& progress)
 {
     progress_ = progress;
     bar_->setRange(0, progress.share ? barSteps : 0);
+    bar_->setUpdatesEnabled(false); // a bar paints at once, and with it all of the window that waits to be painted
     if (progress.share) bar_->setValue(static_cast<int>(std::lround(std::clamp(*progress.share, 0.0, 1.0) * barSteps)));
+    bar_->setUpdatesEnabled(true);
     showText();
 }
 

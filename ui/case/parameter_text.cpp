@@ -38,6 +38,14 @@ QString numberEntry(QString text, const Parameter& parameter, const QLocale& loc
     return text;
 }
 
+/// A symbol without tags: "FH(0)", "k_f0", "ξ_f".
+QString plainSymbol(const std::string& symbol)
+{
+    static const QRegularExpression tags(QStringLiteral("<[^>]*>"));
+    QString text = symbolText(symbol).replace(QLatin1String("<sub>"), QLatin1String("_")).remove(tags);
+    return text.replace(QLatin1String("&lt;"), QLatin1String("<")).replace(QLatin1String("&amp;"), QLatin1String("&"));
+}
+
 /// "0.1 um" as people read it: "0.1 µm".
 QString quantityText(const std::string& text, const QLocale& locale = QLocale())
 {
@@ -161,6 +169,30 @@ QStringList caseDifference(const Case& before, const Case& after)
             texts << QStringLiteral("%1 %2 → %3").arg(label, then, now);
             break;
         }
+        }
+    }
+    return texts;
+}
+
+QStringList shortDifference(const Case& before, const Case& after)
+{
+    QStringList texts;
+    const std::vector<MovedPoints> moved = movedPoints(before.surface, after.surface);
+    for (const MovedPoints& each : moved) texts << moveText(each);
+    for (const CaseChange& change : caseChanges(before, after)) {
+        if (isMove(change, moved)) continue;
+        const QString label = QString::fromStdString(change.label);
+        const Parameter* parameter = findParameter(change.key);
+        switch (change.kind) {
+        case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
+        case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
+        case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
+        case CaseChangeKind::Value:
+            texts << (parameter ? QStringLiteral("%1 %2").arg(
+                                      parameter->symbol.empty() ? label : plainSymbol(parameter->symbol),
+                                      changeTexts(before, after, *parameter).second)
+                                : QStringLiteral("%1 %2").arg(label, quantityText(change.after)));
+            break;
         }
     }
     return texts;

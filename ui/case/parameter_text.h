@@ -24,5 +24,7 @@ QString valueText(const Case& c, const Parameter& parameter, const QLocale& loca
 /// "rail 3: recess 0.1 µm → 0.2 µm", "rail 4 added"; points that were moved together are one change:
 /// "rail 3, points 1, 2 moved by 2, 0 µm".
 QStringList caseDifference(const Case& before, const Case& after);
+/// The same as short names of `after`: "d_e 8 nm", "contact none", "rail 3: recess 0.2 µm", "rail 4 added".
+QStringList shortDifference(const Case& before, const Case& after);
 
 } // namespace touchdown

@@ -66,8 +66,9 @@ void RecordDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     int left = check.rect.right() + 1 + margin;
     const CurveStyle curve{index.data(RecordList::StyleColourRole).toInt(),
                            index.data(RecordList::StyleDashRole).toInt()};
-    QPen pen = curvePen(curve, plotTheme(item.palette));
-    pen.setWidthF(2.5);
+    const bool speaks = index.data(RecordList::SpeaksRole).toBool();
+    QPen pen = speaks ? curvePen(curve, plotTheme(item.palette)) : palePen(curve, plotTheme(item.palette));
+    pen.setWidthF(speaks ? 3.0 : 1.5);
     painter->setRenderHint(QPainter::Antialiasing);
     painter->setPen(pen);
     if (shown)

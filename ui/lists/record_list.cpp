@@ -29,7 +29,7 @@ QVariant RecordList::data(const QModelIndex& index, int role) const
     const int row = index.row();
     const ListedRecord& record = listed(row);
     switch (role) {
-    case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(record.number).arg(record.name);
+    case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(record.number).arg(shownName(row));
     case Qt::EditRole:
     case NoteRole: return record.note;
     case Qt::CheckStateRole: return record.shown ? Qt::Checked : Qt::Unchecked;
@@ -38,12 +38,13 @@ QVariant RecordList::data(const QModelIndex& index, int role) const
         return QStringLiteral("%1 %2, %3, %4, %5")
             .arg(kind())
             .arg(record.number)
-            .arg(record.name, changes(row), result(row));
+            .arg(shownName(row), changes(row), result(row));
     case ChangesRole: return changes(row);
     case ResultRole: return result(row);
     case FailedRole: return failed(row);
-    case StyleColourRole: return style(record).colour;
-    case StyleDashRole: return style(record).dash;
+    case StyleColourRole: return shownStyle(row).colour;
+    case StyleDashRole: return shownStyle(row).dash;
+    case SpeaksRole: return speaks(row);
     case BaselineRole: return record.number == baseline_;
     default: return {};
     }
@@ -95,6 +96,7 @@ void RecordList::remove(int row)
     endRemoveRows();
     // The next record is compared with another one now.
     if (row < count()) emit dataChanged(index(row), index(row), {ChangesRole});
+    onRemoved();
 }
 
 void RecordList::setFile(int number, const QString& file)

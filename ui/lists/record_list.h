@@ -38,6 +38,7 @@ public:
         FailedRole,
         StyleColourRole, // of CurveStyle
         StyleDashRole,
+        SpeaksRole, // whether it is the one to look at; its curves are wide
         NoteRole,
         BaselineRole, // the record that others are compared with
     };
@@ -84,6 +85,11 @@ protected:
     /// Lines of the tool tip after the changes.
     virtual QStringList details(int row) const = 0;
     virtual QString kind() const = 0; // "Run"
+    virtual QString shownName(int row) const { return listed(row).name; }
+    virtual CurveStyle shownStyle(int row) const { return style(listed(row)); }
+    /// A record has been removed: the others may have new names.
+    virtual void onRemoved() {}
+    virtual bool speaks(int row) const { return listed(row).shown; }
 
 private:
     QString toolTip(int row) const;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lists/record_panel.h"
 
+#include <utility>
+
+#include <QEvent>
 #include <QMenu>
 #include <QVBoxLayout>
 
@@ -13,7 +16,7 @@ RecordPanel::Words RecordPanel::wordsOfRuns()
 {
     return {tr("Runs"),
             tr("Overlay runs"),
-            tr("Keep earlier runs in the plots when a new one starts"),
+            tr("Show earlier runs beside the newest"),
             tr("Subtract this run from the others"),
             tr("Write a note on this run (F2)"),
             tr("Save this run as HDF5, or its time series as CSV"),
@@ -56,6 +59,17 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
     overlay_->setChecked(true);
     overlay_->setVisible(!words.overlay.isEmpty());
     overlay_->setToolTip(words.overlayTip);
+    connect(overlay_, &QCheckBox::toggled, this, [this](bool on) {
+        if (on)
+            showHidden();
+        else if (const int newest = newestShown(); newest >= 0)
+            hideOthers(newest);
+    });
+    list_->setMouseTracking(true);
+    list_->viewport()->installEventFilter(this);
+    connect(list_, &QAbstractItemView::entered, this,
+            [this](const QModelIndex& index) { emit recordHovered(model_.listed(index.row()).number); });
+    connect(list_, &QAbstractItemView::viewportEntered, this, [this] { emit recordHovered(-1); });
 
     const auto button = [this](const QString& text, const QString& tip, auto action) {
         auto* made = new QToolButton(this);
@@ -96,11 +110,46 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
     connect(&model_, &RecordList::dataChanged, this, &RecordPanel::updateButtons);
     connect(&model_, &RecordList::rowsRemoved, this, &RecordPanel::updateButtons);
     connect(&model_, &RecordList::rowsInserted, this, [this](const QModelIndex&, int, int last) {
-        if (model_.listed(last).shown) list_->setCurrentIndex(model_.index(last));
+        if (model_.listed(last).shown) {
+            list_->setCurrentIndex(model_.index(last));
+            if (!overlay()) hideOthers(model_.listed(last).number);
+        }
         list_->scrollToBottom();
         updateButtons();
     });
     updateButtons();
+}
+
+/// Only this record stays shown.
+void RecordPanel::hideOthers(int number)
+{
+    for (int row = 0; row < model_.count(); ++row) {
+        const ListedRecord& each = model_.listed(row);
+        if (!each.shown || each.number == number) continue;
+        hidden_.push_back(each.number);
+        model_.setData(model_.index(row), Qt::Unchecked, Qt::CheckStateRole);
+    }
+}
+
+void RecordPanel::showHidden()
+{
+    for (const int number : std::exchange(hidden_, {})) {
+        const int row = model_.rowOf(number);
+        if (row >= 0 && !model_.listed(row).shown) model_.setData(model_.index(row), Qt::Checked, Qt::CheckStateRole);
+    }
+}
+
+int RecordPanel::newestShown() const
+{
+    for (int row = model_.count() - 1; row >= 0; --row)
+        if (model_.listed(row).shown) return model_.listed(row).number;
+    return -1;
+}
+
+bool RecordPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Leave) emit recordHovered(-1);
+    return QWidget::eventFilter(watched, event);
 }
 
 int RecordPanel::chosen() const

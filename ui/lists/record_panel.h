@@ -47,6 +47,8 @@ public:
     void setActive(int number);
 
 signals:
+    /// The pointer came to the row of a record, or left the rows (-1).
+    void recordHovered(int number);
     /// The chosen record is another one, or there is none (-1).
     void recordChosen(int number);
     void openRequested();
@@ -54,7 +56,13 @@ signals:
     /// The parameters of a record are wanted in the panel again.
     void parametersRequested(int number);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
+    void hideOthers(int number);
+    void showHidden();
+    int newestShown() const; // -1: none is
     void editNote();
     void removeChosen();
     void toggleBaseline();
@@ -71,6 +79,7 @@ private:
     QToolButton* remove_;
     QHBoxLayout* top_;
     std::vector<QAction*> actions_;
+    std::vector<int> hidden_; // numbers of the records that the box of overlays has hidden
     int active_ = -1;
 };
 

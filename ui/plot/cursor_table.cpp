@@ -19,7 +19,15 @@ namespace {
 
 enum TableColumn { nameColumn, firstColumn, secondColumn, differenceColumn, unitColumn, columnCount };
 
-QIcon lineSample(const CurveStyle& style, const PlotTheme& theme)
+constexpr int lookRole = Qt::UserRole; // of the line that a row shows
+
+/// Another number for each look of a line.
+int lookOf(const CursorReading& reading)
+{
+    return 1 + 100 * reading.style.colour + 10 * reading.style.dash + reading.pale;
+}
+
+QIcon lineSample(const CursorReading& reading, const PlotTheme& theme)
 {
     constexpr double sharp = 2.0; // for dense screens
     QPixmap picture(static_cast<int>(22 * sharp), static_cast<int>(12 * sharp));
@@ -27,7 +35,7 @@ QIcon lineSample(const CurveStyle& style, const PlotTheme& theme)
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(curvePen(style, theme));
+    painter.setPen(reading.pale ? palePen(reading.style, theme) : curvePen(reading.style, theme));
     painter.drawLine(QPointF(1.0, 6.0), QPointF(21.0, 6.0));
     return picture;
 }
@@ -69,11 +77,19 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
 
 void CursorTable::scheduleUpdate()
 {
-    if (!timer_.isActive()) timer_.start();
+    stale_ = true;
+    if (isVisible() && !timer_.isActive()) timer_.start();
+}
+
+void CursorTable::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (stale_) fill();
 }
 
 void CursorTable::fill()
 {
+    stale_ = false;
     const auto readings = group_->readings();
     table_->setRowCount(static_cast<int>(readings.size()));
     const PlotTheme theme = plotTheme(palette());
@@ -93,8 +109,11 @@ void CursorTable::fill()
         const auto number = [&](std::optional<double> value) { return value ? y.reading(*value) : QString(); };
         const bool both = reading.first && reading.second;
         QTableWidgetItem* name = put(row, nameColumn, reading.name);
-        name->setIcon(lineSample(reading.style, theme));
-        name->setToolTip(reading.name);
+        if (name->data(lookRole).toInt() != lookOf(reading)) { // drawing one costs more than all the text of a row
+            name->setData(lookRole, lookOf(reading));
+            name->setIcon(lineSample(reading, theme));
+        }
+        if (name->toolTip() != reading.name) name->setToolTip(reading.name);
         put(row, firstColumn, number(reading.first));
         put(row, secondColumn, number(reading.second));
         put(row, differenceColumn, both ? number(*reading.second - *reading.first) : QString());
@@ -151,7 +170,10 @@ bool CursorTable::eventFilter(QObject* watched, QEvent* event)
 void CursorTable::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) scheduleUpdate();
+    if (event->type() == QEvent::PaletteChange) {
+        table_->setRowCount(0); // the lines have other colours
+        scheduleUpdate();
+    }
     if (event->type() == QEvent::FontChange)
         table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
 }

@@ -25,6 +25,7 @@ public:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void fill();
@@ -34,6 +35,7 @@ private:
     QLabel* times_; // of the cursors, their difference and its inverse
     QTableWidget* table_;
     QTimer timer_;
+    bool stale_ = true;
 };
 
 } // namespace touchdown

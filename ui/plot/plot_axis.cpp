@@ -87,7 +87,8 @@ PlotAxis::Notation PlotAxis::notation() const
 {
     Notation result;
     const double most = magnitude(range_) / label.factor;
-    if (most >= 1e5 || (most < 1e-2 && most > 0.0))
+    const bool hertz = label.unit.endsWith(QLatin1String("Hz")) && most > 1e3; // "5 MHz", not "5000 kHz"
+    if (most >= 1e5 || hertz || (most < 1e-2 && most > 0.0))
         result.exponent = 3 * static_cast<int>(std::floor(std::log10(most) / 3.0 + 1e-12));
     const double unit = label.factor * std::pow(10.0, result.exponent);
     const double width = range_.width() / unit;

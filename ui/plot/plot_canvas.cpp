@@ -48,31 +48,33 @@ PlotCanvas::PlotCanvas(PlotWidget* plot)
     scene_->addItem(chart_);
 }
 
-void PlotCanvas::setPaths(const std::vector<std::vector<QPointF>>& paths)
+void PlotCanvas::setLines(const std::vector<Line>& lines)
 {
-    while (series_.size() < paths.size()) {
+    while (series_.size() < lines.size()) {
         auto* series = new QLineSeries;
         chart_->addSeries(series);
         series->attachAxis(across_);
         series->attachAxis(up_);
         series_.push_back(series);
     }
-    while (series_.size() > paths.size()) {
+    while (series_.size() > lines.size()) {
         chart_->removeSeries(series_.back());
         delete series_.back();
         series_.pop_back();
     }
     const QSizeF size = plot_.plotArea().size();
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        if (paths[i].empty()) {
+    const bool wide = plot_.hasPaleCurves();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto& [curve, path] = lines[i];
+        if (path.empty()) {
             if (series_[i]->count() > 0) series_[i]->clear();
             continue;
         }
-        QPen pen = pathPen(plot_.curves()[i], paths[i], size, plot_.theme());
+        QPen pen = pathPen(*curve, path, size, plot_.theme(), wide);
         // The chart strokes an invisible outline of the line each time, for clicks on it; this is the cheapest one.
         pen.setJoinStyle(Qt::BevelJoin);
         if (series_[i]->pen() != pen) series_[i]->setPen(pen);
-        series_[i]->replace(QList<QPointF>(paths[i].begin(), paths[i].end()));
+        series_[i]->replace(QList<QPointF>(path.begin(), path.end()));
     }
 }
 
@@ -96,6 +98,7 @@ void PlotCanvas::drawBackground(QPainter* painter, const QRectF& rect)
 {
     painter->fillRect(rect, plot_.theme().background);
     PlotPainter(plot_, plot_.theme()).paintBehind(*painter);
+    plot_.stillPicture().paint(*painter, plot_.plotArea());
 }
 
 void PlotCanvas::drawForeground(QPainter* painter, const QRectF& /*rect*/)

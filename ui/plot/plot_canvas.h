@@ -19,6 +19,7 @@ class QValueAxis;
 namespace touchdown {
 
 class PlotWidget;
+struct PlotCurve;
 
 class PlotCanvas : public QGraphicsView {
     Q_OBJECT
@@ -26,8 +27,12 @@ class PlotCanvas : public QGraphicsView {
 public:
     explicit PlotCanvas(PlotWidget* plot);
 
-    /// One line for each path, in the same order; an empty path hides its line.
-    void setPaths(const std::vector<std::vector<QPointF>>& paths);
+    struct Line {
+        const PlotCurve* curve;
+        std::vector<QPointF> path;
+    };
+    /// In the order in which they are drawn; an empty path hides its line. The picture of still curves is below them.
+    void setLines(const std::vector<Line>& lines);
     void setPlotArea(const QRectF& area);
     void setSelection(std::optional<QRectF> box);
     /// Repaints a vertical strip about a cursor only.

@@ -24,7 +24,13 @@ struct PlotCurve {
     bool visible = true;
     bool arrows = false; // of a phase portrait: heads along the line point the way of time
     bool inLegend = true;
-    bool dots = false; // one at each sample: what was computed, and what is a line between
+    bool dots = false;              // one at each sample: what was computed, and what is a line between
+    QString legend = {};            // in the legend; empty: the name
+    bool pale = false;              // thin and faint, behind the others: another curve is the one to look at
+    bool leads = true;              // the automatic ranges are those of the curves that lead
+    bool still = false;             // its data do not grow any more
+    int printDash = 0;              // added to the dash of its style in pictures that are to have dashes
+    std::optional<double> end = {}; // its data will grow up to this x: the range of x does not grow with each sample
 };
 
 /// A horizontal line across the plot: "d_s = 3 nm".

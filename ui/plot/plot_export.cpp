@@ -133,9 +133,11 @@ QString savePicture(const Picture& picture, const QString& path)
     return writeFile(path, [&](QIODevice& device) { write(picture, device); });
 }
 
-QString savePicture(QWidget& shown, const QString& path)
+QString savePicture(QWidget& shown, const QString& path, bool dashes)
 {
-    return savePicture(pictureOf(shown, lightPlotTheme()), path);
+    PlotTheme theme = lightPlotTheme();
+    theme.printDashes = dashes;
+    return savePicture(pictureOf(shown, theme), path);
 }
 
 void copyPicture(QWidget& shown)

@@ -38,8 +38,9 @@ public:
 };
 
 [[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
-/// A PagePart, or a page with every visible PagePart inside it at its place.
-[[nodiscard]] QString savePicture(QWidget& shown, const QString& path);
+/// A PagePart, or a page with every visible PagePart inside it at its place. `dashes`: runs differ in their dashes and
+/// none is pale, for paper without colours.
+[[nodiscard]] QString savePicture(QWidget& shown, const QString& path, bool dashes = false);
 /// Pixels as they are; the ending is that of an image format of Qt.
 [[nodiscard]] QString saveImage(const QImage& image, const QString& path);
 void copyPicture(QWidget& shown);

@@ -9,6 +9,17 @@
 
 namespace touchdown {
 
+namespace {
+
+QFont titleFont(const QFont& text)
+{
+    QFont heavy = text;
+    heavy.setWeight(QFont::DemiBold);
+    return heavy;
+}
+
+} // namespace
+
 QFont plotTextFont(const QFont& font)
 {
     QFont inPixels = font;
@@ -96,17 +107,20 @@ void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool 
     painter.restore();
 }
 
-double PlotFrame::paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const
+void PlotFrame::paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const
 {
-    QFont heavy = textFont;
-    heavy.setWeight(QFont::DemiBold);
-    const QFontMetricsF metrics(heavy);
-    const QString text = metrics.elidedText(title, Qt::ElideRight, width);
+    const QFont heavy = titleFont(textFont);
     painter.setFont(heavy);
     painter.setPen(theme.text);
     painter.drawText(QRectF(area.left(), gap, width, QFontMetricsF(textFont).height()),
-                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, text);
-    return metrics.horizontalAdvance(text);
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                     QFontMetricsF(heavy).elidedText(title, Qt::ElideRight, width));
+}
+
+double PlotFrame::titleWidth(const QString& title, double width) const
+{
+    const QFontMetricsF metrics(titleFont(textFont));
+    return metrics.horizontalAdvance(metrics.elidedText(title, Qt::ElideRight, width));
 }
 
 } // namespace touchdown

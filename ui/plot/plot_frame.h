@@ -39,8 +39,9 @@ struct PlotFrame {
     /// `width` of the widget: no number reaches beyond it. The ticks of x remain without `xNumbers`.
     void paintNumbers(QPainter& painter, const PlotTheme& theme, double width, bool xNumbers = true) const;
     void paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool xTitle = true) const;
-    /// The title above the area, cut to `width`; returns the width that it takes.
-    double paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const;
+    /// The title above the area, cut to `width`.
+    void paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const;
+    double titleWidth(const QString& title, double width) const;
 
     QRectF area;
     QFont textFont;

@@ -80,6 +80,7 @@ void PlotGroup::add(PlotWidget* plot)
     });
     connect(plot, &PlotWidget::menuRequested, this, [this, plot](const QPoint& at) { openMenu(plot, this, at); });
     for (const int which : {0, 1}) plot->setPlotCursor(which, cursor(which));
+    plot->setEverything(everything_);
     if (follow_ == Follow::Frozen)
         showX(xRange_);
     else
@@ -108,6 +109,7 @@ void PlotGroup::followData()
         if (!data) continue;
         range = range ? PlotRange{std::min(range->low, data->low), std::max(range->high, data->high)} : *data;
     }
+    if (firstRange_ && !everything_) range = firstRange_;
     if (!range || !(range->width() > 0.0)) {
         for (PlotWidget* plot : plots_) {
             if (plot->isPhasePortrait()) continue;
@@ -149,14 +151,39 @@ void PlotGroup::fit()
     for (PlotWidget* plot : plots_)
         plot->setView({plot->isPhasePortrait() ? std::nullopt : plot->view().x, std::nullopt});
     changeFollow(Follow::WholeRun);
+    showEverything(true);
+    firstRange_.reset();
     followData();
     record(std::nullopt, nullptr);
+}
+
+void PlotGroup::followNewest()
+{
+    showEverything(false);
+    followData();
+    history_[position_] = state();
+}
+
+void PlotGroup::setFirstRange(std::optional<PlotRange> range)
+{
+    if (firstRange_ == range) return;
+    firstRange_ = range;
+    followData();
+    history_[position_] = state();
+}
+
+void PlotGroup::showEverything(bool everything)
+{
+    everything_ = everything;
+    for (PlotWidget* plot : plots_) plot->setEverything(everything);
 }
 
 void PlotGroup::onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget::Gesture gesture)
 {
     if (!plot->isPhasePortrait()) {
         if (!view.x) {
+            showEverything(true);
+            firstRange_.reset();
             changeFollow(Follow::WholeRun);
             followData();
         } else if (*view.x != xRange_) {
@@ -169,7 +196,7 @@ void PlotGroup::onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget
 
 PlotGroup::State PlotGroup::state() const
 {
-    State now{follow_, follow_ == Follow::Frozen ? std::optional(xRange_) : std::nullopt, {}};
+    State now{follow_, everything_, firstRange_, follow_ == Follow::Frozen ? std::optional(xRange_) : std::nullopt, {}};
     for (const PlotWidget* plot : plots_)
         now.views.emplace_back(plot, PlotView{plot->isPhasePortrait() ? plot->view().x : std::nullopt, plot->view().y});
     return now;
@@ -202,6 +229,8 @@ void PlotGroup::show(const State& state)
         plot->setView({plot->isPhasePortrait() ? same->second.x : plot->view().x, same->second.y});
     }
     changeFollow(state.follow);
+    showEverything(state.everything);
+    firstRange_ = state.first;
     if (state.x)
         showX(*state.x);
     else
@@ -255,7 +284,7 @@ std::vector<CursorReading> PlotGroup::readings() const
             const QString name = same                      ? plot->title()
                                  : plot->title().isEmpty() ? curve.name
                                                            : tr("%1: %2").arg(plot->title(), curve.name);
-            readings.push_back({plot, curve.id, name, curve.style, at(curve, 0), at(curve, 1)});
+            readings.push_back({plot, curve.id, name, curve.style, curve.pale, at(curve, 0), at(curve, 1)});
         }
     }
     return readings;

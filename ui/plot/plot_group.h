@@ -3,9 +3,10 @@
 // Plots that belong together: one time axis, one zoom history, one pair of cursors, and the menu of the right mouse
 // button. The time axis follows the run or is frozen.
 //
-// The group does not own its plots. A plot leaves the group when it is destroyed. Zooming x by hand freezes the axis;
-// fitting follows the whole run again. A phase portrait shares cursors and history and shows the samples within the
-// range of the time axis, but has an x axis of its own.
+// The group does not own its plots. A plot leaves the group when it is destroyed. The axes follow the curves that lead:
+// the newest run. Zooming x by hand freezes the time axis; fitting shows everything, until a new run begins. A phase
+// portrait shares cursors and history and shows the samples within the range of the time axis, but has an x axis of its
+// own.
 #pragma once
 
 #include "ui/plot/plot_widget.h"
@@ -23,6 +24,7 @@ struct CursorReading {
     QString curve; // id
     QString name;  // "Energy: kinetic"; the title of the plot alone where the curve has no other name
     CurveStyle style;
+    bool pale = false;
     std::optional<double> first;  // at cursor 1
     std::optional<double> second; // at cursor 2
 };
@@ -45,7 +47,12 @@ public:
 
     void setFollow(Follow follow);
     Follow follow() const { return follow_; }
-    void fit(); // all x and y follow the data; a step of the history
+    void fit(); // all x and y show all data; a step of the history
+    /// A new run begins: the automatic ranges are again those of the curves that lead.
+    void followNewest();
+    /// What the time axis shows instead of the whole run until it is zoomed or everything is shown.
+    void setFirstRange(std::optional<PlotRange> range);
+    const std::optional<PlotRange>& firstRange() const { return firstRange_; }
 
     bool canGoBack() const { return position_ > 0; }
     bool canGoForward() const { return position_ + 1 < history_.size(); }
@@ -67,6 +74,8 @@ signals:
 private:
     struct State {
         Follow follow = Follow::WholeRun;
+        bool everything = false;
+        std::optional<PlotRange> first;
         std::optional<PlotRange> x;                                // when frozen
         std::vector<std::pair<const PlotWidget*, PlotView>> views; // x only of phase portraits
         bool operator==(const State&) const = default;
@@ -76,6 +85,7 @@ private:
     void followData();
     void showX(const PlotRange& range);
     void changeFollow(Follow follow);
+    void showEverything(bool everything);
     State state() const;
     void show(const State& state);
     void step(std::size_t position);
@@ -83,6 +93,8 @@ private:
 
     std::vector<PlotWidget*> plots_;
     Follow follow_ = Follow::WholeRun;
+    bool everything_ = false;
+    std::optional<PlotRange> firstRange_;
     PlotRange xRange_;
     std::array<std::optional<double>, 2> cursors_;
     std::vector<State> history_;

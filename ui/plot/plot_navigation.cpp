@@ -117,6 +117,7 @@ bool PlotNavigation::move(const QMouseEvent& event)
     const QPointF at = event.position();
     const bool inside = plot_.plotArea().contains(at);
     if (drag_ == Drag::None) {
+        plot_.hoverLegend(at);
         plot_.setCursor(cursorNear(at) ? Qt::SplitHCursor : inside ? Qt::CrossCursor : Qt::ArrowCursor);
         if (plot_.cursorPinned() || plot_.isPhasePortrait()) return true;
         plot_.userCursor(0, inside ? std::optional(plot_.xAxis().valueAt(inArea(at).x())) : std::nullopt);
@@ -238,6 +239,7 @@ bool PlotNavigation::key(const QKeyEvent& event)
 
 void PlotNavigation::leave()
 {
+    plot_.hoverLegend({-1.0, -1.0});
     if (plot_.cursorPinned() || drag_ != Drag::None || plot_.isPhasePortrait()) return;
     plot_.userCursor(0, std::nullopt);
 }

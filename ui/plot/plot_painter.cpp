@@ -9,6 +9,13 @@
 
 namespace touchdown {
 
+namespace {
+
+constexpr double legendSample = 20.0;   // of a line [px]
+constexpr double longestLegend = 170.0; // text of an entry [px]
+
+} // namespace
+
 PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
     : plot_(plot), theme_(theme), area_(plot.plotArea()), frame_(area_, plot.font(), plot.xAxis(), plot.yAxis(), 9)
 {}
@@ -18,16 +25,14 @@ void PlotPainter::paintBehind(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     QColor minor = theme_.grid;
     minor.setAlphaF(0.45F);
-    const auto gridPen = [&](const AxisTick& tick) { return QPen(tick.major ? theme_.grid : minor, 1.0); };
+    // Filled, as smooth lines cost ten times as much.
     for (const AxisTick& tick : frame_.xTicks) {
-        const double x = alignedPixel(frame_.across(plot_.xAxis().position(tick.value)));
-        painter.setPen(gridPen(tick));
-        painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
+        const double x = alignedPixel(frame_.across(plot_.xAxis().position(tick.value))) - 0.5;
+        painter.fillRect(QRectF(x, area_.top(), 1.0, area_.height()), tick.major ? theme_.grid : minor);
     }
     for (const AxisTick& tick : frame_.yTicks) {
-        const double y = alignedPixel(frame_.up(plot_.yAxis().position(tick.value)));
-        painter.setPen(gridPen(tick));
-        painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
+        const double y = alignedPixel(frame_.up(plot_.yAxis().position(tick.value))) - 0.5;
+        painter.fillRect(QRectF(area_.left(), y, area_.width(), 1.0), tick.major ? theme_.grid : minor);
     }
     paintReferenceLines(painter);
     paintShadedAreas(painter);
@@ -51,49 +56,67 @@ void PlotPainter::paintAbove(QPainter& painter) const
     paintPointMarks(painter);
 }
 
-void PlotPainter::paintHeader(QPainter& painter) const
+Legend PlotPainter::legend() const
 {
     constexpr double gap = PlotFrame::gap;
     const QFontMetricsF metrics(frame_.textFont);
     const QRectF row(area_.left(), gap, area_.width(), metrics.height());
-    const double room = row.width() - frame_.paintTitle(painter, theme_, plot_.title(), row.width()) - 3.0 * gap;
+    const double room = row.width() - frame_.titleWidth(plot_.title(), row.width()) - 3.0 * gap;
 
+    const auto textOf = [](const PlotCurve& curve) { return curve.legend.isEmpty() ? curve.name : curve.legend; };
     std::vector<const PlotCurve*> named;
-    for (const PlotCurve& curve : plot_.curves()) {
-        const auto same = [&curve](const PlotCurve* other) {
-            return other->name == curve.name && other->style == curve.style;
+    const auto take = [&](const PlotCurve& curve) {
+        const auto same = [&](const PlotCurve* other) {
+            return textOf(*other) == textOf(curve) && other->style == curve.style;
         };
-        if (curve.visible && curve.inLegend && !curve.name.isEmpty() && curve.name != plot_.title() &&
+        if (curve.visible && curve.inLegend && !textOf(curve).isEmpty() && textOf(curve) != plot_.title() &&
             std::ranges::none_of(named, same))
             named.push_back(&curve);
-    }
-
-    constexpr double sample = 20.0; // of the line [px]
-    const auto widthOf = [&](const PlotCurve& curve) {
-        return sample + gap + metrics.horizontalAdvance(curve.name) + 2.0 * gap;
     };
+    // Runs stand with the newest first, as the oldest may have no room. A raised curve keeps its place, or it would
+    // move away under the pointer.
+    const bool runs = std::ranges::any_of(plot_.curves(), [](const PlotCurve& curve) { return !curve.leads; });
+    for (const PlotCurve& curve : plot_.curves())
+        if (!runs || !curve.legend.isEmpty()) take(curve);
+    for (auto curve = plot_.curves().rbegin(); curve != plot_.curves().rend(); ++curve)
+        if (runs && curve->legend.isEmpty()) take(*curve);
+
     const double moreWidth = metrics.horizontalAdvance(QStringLiteral("+00"));
+    Legend legend;
     double used = 0.0;
-    std::size_t shown = 0;
-    for (; shown < named.size(); ++shown) {
-        const double width = widthOf(*named[shown]);
-        if (used + width + (shown + 1 < named.size() ? moreWidth : 0.0) > room) break;
+    for (std::size_t i = 0; i < named.size(); ++i) {
+        const QString text = metrics.elidedText(textOf(*named[i]), Qt::ElideRight, longestLegend);
+        const double width = legendSample + gap + metrics.horizontalAdvance(text) + 2.0 * gap;
+        if (used + width + (i + 1 < named.size() ? moreWidth : 0.0) > room) break;
+        legend.entries.push_back({named[i], text, QRectF(used, row.top(), width, row.height())});
         used += width;
     }
+    legend.more = named.size() - legend.entries.size();
+    const double left = row.right() - used - (legend.more > 0 ? moreWidth : -2.0 * gap);
+    for (LegendEntry& entry : legend.entries) entry.box.translate(left, 0.0);
+    return legend;
+}
+
+void PlotPainter::paintHeader(QPainter& painter) const
+{
+    constexpr double gap = PlotFrame::gap;
+    frame_.paintTitle(painter, theme_, plot_.title(), area_.width());
     painter.setFont(frame_.textFont);
-    double x = row.right() - used - (shown < named.size() ? moreWidth : -2.0 * gap);
-    for (std::size_t i = 0; i < shown; ++i) {
-        painter.setPen(curvePen(named[i]->style, theme_));
-        painter.drawLine(QPointF(x, row.center().y()), QPointF(x + sample, row.center().y()));
-        painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(x + sample + gap, row.top(), widthOf(*named[i]), row.height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, named[i]->name);
-        x += widthOf(*named[i]);
+    const Legend shown = legend();
+    const QRectF row(area_.left(), gap, area_.width(), QFontMetricsF(frame_.textFont).height());
+    const bool wide = plot_.hasPaleCurves();
+    for (const auto& [curve, text, box] : shown.entries) {
+        const double y = box.center().y();
+        painter.setPen(pathPen(*curve, {}, area_.size(), theme_, wide));
+        painter.drawLine(QPointF(box.left(), y), QPointF(box.left() + legendSample, y));
+        painter.setPen(curve->pale || !wide ? theme_.mutedText : theme_.text);
+        painter.drawText(box.adjusted(legendSample + gap, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
     }
-    if (shown < named.size() && !named.empty()) {
+    if (shown.more > 0 && !plot_.curves().empty()) {
+        const double left = shown.entries.empty() ? area_.left() : shown.entries.back().box.right();
         painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(x, row.top(), moreWidth, row.height()), Qt::AlignRight | Qt::AlignVCenter,
-                         QStringLiteral("+%1").arg(named.size() - shown));
+        painter.drawText(QRectF(left, row.top(), area_.right() - left, row.height()), Qt::AlignRight | Qt::AlignVCenter,
+                         QStringLiteral("+%1").arg(shown.more));
     }
 }
 
@@ -102,11 +125,9 @@ void PlotPainter::paintCurves(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     const auto paths = plot_.curvePaths();
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        painter.setPen(pathPen(plot_.curves()[i], paths[i], area_.size(), theme_));
-        for (QPolygonF piece : insideArea(paths[i])) {
-            for (QPointF& point : piece) point = {frame_.across(point.x()), frame_.up(point.y())};
-            painter.drawPolyline(piece);
-        }
+        if (paths[i].empty()) continue;
+        painter.setPen(pathPen(plot_.curves()[i], paths[i], area_.size(), theme_, plot_.hasPaleCurves()));
+        drawPath(painter, paths[i], area_);
     }
 }
 
@@ -134,7 +155,7 @@ void PlotPainter::paintCursors(QPainter& painter) const
             painter.drawText(tag, Qt::AlignCenter, QString::number(which + 1));
         }
         for (const PlotCurve& curve : plot_.curves()) {
-            if (!curve.visible || curve.data == nullptr) continue;
+            if (!curve.visible || curve.pale || curve.data == nullptr) continue;
             const auto y = curve.data->valueAt(*at);
             const auto x = curve.xData != nullptr ? curve.xData->valueAt(*at) : at;
             if (!x || !y) continue;
@@ -229,7 +250,7 @@ void PlotPainter::paintArrows(QPainter& painter) const
 {
     painter.setPen(Qt::NoPen);
     for (std::size_t i = 0; i < std::min(plot_.curves().size(), plot_.phasePaths().size()); ++i) {
-        if (!plot_.curves()[i].arrows) continue;
+        if (!plot_.curves()[i].arrows || plot_.curves()[i].pale) continue;
         painter.setBrush(theme_.colour(plot_.curves()[i].style));
         for (const PathArrow& arrow : pathArrows(plot_.phasePaths()[i], area_.size())) {
             const QPointF along(arrow.along.x(), -arrow.along.y());

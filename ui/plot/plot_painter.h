@@ -8,6 +8,16 @@
 
 namespace touchdown {
 
+struct LegendEntry {
+    const PlotCurve* curve;
+    QString text; // shortened where it is long
+    QRectF box;   // [px]
+};
+struct Legend {
+    std::vector<LegendEntry> entries; // from left to right
+    std::size_t more = 0;             // that have no room
+};
+
 class PlotPainter {
 public:
     /// Both must outlive the painter.
@@ -19,6 +29,8 @@ public:
     void paintCurves(QPainter& painter) const;
     void paintCursors(QPainter& painter) const;
     void paintSelection(QPainter& painter, const QRectF& box) const;
+    /// Beside the title; the newest run first.
+    Legend legend() const;
 
 private:
     void paintHeader(QPainter& painter) const;

@@ -10,6 +10,7 @@ namespace touchdown {
 namespace {
 
 constexpr PlotRange nearArea{-0.5, 1.5};
+constexpr double wideCurve = 2.0;     // [px]
 constexpr double longestDashed = 8.0; // a longer line is drawn solid [widths of the plot area]
 
 /// Inside the band low <= coordinate <= high the line stays what it is; what lies outside moves onto the border of
@@ -181,11 +182,55 @@ QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPe
     return pen;
 }
 
-QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme)
+QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme,
+             bool wide)
 {
+    if (curve.pale && !theme.printDashes) return palePen(curve.style, theme);
     const bool dashed = pathLength(path, pixels) < longestDashed * pixels.width();
-    const QPen pen = curvePen(curve.style, theme, dashed);
+    const int more = theme.printDashes ? curve.printDash : 0;
+    QPen pen = curvePen({curve.style.colour, curve.style.dash + more}, theme, dashed);
+    if (wide && !theme.printDashes) pen.setWidthF(wideCurve);
     return curve.xData != nullptr ? penThereAndBack(path, pixels, pen) : pen;
+}
+
+std::vector<QPointF> withoutStraightPoints(const std::vector<QPointF>& path, const QSizeF& pixels)
+{
+    // From each point that is kept, all slopes that pass every later point within the tolerance.
+    const double tolerance = 0.1 / std::max(1.0, pixels.height());
+    std::vector<QPointF> kept;
+    if (path.empty()) return kept;
+    kept.push_back(path.front());
+    double low = -HUGE_VAL, high = HUGE_VAL;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto slope = [&](double above) { // to the point, from the last one kept
+            return (path[i].y() + above - kept.back().y()) / (path[i].x() - kept.back().x());
+        };
+        const bool along = path[i].x() > kept.back().x() && slope(0.0) >= low && slope(0.0) <= high;
+        if (!along) {
+            if (i > 1 && kept.back() != path[i - 1]) kept.push_back(path[i - 1]);
+            low = -HUGE_VAL;
+            high = HUGE_VAL;
+        }
+        if (path[i].x() > kept.back().x()) {
+            low = std::max(low, slope(-tolerance));
+            high = std::min(high, slope(tolerance));
+        } else {
+            kept.push_back(path[i]);
+            low = -HUGE_VAL;
+            high = HUGE_VAL;
+        }
+    }
+    if (kept.back() != path.back()) kept.push_back(path.back());
+    return kept;
+}
+
+void drawPath(QPainter& painter, const std::vector<QPointF>& path, const QRectF& area)
+{
+    for (QPolygonF piece : insideArea(path)) {
+        for (QPointF& point : piece)
+            point = {area.left() + point.x() * area.width(), area.bottom() - point.y() * area.height()};
+        painter.drawPolyline(piece);
+    }
 }
 
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels)

@@ -8,6 +8,7 @@
 
 #include <vector>
 
+#include <QPainter>
 #include <QPolygonF>
 
 namespace touchdown {
@@ -35,8 +36,16 @@ std::vector<PathArrow> pathArrows(const std::vector<QPointF>& path, const QSizeF
 QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPen pen);
 
 /// The pen that draws `path`, the line of `curve`: solid where the line is folded many times, as it would be broken
-/// into thousands of invisible dashes.
-QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme);
+/// into thousands of invisible dashes. `wide`: beside pale curves.
+QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme,
+             bool wide = false);
+
+/// A curve over x without the points that lie on a straight line to a tenth of a pixel: smooth and level parts need
+/// few points, and a line costs by their number.
+std::vector<QPointF> withoutStraightPoints(const std::vector<QPointF>& path, const QSizeF& pixels);
+
+/// The parts of `path` inside `area` [px].
+void drawPath(QPainter& painter, const std::vector<QPointF>& path, const QRectF& area);
 
 /// The length of a line [px].
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels);

@@ -34,6 +34,8 @@ PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highli
 
 } // namespace
 
+QColor PlotTheme::paleColour(const CurveStyle& style) const { return mixed(plotArea, colour(style), 0.42); }
+
 PlotTheme lightPlotTheme() { return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0")); }
 
 PlotTheme darkPlotTheme() { return themeFrom(QColor("#1d2024"), QColor("#eef1f4"), QColor("#5aa7ee")); }
@@ -54,6 +56,14 @@ QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed)
         pen.setCapStyle(Qt::FlatCap);
         pen.setDashPattern(dash);
     }
+    return pen;
+}
+
+QPen palePen(const CurveStyle& style, const PlotTheme& theme)
+{
+    QPen pen(theme.paleColour(style), 1.0);
+    pen.setJoinStyle(Qt::BevelJoin); // the cheapest, and none can be seen on a thin line
+    pen.setCapStyle(Qt::FlatCap);
     return pen;
 }
 

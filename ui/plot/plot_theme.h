@@ -3,7 +3,7 @@
 // Colours and dashes of plots, light and dark.
 //
 // The curve colours are those of Okabe and Ito (2008), which the colour-blind can tell apart, darkened or lightened to
-// a contrast of at least 3:1 against the background (WCAG 2.1, 1.4.11). Runs differ in their dash, too.
+// a contrast of at least 3:1 against the background (WCAG 2.1, 1.4.11). Pale curves have less: they stand back.
 #pragma once
 
 #include <QColor>
@@ -31,8 +31,11 @@ struct PlotTheme {
     QColor cursor;
     QColor selection; // the box that is being dragged
     QList<QColor> curves;
+    bool printDashes = false; // curves differ in their dashes, none is pale: for paper without colours
 
     QColor colour(const CurveStyle& style) const { return curves[style.colour % curves.size()]; }
+    /// The same, faint.
+    QColor paleColour(const CurveStyle& style) const;
 };
 
 PlotTheme lightPlotTheme(); // also of everything that is printed
@@ -42,5 +45,8 @@ PlotTheme plotTheme(const QPalette& palette);
 
 /// 1.5 wide. `dashed` false draws a dashed curve solid: a dash says nothing where the line folds within a pixel.
 QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed = true);
+
+/// Thin, faint and solid: for curves behind the one to look at.
+QPen palePen(const CurveStyle& style, const PlotTheme& theme);
 
 } // namespace touchdown

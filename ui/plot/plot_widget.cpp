@@ -18,11 +18,8 @@ namespace touchdown {
 
 namespace {
 
-std::optional<PlotRange> united(const std::optional<PlotRange>& a, const std::optional<PlotRange>& b)
-{
-    if (!a || !b) return a ? a : b;
-    return PlotRange{std::min(a->low, b->low), std::max(a->high, b->high)};
-}
+/// Curves that come are often followed at once by their data, and a short run by its end: one refresh shows it all.
+constexpr int laterRefresh = 50; // [ms]
 
 } // namespace
 
@@ -95,7 +92,25 @@ void PlotWidget::removeCurve(const QString& id)
 void PlotWidget::clearCurves()
 {
     curves_.clear();
+    stillPicture_.forget();
     dataChanged();
+}
+
+void PlotWidget::setCurves(std::vector<PlotCurve> curves)
+{
+    curves_ = std::move(curves);
+    refreshWithin(laterRefresh);
+}
+
+void PlotWidget::updateCurves(const std::function<void(PlotCurve&)>& change)
+{
+    std::ranges::for_each(curves_, change);
+    refreshWithin(laterRefresh);
+}
+
+bool PlotWidget::hasPaleCurves() const
+{
+    return std::ranges::any_of(curves_, [](const PlotCurve& curve) { return curve.visible && curve.pale; });
 }
 
 void PlotWidget::setCurveVisible(const QString& id, bool visible)
@@ -131,10 +146,15 @@ void PlotWidget::setShadedAreas(std::vector<ShadedArea> areas)
 
 void PlotWidget::dataChanged()
 {
+    refreshWithin(16); // 60 Hz at most
+}
+
+void PlotWidget::refreshWithin(int milliseconds)
+{
     stale_ = true;
     if (!isVisible() || refreshTimer_.isActive()) return;
-    // 60 Hz at most, and not more than half of the time of this thread.
-    refreshTimer_.start(static_cast<int>(std::max(16.0, 2000.0 * refreshSeconds_)));
+    // Not more than half of the time of this thread.
+    refreshTimer_.start(std::max(milliseconds, static_cast<int>(2000.0 * refreshSeconds_)));
 }
 
 void PlotWidget::refreshNow()
@@ -144,77 +164,22 @@ void PlotWidget::refreshNow()
     refreshTimer_.stop();
     stale_ = false;
     refreshRanges();
-    std::vector<std::vector<QPointF>> paths = curvePaths();
-    canvas_->setPaths(paths);
+    stillPicture_.update(*this);
     phasePaths_.clear();
-    if (isPhasePortrait()) phasePaths_ = std::move(paths);
+    if (isPhasePortrait()) phasePaths_.resize(curves_.size());
+    // On the screen the curves to look at are above the pale ones.
+    std::vector<PlotCanvas::Line> lines;
+    for (const bool pale : {true, false})
+        for (std::size_t i = 0; i < curves_.size(); ++i) {
+            const PlotCurve& curve = curves_[i];
+            if (curve.pale != pale || (pale && CurvePicture::holds(curve))) continue;
+            lines.push_back({&curve, drawnPath(curve)});
+            if (curve.xData != nullptr) phasePaths_[i] = lines.back().path;
+        }
+    canvas_->setLines(lines);
     canvas_->repaintAll();
     ++refreshes_;
     refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());
-}
-
-void PlotWidget::refreshRanges()
-{
-    if (view_.x) {
-        x_.setRange(*view_.x);
-        view_.x = x_.range();
-    } else if (const auto whole = dataRangeX()) {
-        if (isPhasePortrait()) {
-            const bool cut = mostX_ && whole->low < *mostX_ && whole->high > *mostX_;
-            x_.setRange(
-                autoscaled(cut ? PlotRange{whole->low, *mostX_} : *whole, x_.range(), x_.label.scale, x_.label.factor));
-        } else
-            x_.setRange(whole->width() > 0.0 ? *whole : PlotRange{whole->low, whole->low + x_.label.factor});
-    } else {
-        x_.setRange({x_.logarithmic() ? x_.label.factor : 0.0, 10.0 * x_.label.factor});
-    }
-    if (view_.y) {
-        y_.setRange(*view_.y);
-        view_.y = y_.range();
-    } else if (const auto seen = dataRangeY()) {
-        y_.setRange(autoscaled(*seen, tightY_ ? PlotRange{0.0, 0.0} : y_.range(), y_.label.scale, y_.label.factor));
-        tightY_ = false;
-    } else {
-        y_.setRange({y_.logarithmic() ? y_.label.factor : 0.0, 10.0 * y_.label.factor});
-        tightY_ = true;
-    }
-}
-
-std::optional<PlotRange> PlotWidget::dataRangeX() const
-{
-    std::optional<PlotRange> range;
-    const PlotRange window = timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL});
-    for (const PlotCurve& curve : curves_) {
-        if (!curve.visible || curve.data == nullptr || curve.data->empty()) continue;
-        if (curve.xData != nullptr) {
-            range = united(range, curve.xData->extremes(window.low, window.high));
-            continue;
-        }
-        double first = curve.data->firstTime();
-        if (x_.logarithmic()) { // zero has no place there: from the first sample after it
-            const std::size_t after = curve.data->samplesWithin(-HUGE_VAL, 0.0).second;
-            if (after == curve.data->size()) continue;
-            first = curve.data->time(after);
-        }
-        range = united(range, PlotRange{first, curve.data->lastTime()});
-    }
-    return range;
-}
-
-std::optional<PlotRange> PlotWidget::dataRangeY() const
-{
-    std::optional<PlotRange> range;
-    for (const PlotCurve& curve : curves_) {
-        if (!curve.visible || curve.data == nullptr) continue;
-        const PlotRange within =
-            curve.xData == nullptr ? x_.range() : timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL});
-        auto seen = curve.data->extremes(within.low, within.high);
-        if (curve.xData == nullptr) // where the line enters and leaves, and what shows between two samples
-            for (const double edge : {within.low, within.high})
-                if (const auto value = curve.data->valueAt(edge)) seen = united(seen, PlotRange{*value, *value});
-        range = united(range, seen);
-    }
-    return range;
 }
 
 bool PlotWidget::isPhasePortrait() const
@@ -225,38 +190,31 @@ bool PlotWidget::isPhasePortrait() const
 std::vector<std::vector<QPointF>> PlotWidget::curvePaths() const
 {
     std::vector<std::vector<QPointF>> paths;
-    const QSizeF size = plotArea().size();
-    for (const PlotCurve& curve : curves_) {
-        if (!curve.visible || curve.data == nullptr)
-            paths.emplace_back();
-        else if (curve.xData == nullptr)
-            paths.push_back(timePath(*curve.data, x_, y_, static_cast<int>(size.width())));
-        else
-            paths.push_back(phasePath(*curve.xData, *curve.data, timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL}),
-                                      x_, y_, size));
-    }
+    for (const PlotCurve& curve : curves_) paths.push_back(curvePath(curve));
     return paths;
 }
 
-void PlotWidget::setView(const PlotView& view)
+std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve) const
 {
-    if (view_.y && !view.y) tightY_ = true;
-    view_ = view;
-    refreshRanges(); // the next gesture begins from here; the curves follow
-    dataChanged();
+    if (!curve.visible || curve.data == nullptr) return {};
+    const QSizeF size = plotArea().size();
+    if (curve.xData == nullptr) return timePath(*curve.data, x_, y_, static_cast<int>(size.width()));
+    return phasePath(*curve.xData, *curve.data, timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL}), x_, y_, size);
 }
 
-void PlotWidget::setMostX(std::optional<double> most)
+std::vector<QPointF> PlotWidget::drawnPath(const PlotCurve& curve) const
 {
-    mostX_ = most;
-    dataChanged();
+    return curve.xData == nullptr ? withoutStraightPoints(curvePath(curve), plotArea().size()) : curvePath(curve);
 }
 
-void PlotWidget::setTimeWindow(std::optional<PlotRange> window)
+void PlotWidget::hoverLegend(const QPointF& pixel)
 {
-    if (timeWindow_ == window) return;
-    timeWindow_ = window;
-    dataChanged();
+    QString now;
+    for (const LegendEntry& entry : PlotPainter(*this, theme_).legend().entries)
+        if (entry.box.contains(pixel)) now = entry.curve->id;
+    if (now == hovered_) return;
+    hovered_ = now;
+    emit legendHovered(now);
 }
 
 void PlotWidget::userView(const PlotView& view, Gesture gesture)

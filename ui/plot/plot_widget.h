@@ -18,11 +18,13 @@
 // A plot does not keep the zoom history: the PlotGroup does (a lone plot gets a group of its own).
 #pragma once
 
+#include "ui/plot/curve_picture.h"
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_curve.h"
 #include "ui/plot/plot_export.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 #include <QTimer>
@@ -57,8 +59,16 @@ public:
     void addCurve(const PlotCurve& curve);
     void removeCurve(const QString& id);
     void clearCurves();
+    /// All of them at once.
+    void setCurves(std::vector<PlotCurve> curves);
+    /// Changes how curves are shown; not their data.
+    void updateCurves(const std::function<void(PlotCurve&)>& change);
     void setCurveVisible(const QString& id, bool visible);
     const std::vector<PlotCurve>& curves() const { return curves_; }
+    /// Whether visible curves stand behind others.
+    bool hasPaleCurves() const;
+    /// The pale curves that stand still, as they were drawn last.
+    const CurvePicture& stillPicture() const { return stillPicture_; }
 
     void setReferenceLines(std::vector<ReferenceLine> lines);
     void setEventMarks(std::vector<EventMark> marks);
@@ -78,10 +88,14 @@ public:
     /// Shows this; emits nothing.
     void setView(const PlotView& view);
     const PlotView& view() const { return view_; }
-    /// Range of all visible curves; none without samples. In a phase portrait the range of x, not of time.
+    /// Range of the visible curves that lead, or of all visible ones (see setEverything); none without samples. In a
+    /// phase portrait the range of x, not of time.
     std::optional<PlotRange> dataRangeX() const;
+    /// Automatic ranges are those of all visible curves, not only of those that lead.
+    void setEverything(bool everything);
     /// The part of the history that a phase portrait shows; everything when nothing.
     void setTimeWindow(std::optional<PlotRange> window);
+    const std::optional<PlotRange>& timeWindow() const { return timeWindow_; }
     bool isPhasePortrait() const;
     /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there
     /// are data below.
@@ -104,7 +118,10 @@ public:
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;
-    /// Those of a phase portrait as they were drawn last.
+    std::vector<QPointF> curvePath(const PlotCurve& curve) const;
+    /// The same for the screen, with fewer points.
+    std::vector<QPointF> drawnPath(const PlotCurve& curve) const;
+    /// Those of a phase portrait as they were drawn last, without those of the picture of still curves.
     const std::vector<std::vector<QPointF>>& phasePaths() const { return phasePaths_; }
     const PlotTheme& theme() const { return theme_; }
 
@@ -119,6 +136,8 @@ signals:
     /// The user moved (or took away: valid false) cursor 0 or 1. It is already shown.
     void cursorMoved(int which, bool valid, double x);
     void cursorPinnedChanged(bool pinned);
+    /// The pointer came to the entry of this curve in the legend, or left it: empty.
+    void legendHovered(const QString& curve);
     /// Right click at this place of the screen.
     void menuRequested(const QPoint& at);
 
@@ -130,6 +149,7 @@ protected:
 private:
     friend class PlotNavigation;
 
+    void refreshWithin(int milliseconds);
     void refreshRanges();
     void userView(const PlotView& view, Gesture gesture);
     void userCursor(int which, std::optional<double> x);
@@ -137,6 +157,10 @@ private:
     void repaintCursor(int which);
     void showSelection(std::optional<QRectF> box);
     std::optional<PlotRange> dataRangeY() const;
+    bool anyLeads() const;
+    bool decides(const PlotCurve& curve, bool anyLeads) const;
+    bool hasData() const;
+    void hoverLegend(const QPointF& pixel);
 
     QString title_;
     PlotAxis x_;
@@ -146,6 +170,8 @@ private:
     bool xNumbersVisible_ = true;
     std::vector<PlotCurve> curves_;
     std::vector<std::vector<QPointF>> phasePaths_;
+    CurvePicture stillPicture_;
+    QString hovered_; // id of the curve whose entry of the legend is under the pointer
     std::vector<ReferenceLine> referenceLines_;
     std::vector<EventMark> eventMarks_;
     std::vector<PointMark> pointMarks_;
@@ -157,6 +183,7 @@ private:
     PlotCanvas* canvas_ = nullptr; // owned by Qt as a child
     QTimer refreshTimer_;
     bool stale_ = true;
+    bool everything_ = false;
     bool tightY_ = true;          // the next automatic y range takes no account of the present one
     double refreshSeconds_ = 0.0; // the last refresh took
     long long refreshes_ = 0;

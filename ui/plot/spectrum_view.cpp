@@ -23,6 +23,15 @@ QString squared(const QString& unit)
     return (simple ? unit : u'(' + unit + u')') + QChar(0x00b2);
 }
 
+/// Coarse, so that the axis stays while a run goes.
+double roundedUp(double frequency)
+{
+    const double power = std::pow(10.0, std::floor(std::log10(frequency)));
+    for (const double factor : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0})
+        if (factor * power >= frequency) return factor * power;
+    return 10.0 * power;
+}
+
 void choose(QComboBox* box, const QVariant& data)
 {
     const QSignalBlocker quiet(box);
@@ -99,6 +108,8 @@ SpectrumView::SpectrumView(QWidget* parent)
         label.scale = on ? AxisScale::Logarithmic : AxisScale::Linear;
         plot_->setXLabel(label);
         group_->fit();
+        group_->followNewest();
+        updateMarks();
     });
 }
 
@@ -200,7 +211,13 @@ void SpectrumView::setSpectrum(const QString& id, const QString& name, const Cur
                          tr("%1 kHz").arg(typeset(peak.frequency / kilohertz, decimals)), style});
     }
     peaks_[id] = std::move(marks);
-    plot_->addCurve({id, name, style, samples.get(), nullptr, true});
+    const auto before = std::ranges::find(plot_->curves(), id, &PlotCurve::id);
+    PlotCurve curve = before == plot_->curves().end() ? PlotCurve{} : *before;
+    curve.id = id;
+    curve.name = name;
+    curve.style = style;
+    curve.data = samples.get();
+    plot_->addCurve(curve);
     spectra_[id] = std::move(samples); // the curve points to the new data by now
     updateMarks();
     group_->dataChanged();
@@ -223,11 +240,28 @@ void SpectrumView::clear()
     updateMarks();
 }
 
+void SpectrumView::updateCurves(const std::function<void(PlotCurve&)>& change)
+{
+    plot_->updateCurves(change);
+    updateMarks();
+    group_->dataChanged();
+}
+
 void SpectrumView::updateMarks()
 {
     std::vector<PointMark> marks;
-    for (const auto& [id, ofOne] : peaks_) marks.insert(marks.end(), ofOne.begin(), ofOne.end());
+    double last = 0.0; // peak that stands out [Hz]
+    for (const PlotCurve& curve : plot_->curves()) {
+        const auto found = peaks_.find(curve.id);
+        if (!curve.visible || !curve.leads || found == peaks_.end()) continue;
+        for (const PointMark& mark : found->second) last = std::max(last, mark.x);
+        marks.insert(marks.end(), found->second.begin(), found->second.end());
+    }
     plot_->setPointMarks(std::move(marks));
+    const bool linear = !plot_->xAxis().logarithmic();
+    if (!spectra_.empty())
+        group_->setFirstRange(last > 0.0 && linear ? std::optional(PlotRange{0.0, roundedUp(1.25 * last)})
+                                                   : std::nullopt);
 }
 
 } // namespace touchdown

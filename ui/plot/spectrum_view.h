@@ -2,6 +2,7 @@
 //
 // Power spectra of one quantity of several runs, with the choices of Welch's method above them.
 //
+// The frequency axis ends a little above the last peak that stands out, until the user zooms or asks for everything.
 // The view computes nothing: connect `requested`, compute (on any thread), and hand the result to setSpectrum().
 // Power that is zero, negative or not finite is left out.
 #pragma once
@@ -37,6 +38,10 @@ public:
                      const std::vector<Peak>& peaks = {});
     void removeSpectrum(const QString& id);
     void clear();
+
+    /// Changes how spectra are shown: name, pale or not, shown at all. Peaks and the automatic range of frequency are
+    /// those of the curves that lead.
+    void updateCurves(const std::function<void(PlotCurve&)>& change);
 
     PlotWidget* plot() const { return plot_; }
     PlotGroup* group() const { return group_; }

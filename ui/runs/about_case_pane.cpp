@@ -160,10 +160,11 @@ QString resultText(const RunRecord& run)
         text += QLatin1Char('.');
     } else if (summary.status == RunStatus::Completed) {
         QStringList ends;
-        const bool film = run.value.model == ModelKind::Film;
-        for (const auto& [name, words] : {film ? std::pair("minimum_spacing", AboutCasePane::tr("minimum spacing %1"))
-                                               : std::pair("flying_height", AboutCasePane::tr("flying height %1")),
-                                          std::pair("pitch", AboutCasePane::tr("pitch %1")),
+        if (const std::optional<EndHeight> end = endHeight(run))
+            ends << (run.value.model == ModelKind::Film ? AboutCasePane::tr("minimum spacing %1")
+                                                        : AboutCasePane::tr("flying height %1"))
+                        .arg(readout(end->value, *end->quantity));
+        for (const auto& [name, words] : {std::pair("pitch", AboutCasePane::tr("pitch %1")),
                                           std::pair("net_contact_force", AboutCasePane::tr("net contact force %1"))}) {
             const std::optional<double> value = run.last(name);
             if (!value || (*value == 0.0 && std::string_view(name) == "net_contact_force")) continue;

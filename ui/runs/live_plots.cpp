@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include <QRegularExpression>
+
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
@@ -145,6 +147,7 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
         }
         plot->setYLabel({{}, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
         group_->add(plot);
+        connect(plot, &PlotWidget::legendHovered, this, &LivePlots::raise);
         layout_->addWidget(plot, spec.against ? 3 : 1);
         auto* wanted = new QAction(tr(spec.title), this);
         wanted->setCheckable(true);
@@ -158,11 +161,16 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
 
     connect(&runs_, &RunsModel::added, this, [this] {
         rebuild();
+        group_->followNewest();
         group_->forgetHistory();
     });
     connect(&runs_, &RunsModel::aboutToRemove, this, &LivePlots::removeRun);
     connect(&runs_, &RunsModel::shownChanged, this, &LivePlots::rebuild);
+    connect(&runs_, &RunsModel::speakerChanged, this, &LivePlots::rebuild);
+    connect(&runs_, &RunsModel::namesChanged, this, &LivePlots::rebuild);
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
+        noteHiddenCurves();
+        for (const Entry& entry : entries_) entry.plot->clearCurves();
         differences_.clear();
         const int baseline = runs_.baseline();
         for (std::size_t s = 0; s < specs().size(); ++s) {
@@ -172,7 +180,15 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
         }
         rebuild();
         group_->fit();
+        group_->followNewest();
     });
+}
+
+void LivePlots::raise(const QString& curve)
+{
+    static const QRegularExpression id(QStringLiteral("^run (\\d+)/"));
+    const QRegularExpressionMatch found = id.match(curve);
+    runs_.raise(found.hasMatch() ? found.captured(1).toInt() : -1);
 }
 
 const LivePlots::Entry& LivePlots::entry(const QString& name) const
@@ -200,13 +216,13 @@ void LivePlots::setCase(const Case& c)
 void LivePlots::dataArrived(int number)
 {
     const RunRecord* run = runs_.find(number);
-    if (run && run == newestShown() && run->events.size() != marksShown_) updateMarks();
+    if (run && run == runs_.newestShown() && run->events.size() != marksShown_) updateMarks();
     group_->dataChanged();
 }
 
 void LivePlots::runFinished(int number)
 {
-    if (runs_.baseline() >= 0 && runs_.baseline() != number) rebuild();
+    if ((runs_.baseline() >= 0 && runs_.baseline() != number) || number != leader_) rebuild();
     updateMarks();
     group_->dataChanged();
 }
@@ -229,32 +245,37 @@ void LivePlots::removeRun(int number)
 void LivePlots::rebuild()
 {
     noteHiddenCurves();
+    const RunRecord* newest = runs_.newestShown();
+    leader_ = newest ? newest->number : -1;
+    speaker_ = runs_.speaker();
     drawn_.clear();
-    for (int row = 0; row < runs_.count(); ++row) {
-        addCurves(runs_.record(row));
+    for (int row = 0; row < runs_.count(); ++row)
         if (runs_.record(row).shown) drawn_.insert(runs_.record(row).number);
-    }
+    for (std::size_t s = 0; s < specs().size(); ++s) entries_[s].plot->setCurves(curvesOf(s));
     updateMarks();
     updateVisibility();
     emit curvesChanged();
     group_->dataChanged();
 }
 
-void LivePlots::addCurves(const RunRecord& run)
+std::vector<PlotCurve> LivePlots::curvesOf(std::size_t s)
 {
-    for (std::size_t s = 0; s < specs().size(); ++s) {
-        const Spec& spec = specs()[s];
+    const Spec& spec = specs()[s];
+    std::vector<PlotCurve> curves;
+    for (int row = 0; row < runs_.count(); ++row) {
+        const RunRecord& run = runs_.record(row);
         for (std::size_t i = 0; i < spec.curves.size(); ++i) {
-            PlotCurve curve = curveOf(run, s, i);
             // A curve of force against separation has no difference to a baseline.
-            curve.data = spec.against ? run.pyramid(spec.curves[i].quantity) : dataFor(run, spec.curves[i].quantity);
-            curve.xData = spec.against ? run.pyramid(spec.against) : nullptr;
-            if (!curve.data || (spec.against && !curve.xData))
-                entries_[s].plot->removeCurve(curve.id);
-            else
-                entries_[s].plot->addCurve(curve);
+            const std::string quantity = spec.curves[i].quantity;
+            const MinMaxPyramid* up = spec.against ? run.pyramid(quantity) : dataFor(run, quantity);
+            const MinMaxPyramid* across = spec.against ? run.pyramid(spec.against) : nullptr;
+            if (!up || (spec.against && !across)) continue;
+            curves.push_back(curveOf(run, s, i));
+            curves.back().data = up;
+            curves.back().xData = across;
         }
     }
+    return curves;
 }
 
 PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t index) const
@@ -267,11 +288,16 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     const bool whole = run.value.model == ModelKind::Film && std::string_view(wanted.quantity) == "energy";
     const QString name = whole ? tr("Total") : tr(wanted.name);
     curve.name = name;
-    if (runs_.count() > 1)
-        curve.name = single ? tr("Run %1").arg(run.number) : tr("%1, run %2").arg(name).arg(run.number);
+    if (runs_.count() > 1) curve.name = single ? run.label : tr("%1, %2").arg(name, run.label);
+    if (!single) curve.legend = name;
+    curve.pale = run.number != speaker_;
+    curve.leads = run.number == leader_;
+    curve.still = run.finished();
+    curve.inLegend = single || !curve.pale;
+    if (!run.finished()) curve.end = run.value.run.duration;
     curve.style = RunsModel::style(run);
-    if (!single)
-        curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, curve.style.dash + wanted.dash};
+    curve.printDash = run.number - 1;
+    if (!single) curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, wanted.dash};
     const auto chosen =
         wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));
     // Without adhesion the net force is the contact force.
@@ -309,7 +335,7 @@ const MinMaxPyramid* LivePlots::dataFor(const RunRecord& run, const std::string&
 
 void LivePlots::updateVisibility()
 {
-    const bool anyShown = newestShown() != nullptr;
+    const bool anyShown = runs_.newestShown() != nullptr;
     PlotWidget* lowest = nullptr;
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         const Entry& entry = entries_[s];
@@ -326,13 +352,6 @@ void LivePlots::updateVisibility()
     }
     for (std::size_t s = 0; s < entries_.size(); ++s)
         entries_[s].plot->setXNumbersVisible(entries_[s].plot == lowest || specs()[s].against);
-}
-
-const RunRecord* LivePlots::newestShown() const
-{
-    for (int row = runs_.count() - 1; row >= 0; --row)
-        if (runs_.record(row).shown) return &runs_.record(row);
-    return nullptr;
 }
 
 } // namespace touchdown

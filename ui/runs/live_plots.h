@@ -3,8 +3,10 @@
 // The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which
 // quantities go in which plot.
 //
-// A plot with one quantity distinguishes runs by colour and dash; a plot with several distinguishes quantities by
-// colour and runs by dash. With a baseline, every other run is shown as its difference from it.
+// One run speaks, the others whisper: the newest run, or the one under the pointer in a legend or in the list, is wide
+// and above the others, which are thin and pale. The automatic ranges are those of the newest run. A plot with one
+// quantity distinguishes runs by colour, a plot with several distinguishes quantities by colour. With a baseline, every
+// other run is shown as its difference from it.
 #pragma once
 
 #include <QAction>
@@ -63,14 +65,14 @@ private:
 
     void removeRun(int number);
     void rebuild();
-    void addCurves(const RunRecord& run);
+    std::vector<PlotCurve> curvesOf(std::size_t spec);
     PlotCurve curveOf(const RunRecord& run, std::size_t spec, std::size_t curve) const;
+    void raise(const QString& curve);
     void noteHiddenCurves();
     const MinMaxPyramid* dataFor(const RunRecord& run, const std::string& quantity);
     void updateMarks();
     std::vector<PointMark> eventPoints(const RunRecord& run) const;
     void updateVisibility();
-    const RunRecord* newestShown() const;
 
     RunsModel& runs_;
     PlotGroup* group_;
@@ -80,6 +82,8 @@ private:
     std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
     std::vector<Entry> entries_;
     std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
+    int speaker_ = -1;                   // number of the run that was wide when curves were last made
+    int leader_ = -1;                    // of the newest one shown
     std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made
     std::map<std::string, bool> wanted_; // by plot and quantity: what the user chose in the menus of the plots
     std::size_t marksShown_ = 0;

@@ -43,7 +43,7 @@ ShadedArea cycleArea(const OnoYamane& parameters)
 
 void LivePlots::updateMarks()
 {
-    const RunRecord* run = newestShown();
+    const RunRecord* run = runs_.newestShown();
     std::vector<EventMark> marks;
     std::vector<ReferenceLine> spacing;
     std::vector<ReferenceLine> pitch;

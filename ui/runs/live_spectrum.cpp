@@ -21,6 +21,14 @@ constexpr int costShare = 20; // rest this many times as long as the last comput
 
 QString idOf(int number) { return QStringLiteral("run %1").arg(number); }
 
+/// -1: of no run.
+int numberOf(const QString& id)
+{
+    bool is = false;
+    const int number = id.mid(4).toInt(&is);
+    return is ? number : -1;
+}
+
 } // namespace
 
 LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent)
@@ -36,6 +44,7 @@ LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent)
     connect(view_, &SpectrumView::requested, this, &LiveSpectrum::recomputeAll);
     connect(&runs_, &RunsModel::added, this, [this](int number) {
         const RunRecord& run = *runs_.find(number);
+        view_->group()->followNewest();
         if (run.finished()) dataArrived(number); // read from a file: nothing more will arrive
         const std::vector<Quantity>& quantities = run.quantities;
         const auto names = [](const std::vector<Quantity>& list) {
@@ -51,14 +60,18 @@ LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent)
     });
     connect(&runs_, &RunsModel::aboutToRemove, this, [this](int number) {
         stale_.erase(number);
+        whole_.erase(number);
+        kept_.erase(number);
         view_->removeSpectrum(idOf(number));
     });
+    connect(&runs_, &RunsModel::rowsRemoved, this, &LiveSpectrum::restyle);
     connect(&runs_, &RunsModel::shownChanged, this, [this](int number, bool shown) {
-        if (shown)
-            runFinished(number);
-        else
-            view_->removeSpectrum(idOf(number));
+        if (shown && !whole_.contains(number)) runFinished(number);
+        restyle();
     });
+    connect(&runs_, &RunsModel::speakerChanged, this, &LiveSpectrum::restyle);
+    connect(&runs_, &RunsModel::namesChanged, this, &LiveSpectrum::restyle);
+    connect(view_->plot(), &PlotWidget::legendHovered, this, [this](const QString& id) { runs_.raise(numberOf(id)); });
 }
 
 void LiveSpectrum::setOptionsOf(const Case& c) { view_->setOptions(welchOptions(c.spectrum, c.run.sampleInterval)); }
@@ -72,7 +85,11 @@ void LiveSpectrum::dataArrived(int number)
 void LiveSpectrum::runFinished(int number)
 {
     stale_.insert(number);
-    computeStale();
+    const qint64 rest = last_.isValid() ? gentleInterval - last_.elapsed() : 0;
+    if (rest <= 0)
+        computeStale();
+    else
+        timer_.start(static_cast<int>(rest));
 }
 
 void LiveSpectrum::showEvent(QShowEvent* event)
@@ -84,6 +101,7 @@ void LiveSpectrum::showEvent(QShowEvent* event)
 void LiveSpectrum::recomputeAll()
 {
     view_->clear();
+    whole_.clear();
     for (int row = 0; row < runs_.count(); ++row) stale_.insert(runs_.record(row).number);
     computeStale();
 }
@@ -95,9 +113,12 @@ void LiveSpectrum::computeStale()
     timer_.stop();
     QElapsedTimer clock;
     clock.start();
+    const long long before = computed_;
     for (const int number : stale_)
         if (const RunRecord* run = runs_.find(number); run && run->shown) compute(*run);
     stale_.clear();
+    restyle();
+    if (computed_ > before) last_.start();
     timer_.setInterval(std::max(gentleInterval, costShare * static_cast<int>(clock.elapsed())));
 }
 
@@ -105,14 +126,47 @@ void LiveSpectrum::compute(const RunRecord& run)
 {
     const std::string quantity = view_->quantity().toStdString();
     const WelchOptions options = view_->options();
+    const auto show = [&](const Spectrum& spectrum, const std::vector<Peak>& peaks) {
+        view_->setSpectrum(idOf(run.number), run.label, RunsModel::style(run), spectrum, peaks);
+        if (run.finished()) whole_.insert(run.number);
+    };
+    const auto [first, last] = kept_.equal_range(run.number);
+    for (auto kept = first; kept != last; ++kept)
+        if (kept->second.quantity == quantity && kept->second.options == options)
+            return show(kept->second.spectrum, kept->second.peaks);
     // During a long run the spectrum is that of its newest part, at the end that of the whole run.
     const double recent = run.lastTime() - mostLiveSamples * run.value.run.sampleInterval;
     const double start = run.finished() ? run.value.spectrum.start : std::max(run.value.spectrum.start, recent);
-    const Spectrum spectrum = spectrumOf(run, quantity, options, start);
+    Spectrum spectrum = spectrumOf(run, quantity, options, start);
+    ++computed_;
     if (spectrum.empty()) return;
-    const bool newest = runs_.record(runs_.count() - 1).number == run.number;
-    view_->setSpectrum(idOf(run.number), tr("Run %1").arg(run.number), RunsModel::style(run), spectrum,
-                       newest ? findPeaks(spectrum, options.scaling) : std::vector<Peak>{});
+    const std::vector<Peak> peaks = findPeaks(spectrum, options.scaling);
+    show(spectrum, peaks);
+    if (run.finished()) kept_.emplace(run.number, Kept{quantity, options, std::move(spectrum), peaks});
+}
+
+/// Until the newest run has a spectrum, the one before it leads.
+void LiveSpectrum::restyle()
+{
+    const auto has = [this](int number) {
+        return std::ranges::find(view_->plot()->curves(), idOf(number), &PlotCurve::id) !=
+               view_->plot()->curves().end();
+    };
+    int leader = -1;
+    for (int row = runs_.count() - 1; row >= 0 && leader < 0; --row)
+        if (runs_.record(row).shown && has(runs_.record(row).number)) leader = runs_.record(row).number;
+    const int speaker = has(runs_.speaker()) ? runs_.speaker() : leader;
+    view_->updateCurves([&](PlotCurve& curve) {
+        const int number = numberOf(curve.id);
+        const RunRecord* run = runs_.find(number);
+        if (!run) return;
+        curve.name = run->label;
+        curve.visible = run->shown;
+        curve.pale = number != speaker;
+        curve.leads = number == leader;
+        curve.still = whole_.contains(number);
+        curve.printDash = number - 1;
+    });
 }
 
 } // namespace touchdown

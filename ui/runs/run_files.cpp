@@ -77,7 +77,7 @@ void RunFiles::choosePicture()
     askAndSave(&window_, tr("Export the plots"),
                {tr("PNG picture (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
                QStringLiteral("touchdown.png"),
-               [this](const QString& file) { return reported(savePicture(page_, file), file); });
+               [this](const QString& file) { return reported(savePicture(page_, file, dashes_), file); });
 }
 
 QString RunFiles::reported(const QString& problem, const QString& file)
@@ -91,7 +91,7 @@ QString RunFiles::reported(const QString& problem, const QString& file)
 
 QString suggestedName(const RunRecord& run)
 {
-    QString name = run.name.left(40).toLower();
+    QString name = (run.label.isEmpty() ? run.name : run.label).left(40).toLower();
     name.replace(QRegularExpression(QStringLiteral("[^a-z0-9]+")), QStringLiteral("-"));
     return QStringLiteral("run%1-%2").arg(run.number).arg(name).remove(QRegularExpression(QStringLiteral("-+$")));
 }

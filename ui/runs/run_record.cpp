@@ -85,6 +85,15 @@ std::optional<double> RunRecord::last(std::string_view quantity) const
     return column->value(column->size() - 1);
 }
 
+std::optional<EndHeight> endHeight(const RunRecord& run)
+{
+    const char* name = run.value.model == ModelKind::Film ? "minimum_spacing" : "flying_height";
+    const int index = findQuantity(run.quantities, name);
+    const std::optional<double> value = run.last(name);
+    if (!value || run.value.model == ModelKind::Contact) return std::nullopt;
+    return EndHeight{&run.quantities[static_cast<std::size_t>(index)], *value};
+}
+
 bool RunRecord::fieldsComplete() const
 {
     return std::ranges::all_of(fields, [](const FieldHistory& history) { return history.stride == 1; });

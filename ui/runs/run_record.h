@@ -61,6 +61,7 @@ struct RunRecord : ListedRecord {
     SampleBatch samples() const;
     double lastTime() const; // [s]
 
+    QString label; // what changed: "FH(0) 20 nm"; see RunsModel
     std::string caseText;
     std::vector<Quantity> quantities;
     std::deque<MinMaxPyramid> columns; // in the order of `quantities`
@@ -71,6 +72,14 @@ struct RunRecord : ListedRecord {
     bool fromFile = false;    // it holds only a part of what its file does: no events, no figures
     bool interrupted = false; // read from a file whose writer was killed
 };
+
+/// Where a run ended: the flying height on springs, the minimum spacing on a film. The list of runs, the message and
+/// the card show the same number.
+struct EndHeight {
+    const Quantity* quantity;
+    double value; // [m]
+};
+std::optional<EndHeight> endHeight(const RunRecord& run);
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem);

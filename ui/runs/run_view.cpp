@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
+#include "core/case_files/case_file.h"
 #include "core/simulation/run.h"
 #include "ui/disk/disk_surface_view.h"
 #include "ui/plot/plot_group.h"
@@ -14,6 +15,12 @@
 #include "ui/runs/side_view.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr double firstPart = 0.3e-3; // of the default case [s]: it is at rest after a sixth of its 2 ms
+
+} // namespace
 
 RunView::RunView(RunsModel& runs, QWidget* parent)
     : QWidget(parent),
@@ -64,6 +71,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
 void RunView::setCase(const Case& c)
 {
     model_ = c.model;
+    if (c.run.duration != openedDuration_) plots_->group()->setFirstRange(std::nullopt);
     // Finding the contact patches of a film in recordedFields() is too slow for each key press.
     const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
     const bool disk = findParameter("disk.surface.kind")->used(c);
@@ -76,6 +84,13 @@ void RunView::setCase(const Case& c)
     plots_->setCase(c);
     disk_->setCase(c);
     showSpectrum();
+}
+
+void RunView::opened(const QString& sample, const Case& c)
+{
+    const bool first = sample == QLatin1String(defaultCaseName);
+    openedDuration_ = first ? c.run.duration : 0.0;
+    plots_->group()->setFirstRange(first ? std::optional(PlotRange{0.0, firstPart}) : std::nullopt);
 }
 
 void RunView::showSpectrum() { spectrum_->setVisible(spectrumWanted_->isChecked() && model_ != ModelKind::Contact); }

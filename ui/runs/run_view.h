@@ -35,6 +35,9 @@ public:
     void setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
     void fit();
+    /// A case was opened, with its name among the sample cases or none. The plots of the default case begin with the
+    /// part of the run in which it bounces.
+    void opened(const QString& sample, const Case& c);
 
     LivePlots* plots() const { return plots_; }
     LiveSpectrum* spectrum() const { return spectrum_; }
@@ -50,6 +53,7 @@ private:
     void showSpectrum();
 
     ModelKind model_ = ModelKind::Springs;
+    double openedDuration_ = 0.0; // of the default case, while its first part is shown [s]
     LivePlots* plots_;
     LiveSpectrum* spectrum_;
     SideView* side_;

@@ -30,6 +30,7 @@ RunWindow::RunWindow(QWidget* parent)
     connect(&controller_, &RunController::recordingFailed, this, [this] { runs_.setFile(number_, {}); });
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
     connect(panel_, &RecordPanel::recordChosen, view_->maps(), &RunMaps::showRun);
+    connect(panel_, &RecordPanel::recordHovered, &runs_, &RunsModel::raise);
     connect(panel_, &RecordPanel::recordChosen, view_->side(), &SideView::showRun);
 }
 
@@ -50,7 +51,7 @@ void RunWindow::add(const RunRequest& request)
 {
     // Another model has other quantities over another time.
     for (int row = 0; row < runs_.count(); ++row)
-        if (runs_.record(row).shown && (!panel_->overlay() || runs_.record(row).value.model != request.value.model))
+        if (runs_.record(row).shown && runs_.record(row).value.model != request.value.model)
             runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
     auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
                                               recordedQuantities(request.value), recordedFields(request.value));
@@ -59,7 +60,6 @@ void RunWindow::add(const RunRequest& request)
     panel_->setActive(number_);
     view_->spectrum()->setOptionsOf(request.value);
     emit started(number_);
-    if (view_->plots()->group()->follow() != PlotGroup::Follow::Frozen) view_->plots()->group()->fit();
 }
 
 void RunWindow::onDelivered(const RunDelivery& delivery)

@@ -1,16 +1,97 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/runs_model.h"
 
+#include <algorithm>
+
 #include "ui/case/parameter_text.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
+namespace {
+
+constexpr qsizetype mostInLabel = 2; // changes
+
+/// "Fig. 10 (a)" of "Fig. 10 (a): a 7 nm slider dropped from 250 nm".
+QString headOf(const std::string& title)
+{
+    const QString text = QString::fromStdString(title);
+    const qsizetype colon = text.indexOf(QLatin1String(": "));
+    return colon > 0 ? text.left(colon) : text;
+}
+
+} // namespace
+
+RunsModel::RunsModel(QObject* parent) : RecordList(parent)
+{
+    // Before the plots hear of it: they show the names.
+    connect(this, &RecordList::baselineChanged, this, &RunsModel::relabel);
+    connect(this, &RecordList::shownChanged, this, [this] {
+        if (count() > 0) emit dataChanged(index(0), index(count() - 1), {SpeaksRole});
+    });
+}
+
 RunRecord& RunsModel::add(std::unique_ptr<RunRecord> record)
 {
+    record->label = labelOf(*record);
     return static_cast<RunRecord&>(addRecord(std::move(record)));
 }
+
+QString RunsModel::labelOf(const RunRecord& run) const
+{
+    const RunRecord* base = nullptr;
+    for (int row = 0; row < count() && !base; ++row)
+        if (record(row).value.title == run.value.title) base = &record(row);
+    if (const RunRecord* chosen = find(baseline()); chosen && chosen->value.title == run.value.title) base = chosen;
+    if (!base || base->number == run.number)
+        return run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
+    const QStringList changes = shortDifference(base->value, run.value);
+    if (changes.isEmpty()) return tr("run %1, as run %2").arg(run.number).arg(base->number);
+    QString text = changes.first(std::min(mostInLabel, changes.size())).join(QStringLiteral(", "));
+    if (changes.size() > mostInLabel) text += QStringLiteral(" +%1").arg(changes.size() - mostInLabel);
+    return text;
+}
+
+void RunsModel::relabel()
+{
+    for (int row = 0; row < count(); ++row) {
+        auto& run = static_cast<RunRecord&>(changeable(row));
+        run.label = labelOf(run);
+    }
+    if (count() > 0) emit dataChanged(index(0), index(count() - 1), {Qt::DisplayRole, ChangesRole});
+    emit namesChanged();
+}
+
+const RunRecord* RunsModel::newestShown() const
+{
+    for (int row = count() - 1; row >= 0; --row)
+        if (record(row).shown) return &record(row);
+    return nullptr;
+}
+
+int RunsModel::speaker() const
+{
+    const RunRecord* raised = find(raised_);
+    if (raised && raised->shown) return raised_;
+    const RunRecord* newest = newestShown();
+    return newest ? newest->number : -1;
+}
+
+void RunsModel::raise(int number)
+{
+    const int before = speaker();
+    raised_ = number;
+    if (speaker() == before) return;
+    if (count() > 0) emit dataChanged(index(0), index(count() - 1), {SpeaksRole});
+    emit speakerChanged();
+}
+
+QString RunsModel::shownName(int row) const { return record(row).label; }
+
+CurveStyle RunsModel::shownStyle(int row) const { return style(record(row)); }
+
+bool RunsModel::speaks(int row) const { return record(row).number == speaker(); }
 
 void RunsModel::append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events,
                        const std::vector<FieldSnapshot>& fields)
@@ -58,10 +139,9 @@ QString RunsModel::result(int row) const
     if (run.summary->status != RunStatus::Completed) return status;
     for (const RunFigure& figure : run.summary->figures)
         if (figure.quantity.name == "largest_contact_force")
-            return figure.value > 0.0 ? forceText(figure.value) : tr("no contact");
-    const int index = findQuantity(run.quantities, "flying_height");
-    const std::optional<double> height = run.last("flying_height");
-    return height ? readout(*height, run.quantities[static_cast<std::size_t>(index)]) : status;
+            return figure.value > 0.0 ? tr("largest force %1").arg(forceText(figure.value)) : tr("no contact");
+    const std::optional<EndHeight> end = endHeight(run);
+    return end ? tr("ends at %1").arg(readout(end->value, *end->quantity)) : status;
 }
 
 bool RunsModel::failed(int row) const
@@ -73,7 +153,11 @@ bool RunsModel::failed(int row) const
 QStringList RunsModel::details(int row) const
 {
     const RunRecord& run = record(row);
-    QStringList lines{tr("Samples: %L1").arg(run.sampleCount())};
+    QStringList lines;
+    if (const std::optional<EndHeight> end = endHeight(run); end && run.summary)
+        lines << tr("%1 at the end: %2")
+                     .arg(QString::fromStdString(end->quantity->longName), readout(end->value, *end->quantity));
+    lines << tr("Samples: %L1").arg(run.sampleCount());
     if (run.summary) lines << QString::fromStdString(run.summary->message);
     return lines;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The runs of this session: newest last, each with what changed since the run before it.
+//
+// A run has a short name by what it changes in the baseline, or else in the first run of the same case: "FH(0) 20 nm".
+// One run speaks, the others are pale: the newest that is shown, or the one that is raised.
 #pragma once
 
 #include "ui/lists/record_list.h"
@@ -17,7 +20,10 @@ class RunsModel : public RecordList {
     Q_OBJECT
 
 public:
-    using RecordList::RecordList;
+    explicit RunsModel(QObject* parent = nullptr);
+
+    /// One colour each; runs do not differ in dashes.
+    static CurveStyle style(const ListedRecord& record) { return {record.number - 1, 0}; }
 
     RunRecord& add(std::unique_ptr<RunRecord> record);
     void append(int number, const SampleBatch& batch, const std::vector<RunEvent>& events,
@@ -28,12 +34,34 @@ public:
     RunRecord* find(int number);
     const RunRecord* find(int number) const;
 
+    /// The newest run that is shown; nullptr: none is.
+    const RunRecord* newestShown() const;
+    /// Number of the run that speaks; -1: none is shown.
+    int speaker() const;
+    /// Raises a shown run above the newest one for a while; -1: none.
+    void raise(int number);
+
+signals:
+    /// Another run speaks.
+    void speakerChanged();
+    void namesChanged();
+
 protected:
     QString changes(int row) const override;
     QString result(int row) const override;
     bool failed(int row) const override;
     QStringList details(int row) const override;
     QString kind() const override { return tr("Run"); }
+    QString shownName(int row) const override;
+    CurveStyle shownStyle(int row) const override;
+    void onRemoved() override { relabel(); }
+    bool speaks(int row) const override;
+
+private:
+    QString labelOf(const RunRecord& run) const;
+    void relabel();
+
+    int raised_ = -1;
 };
 
 } // namespace touchdown

@@ -159,6 +159,7 @@ void MainWindow::onCaseOpened()
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
     film_->open(edits_->value());
+    runs_->view()->opened(files_->sample(), edits_->value());
     runs_->view()->spectrum()->setOptionsOf(edits_->value());
     messages_->clear();
     updateTitle();

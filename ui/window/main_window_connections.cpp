@@ -75,6 +75,7 @@ void MainWindow::connectFiles()
     connect(actions_->exportCsv, &QAction::triggered, this,
             [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
     connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
+    connect(actions_->printDashes, &QAction::toggled, runFiles_, &RunFiles::setDashes);
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
     connect(files_, &CaseFiles::saved, this, [this] {

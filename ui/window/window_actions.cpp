@@ -81,6 +81,9 @@ void WindowActions::buildFile(QMainWindow& window)
     exportCsv = add(menu, tr("Export run as CS&V…"));
     exportPage = add(menu, tr("Export &plots…"), QKeySequence(Qt::CTRL | Qt::Key_E), {},
                      tr("Export all plots as PNG, SVG or PDF"));
+    printDashes = add(menu, tr("&Dashes in exported plots"), {}, {},
+                      tr("Runs differ in their dashes in exported plots and none is pale: for paper without colours"));
+    printDashes->setCheckable(true);
     menu->addSeparator();
     buildSessions(menu->addMenu(tr("Sess&ions")));
     quit = add(menu, tr("&Quit"), QKeySequence::Quit);

@@ -33,6 +33,7 @@ private slots:
     void farZoomKeepsNumbersShort();
     void titleHoldsUnitAndPower();
     void readingKeepsFourDigits();
+    void frequenciesAboveAMegahertz();
     void decimalComma();
     void logarithmicPositions();
     void rangesThatCannotBeDrawn();
@@ -124,6 +125,22 @@ void TestPlotAxis::titleHoldsUnitAndPower()
     axis.label = {"", "", 1.0, AxisScale::Linear};
     axis.setRange({0.0, 1.0});
     QCOMPARE(axis.text(), QString());
+}
+
+void TestPlotAxis::frequenciesAboveAMegahertz()
+{
+    PlotAxis axis;
+    axis.label = {"Frequency", "kHz", 1e3, AxisScale::Linear};
+    axis.setRange({0.0, 1e6});
+    QCOMPARE(axis.text(), QStringLiteral("Frequency [kHz]"));
+    QCOMPARE(axis.ticks(6).back().text, QStringLiteral("1000"));
+    axis.setRange({0.0, 5e6});
+    QCOMPARE(axis.text(), QStringLiteral("Frequency [MHz]"));
+    QCOMPARE(axis.ticks(6).back().text, QStringLiteral("5"));
+    // Other units keep theirs.
+    axis.label = {"Height", "nm", 1e-9, AxisScale::Linear};
+    axis.setRange({0.0, 5e-6});
+    QCOMPARE(axis.text(), QStringLiteral("Height [nm]"));
 }
 
 void TestPlotAxis::decimalComma()

@@ -47,6 +47,8 @@ private slots:
     void tableShowsDifferences();
     void aPlotMayGo();
     void phasePortraitKeepsItsAxes();
+    void beginsWithAFirstRange();
+    void everythingUntilANewRunBegins();
 
 private:
     /// Samples up to 1 ms at a time: spacing = 10 nm + t * 1 um/s, pitch = 100 urad - t * 10 mrad/s.
@@ -227,6 +229,7 @@ void TestPlotGroup::readingsAtTheCursors()
 void TestPlotGroup::tableShowsDifferences()
 {
     CursorTable table(group_.get());
+    table.show();
     const auto* times = namedWidget<QLabel>(table, QStringLiteral("Times of the cursors"));
     group_->setCursor(0, 2e-4);
     group_->setCursor(1, 7e-4);
@@ -283,6 +286,49 @@ void TestPlotGroup::phasePortraitKeepsItsAxes()
     QVERIFY(phase.view().x.has_value());
     group_->goBack();
     QVERIFY(!phase.view().x.has_value());
+}
+
+void TestPlotGroup::beginsWithAFirstRange()
+{
+    run(1); // 2 ms
+    group_->setFirstRange(PlotRange{0.0, 0.3e-3});
+    QCOMPARE(upper_->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+    QCOMPARE(group_->follow(), PlotGroup::Follow::WholeRun);
+    run(1);
+    QCOMPARE(lower_->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+    group_->fit(); // everything
+    QCOMPARE(upper_->xAxis().range(), (PlotRange{0.0, spacing_.lastTime()}));
+    group_->goBack();
+    QCOMPARE(upper_->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+    group_->goForward();
+    group_->followNewest(); // the user wanted the whole run: so is the next one
+    QCOMPARE(upper_->xAxis().range(), (PlotRange{0.0, spacing_.lastTime()}));
+    // A zoom of the user stays.
+    zoomTo({1e-4, 4e-4});
+    group_->setFirstRange(PlotRange{0.0, 0.3e-3});
+    group_->followNewest();
+    QCOMPARE(lower_->xAxis().range(), (PlotRange{1e-4, 4e-4}));
+}
+
+void TestPlotGroup::everythingUntilANewRunBegins()
+{
+    MinMaxPyramid earlier;
+    earlier.append(std::vector{0.0, 5e-3}, std::vector{1e-6, 1e-6});
+    PlotCurve curve{"earlier", "Earlier", {1, 0}, &earlier};
+    curve.leads = false;
+    curve.pale = true;
+    upper_->addCurve(curve);
+    group_->dataChanged();
+    QCOMPARE(lower_->xAxis().range(), (PlotRange{0.0, spacing_.lastTime()}));
+    QTest::keyClick(upper_.get(), Qt::Key_Home);
+    QCOMPARE(lower_->xAxis().range(), (PlotRange{0.0, 5e-3}));
+    upper_->refreshNow();
+    QVERIFY(upper_->yAxis().range().high >= 1e-6);
+    group_->followNewest();
+    QCOMPARE(lower_->xAxis().range(), (PlotRange{0.0, spacing_.lastTime()}));
+    upper_->refreshNow();
+    QVERIFY(upper_->yAxis().range().high < 1e-7);
+    upper_->removeCurve("earlier");
 }
 
 TOUCHDOWN_TEST(TestPlotGroup)

@@ -34,6 +34,7 @@ private slots:
     void piecesEndAtTheBorder();
     void phasePortraitIsACircle();
     void phasePortraitOfDifferentTimes();
+    void leavesOutWhatIsStraight();
 };
 
 // A straight line from (0, -1e6) to (1, 1e6) crosses y = 0 .. 1 within 1e-6 of x = 0.5: the cut must not tilt it.
@@ -180,6 +181,32 @@ void TestPlotPath::dashesOfAWayBackCoverThoseOfTheWayThere()
     for (double away = 0.0; away < 39.0; away += 1.3) QVERIFY(inked(away) < 0 || inked(away) == inked(whole - away));
     // A solid pen stays what it is.
     QVERIFY(penThereAndBack(path, pixels, QPen(Qt::black, 1.5)).dashPattern().isEmpty());
+}
+
+void TestPlotPath::leavesOutWhatIsStraight()
+{
+    const QSizeF pixels(800.0, 200.0);
+    // Level, with one sample below: its neighbours stay, and the ends.
+    std::vector<QPointF> level;
+    for (int k = 0; k <= 1000; ++k) level.emplace_back(1e-3 * k, k == 500 ? 0.1 : 0.5);
+    const std::vector<QPointF> few = withoutStraightPoints(level, pixels);
+    QCOMPARE(few, (std::vector<QPointF>{level[0], level[499], level[500], level[501], level[1000]}));
+    // A wave of 20 periods: fewer points, nowhere more than a tenth of a pixel away.
+    std::vector<QPointF> wave;
+    for (int k = 0; k <= 3000; ++k)
+        wave.emplace_back(k / 3000.0, 0.5 + 0.4 * std::sin(40.0 * std::numbers::pi * k / 3000.0));
+    const std::vector<QPointF> kept = withoutStraightPoints(wave, pixels);
+    QVERIFY(kept.size() < wave.size() / 2);
+    std::size_t next = 1;
+    for (const QPointF& point : wave) {
+        while (kept[next].x() < point.x()) ++next;
+        const double part = (point.x() - kept[next - 1].x()) / (kept[next].x() - kept[next - 1].x());
+        QVERIFY(std::abs(std::lerp(kept[next - 1].y(), kept[next].y(), part) - point.y()) * 200.0 < 0.1001);
+    }
+    // Up and down within a column: all of it.
+    const std::vector<QPointF> upright{{0.0, 0.0}, {0.1, 0.2}, {0.1, 0.9}, {0.1, 0.1}, {0.2, 0.5}};
+    QCOMPARE(withoutStraightPoints(upright, pixels), upright);
+    QVERIFY(withoutStraightPoints({}, pixels).empty());
 }
 
 TOUCHDOWN_TEST(TestPlotPath)

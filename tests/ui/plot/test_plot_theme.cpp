@@ -74,6 +74,15 @@ void TestPlotTheme::stylesRepeat()
     QCOMPARE(curvePen({0, 0}, theme).style(), Qt::SolidLine);
     QCOMPARE(curvePen({0, 1}, theme, false).style(), Qt::SolidLine);
     QCOMPARE(curvePen({0, 1}, theme).style(), Qt::CustomDashLine);
+    QCOMPARE(palePen({0, 1}, theme).style(), Qt::SolidLine);
+    QVERIFY(palePen({0, 0}, theme).widthF() < curvePen({0, 0}, theme).widthF());
+    for (const PlotTheme& each : {lightPlotTheme(), darkPlotTheme()}) // nearer to the paper than to the full colour
+        for (int colour = 0; colour < 7; ++colour) {
+            const auto apart = [](const QColor& a, const QColor& b) { return std::abs(a.lightness() - b.lightness()); };
+            const QColor pale = each.paleColour({colour, 0});
+            QVERIFY(apart(pale, each.plotArea) > 15);
+            QVERIFY(apart(pale, each.plotArea) < apart(each.colour({colour, 0}), each.plotArea));
+        }
 }
 
 TOUCHDOWN_TEST(TestPlotTheme)

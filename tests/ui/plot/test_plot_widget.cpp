@@ -13,6 +13,8 @@
 #include <QWheelEvent>
 
 #include "tests/support/test_program.h"
+#include "ui/plot/plot_painter.h"
+#include "ui/plot/plot_path.h"
 
 using namespace touchdown;
 
@@ -98,6 +100,11 @@ private slots:
     void logarithmicHeightWithZeros();
     void referenceLineAndMarks();
     void followsThePalette();
+    void rangesFollowTheCurveThatLeads();
+    void aRangeGrowsInHalvesOfTheWay();
+    void theLegendNamesTheNewestFirst();
+    void theLegendIsUnderThePointer();
+    void printedCurvesHaveDashesIfAsked();
 
 private:
     MinMaxPyramid data_;
@@ -441,6 +448,107 @@ void TestPlotWidget::followsThePalette()
     const QImage image = plot_->grab().toImage();
     QCOMPARE(image.pixelColor(2, 2), QColor("#1d2024"));
     QVERIFY(ink(image, plot_->plotArea(), darkPlotTheme().curves[0]) > 500);
+}
+
+void TestPlotWidget::rangesFollowTheCurveThatLeads()
+{
+    MinMaxPyramid far;
+    far.append(std::vector{0.0, 4e-3}, std::vector{4000e-9, 0.0});
+    PlotCurve pale{"far", "Far", {1, 0}, &far};
+    pale.pale = true;
+    pale.leads = false;
+    plot_->addCurve(pale);
+    plot_->refreshNow();
+    QCOMPARE(plot_->xAxis().range(), (PlotRange{0.0, 1e-3}));
+    QVERIFY(plot_->yAxis().range().high < 14e-9);
+    plot_->setEverything(true);
+    plot_->refreshNow();
+    QCOMPARE(plot_->xAxis().range(), (PlotRange{0.0, 4e-3}));
+    QVERIFY(plot_->yAxis().range().high >= 4000e-9);
+    // A new run without a sample changes nothing yet.
+    plot_->setEverything(false);
+    plot_->refreshNow();
+    MinMaxPyramid none;
+    plot_->updateCurves([](PlotCurve& curve) { curve.leads = false; });
+    plot_->addCurve({"new", "New", {2, 0}, &none});
+    plot_->refreshNow();
+    QCOMPARE(plot_->xAxis().range(), (PlotRange{0.0, 1e-3}));
+    QVERIFY(plot_->yAxis().range().high < 14e-9);
+}
+
+void TestPlotWidget::aRangeGrowsInHalvesOfTheWay()
+{
+    MinMaxPyramid growing;
+    PlotCurve curve{"run", "Run 1", {0, 0}, &growing};
+    curve.end = 2e-3;
+    plot_->addCurve(curve);
+    growing.append(std::vector{0.0, 0.3e-3}, std::vector{1e-9, 2e-9});
+    QCOMPARE(plot_->dataRangeX()->high, 0.5e-3);
+    growing.append(std::vector{0.6e-3}, std::vector{1e-9});
+    QCOMPARE(plot_->dataRangeX()->high, 1e-3);
+    growing.append(std::vector{1.9e-3}, std::vector{1e-9});
+    QCOMPARE(plot_->dataRangeX()->high, 2e-3);
+    plot_->updateCurves([](PlotCurve& each) { each.end.reset(); });
+    QCOMPARE(plot_->dataRangeX()->high, 1.9e-3);
+}
+
+void TestPlotWidget::theLegendNamesTheNewestFirst()
+{
+    plot_->addCurve({"second", "Run 2", {1, 0}, &data_});
+    plot_->addCurve({"third", "Run 3", {2, 0}, &data_});
+    const auto raise = [this](const QString& id) {
+        plot_->updateCurves([&id](PlotCurve& curve) {
+            curve.pale = curve.id != id;
+            curve.leads = curve.id == "third";
+        });
+    };
+    const auto names = [this] {
+        QStringList list;
+        for (const LegendEntry& entry : PlotPainter(*plot_, plot_->theme()).legend().entries) list << entry.text;
+        return list;
+    };
+    raise("third");
+    QCOMPARE(names(), (QStringList{"Run 3", "Run 2", "Run 1"}));
+    raise("first"); // the entry under the pointer keeps its place
+    QCOMPARE(names(), (QStringList{"Run 3", "Run 2", "Run 1"}));
+    // Without room the oldest are left out.
+    plot_->resize(300, 300);
+    const Legend narrow = PlotPainter(*plot_, plot_->theme()).legend();
+    QVERIFY(narrow.more > 0 && narrow.entries.size() + narrow.more == 3);
+}
+
+void TestPlotWidget::theLegendIsUnderThePointer()
+{
+    plot_->addCurve({"second", "Run 2", {1, 0}, &data_});
+    QSignalSpy hovered(plot_.get(), &PlotWidget::legendHovered);
+    const Legend legend = PlotPainter(*plot_, plot_->theme()).legend();
+    movePointer(*plot_, legend.entries[1].box.center());
+    QCOMPARE(hovered.count(), 1);
+    QCOMPARE(hovered.last()[0].toString(), legend.entries[1].curve->id);
+    movePointer(*plot_, legend.entries[0].box.center());
+    QCOMPARE(hovered.last()[0].toString(), legend.entries[0].curve->id);
+    movePointer(*plot_, plot_->plotArea().center());
+    QCOMPARE(hovered.count(), 3);
+    QCOMPARE(hovered.last()[0].toString(), QString());
+}
+
+void TestPlotWidget::printedCurvesHaveDashesIfAsked()
+{
+    PlotCurve curve{"second", "Run 2", {1, 0}, &data_};
+    curve.pale = true;
+    curve.printDash = 1;
+    const std::vector<QPointF> path{{0.0, 0.0}, {1.0, 1.0}};
+    const QSizeF size(600.0, 200.0);
+    PlotTheme theme = lightPlotTheme();
+    QVERIFY(pathPen(curve, path, size, theme).dashPattern().isEmpty());
+    QCOMPARE(pathPen(curve, path, size, theme).color(), theme.paleColour({1, 0}));
+    theme.printDashes = true;
+    QVERIFY(!pathPen(curve, path, size, theme).dashPattern().isEmpty());
+    QCOMPARE(pathPen(curve, path, size, theme).color(), theme.colour({1, 0}));
+    // Wide beside pale curves.
+    curve.pale = false;
+    theme.printDashes = false;
+    QVERIFY(pathPen(curve, path, size, theme, true).widthF() > pathPen(curve, path, size, theme).widthF());
 }
 
 TOUCHDOWN_TEST(TestPlotWidget)

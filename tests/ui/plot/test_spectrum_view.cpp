@@ -46,6 +46,8 @@ private slots:
     void theHighestPeakHasRoomForItsLabel();
     void unitsFollowQuantityAndScaling();
     void logarithmicFrequency();
+    void endsAboveTheLastPeak();
+    void marksThePeaksOfTheSpectrumThatLeads();
     void otherUnitsClear();
     void spectraComeAndGo();
     void controlsHaveNames();
@@ -178,6 +180,34 @@ void TestSpectrumView::logarithmicFrequency()
     QCOMPARE(plot->xAxis().range().low, 1e3); // the first frequency above zero
     QCOMPARE(plot->xAxis().range().high, 500e3);
     QVERIFY(plot->curvePaths()[0].size() > 100);
+}
+
+void TestSpectrumView::endsAboveTheLastPeak()
+{
+    PlotWidget* plot = view_->plot();
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}, {152.4e3, 1e-10}});
+    QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 200e3})); // 1.25 * 152.4 kHz, rounded up
+    QTest::keyClick(plot, Qt::Key_Home);
+    QCOMPARE(plot->xAxis().range(), (PlotRange{1e3, 500e3})); // from the first sample with power on
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}, {152.4e3, 1e-10}});
+    QCOMPARE(plot->xAxis().range(), (PlotRange{1e3, 500e3})); // as the user wanted
+    view_->group()->followNewest();
+    QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 200e3}));
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample()); // no peak: all of it
+    QCOMPARE(plot->xAxis().range(), (PlotRange{1e3, 500e3}));
+}
+
+void TestSpectrumView::marksThePeaksOfTheSpectrumThatLeads()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42e3, 1e-9}});
+    view_->setSpectrum("2", "Run 2", {1, 0}, sample(), {{152e3, 1e-10}});
+    view_->updateCurves([](PlotCurve& curve) { curve.leads = curve.id == "1"; });
+    QCOMPARE(view_->plot()->pointMarks().size(), std::size_t(1));
+    QCOMPARE(view_->plot()->pointMarks()[0].label, QStringLiteral("42.00 kHz"));
+    QCOMPARE(view_->plot()->xAxis().range(), (PlotRange{0.0, 60e3}));
+    view_->updateCurves([](PlotCurve& curve) { curve.leads = curve.id == "2"; });
+    QCOMPARE(view_->plot()->pointMarks()[0].label, QStringLiteral("152.0 kHz"));
+    QCOMPARE(view_->plot()->xAxis().range(), (PlotRange{0.0, 200e3}));
 }
 
 void TestSpectrumView::otherUnitsClear()

@@ -15,8 +15,10 @@
 #include "ui/case/parameter_text.h"
 #include "ui/lists/record_delegate.h"
 #include "ui/lists/record_panel.h"
+#include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/quantity_format.h"
 
 using namespace touchdown;
 
@@ -44,6 +46,11 @@ class TestRunsPanel : public QObject {
 private slots:
     void isAProperModel();
     void saysWhatChanged();
+    void namesRunsByWhatChanged();
+    void theNewestSpeaksUnlessOneIsRaised();
+    void overlayActsAtOnce();
+    void theRowUnderThePointerIsTold();
+    void showsTheHeightOfTheCard();
     void showsResults_data();
     void showsResults();
     void togglesOverlayByMouseAndKey();
@@ -129,12 +136,127 @@ void TestRunsPanel::saysWhatChanged()
     QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 mirrored")});
 }
 
+void TestRunsPanel::namesRunsByWhatChanged()
+{
+    RunsModel model;
+    const auto name = [&model](int row) { return model.index(row).data(Qt::DisplayRole).toString(); };
+    model.add(ranRecord(1));
+    model.add(ranRecord(2, [](Case& c) { c.initial.flyingHeight = 20e-9; }));
+    model.add(ranRecord(3, [](Case& c) { c.initial.flyingHeight = 30e-9; }));
+    model.add(ranRecord(4, [](Case& c) { c.onoYamane.meniscusForce = 1e-3; }));
+    model.add(ranRecord(5));
+    model.add(ranRecord(6, [](Case& c) { c.title = "Fig. 14 (a): damping ratios 0.001"; }));
+    model.add(ranRecord(7, [](Case& c) {
+        c.onoYamane.meniscusForce = 1e-3;
+        c.onoYamane.takeOff = 8e-9;
+        c.springs.flyingHeight = 4e-9;
+    }));
+    QCOMPARE(name(0), QStringLiteral("1  Fig. 10 (a)"));
+    QCOMPARE(name(1), QStringLiteral("2  FH(0) 20\u00a0nm"));
+    QCOMPARE(name(2), QStringLiteral("3  FH(0) 30\u00a0nm"));
+    QCOMPARE(name(3), QStringLiteral("4  f_m 1\u00a0mN"));
+    QCOMPARE(name(4), QStringLiteral("5  run 5, as run 1"));
+    QCOMPARE(name(5), QStringLiteral("6  Fig. 14 (a)"));
+    QCOMPARE(name(6).count(QStringLiteral(", ")), 1);
+    QVERIFY2(name(6).endsWith(QStringLiteral(" +1")), qPrintable(name(6)));
+    // The tool tip has the whole title.
+    QVERIFY(model.index(1).data(Qt::ToolTipRole).toString().contains(QStringLiteral("dropped from 250 nm")));
+    // A baseline is what runs are compared with, and a run that is removed is no base any more.
+    model.setBaseline(2);
+    QCOMPARE(name(0), QStringLiteral("1  FH(0) 250\u00a0nm"));
+    QCOMPARE(name(2), QStringLiteral("3  FH(0) 30\u00a0nm"));
+    model.setBaseline(-1);
+    model.remove(0);
+    QCOMPARE(name(0), QStringLiteral("2  Fig. 10 (a)"));
+    QVERIFY2(name(2).contains(QStringLiteral("f_m 1")) && name(2).contains(QStringLiteral("FH(0) 250")),
+             qPrintable(name(2)));
+}
+
+void TestRunsPanel::theNewestSpeaksUnlessOneIsRaised()
+{
+    RunsModel model;
+    const QSignalSpy changed(&model, &RunsModel::speakerChanged);
+    const auto speaks = [&model](int row) { return model.index(row).data(RunsModel::SpeaksRole).toBool(); };
+    for (int number = 1; number <= 3; ++number) model.add(ranRecord(number));
+    QCOMPARE(model.speaker(), 3);
+    QVERIFY(speaks(2) && !speaks(0));
+    model.raise(1);
+    QCOMPARE(model.speaker(), 1);
+    QVERIFY(speaks(0) && !speaks(2));
+    QCOMPARE(changed.count(), 1);
+    model.setData(model.index(0), Qt::Unchecked, Qt::CheckStateRole); // not one that is hidden
+    QCOMPARE(model.speaker(), 3);
+    model.raise(-1);
+    QCOMPARE(changed.count(), 1);
+    model.setData(model.index(2), Qt::Unchecked, Qt::CheckStateRole);
+    QCOMPARE(model.speaker(), 2);
+}
+
+void TestRunsPanel::overlayActsAtOnce()
+{
+    RunsModel model;
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
+    const auto shown = [&model] {
+        QList<int> numbers;
+        for (int row = 0; row < model.count(); ++row)
+            if (model.record(row).shown) numbers << model.record(row).number;
+        return numbers;
+    };
+    for (int number = 1; number <= 3; ++number) model.add(ranRecord(number));
+    model.setData(model.index(0), Qt::Unchecked, Qt::CheckStateRole); // by hand: not the business of the box
+    panel.setOverlay(false);
+    QCOMPARE(shown(), QList<int>{3});
+    model.add(ranRecord(4)); // as one that is opened
+    QCOMPARE(shown(), QList<int>{4});
+    panel.setOverlay(true);
+    QCOMPARE(shown(), (QList<int>{2, 3, 4}));
+}
+
+void TestRunsPanel::theRowUnderThePointerIsTold()
+{
+    RunsModel model;
+    RecordPanel panel(model, RecordPanel::wordsOfRuns());
+    for (int number = 1; number <= 3; ++number) model.add(ranRecord(number));
+    panel.resize(320, 300);
+    panel.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&panel));
+    const QSignalSpy hovered(&panel, &RecordPanel::recordHovered);
+    QTest::mouseMove(panel.list()->viewport(), panel.list()->visualRect(model.index(0)).center());
+    QTRY_COMPARE(hovered.count(), 1);
+    QCOMPARE(hovered.last()[0].toInt(), 1);
+    QTest::mouseMove(panel.list()->viewport(), panel.list()->visualRect(model.index(1)).center());
+    QTRY_COMPARE(hovered.last()[0].toInt(), 2);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(panel.list()->viewport(), &leave);
+    QCOMPARE(hovered.last()[0].toInt(), -1);
+}
+
+/// A film's card and message name its minimum spacing, not its flying height.
+void TestRunsPanel::showsTheHeightOfTheCard()
+{
+    RunsModel model;
+    Case film = defaultsOf(ModelKind::Film);
+    auto record = std::make_unique<RunRecord>(1, film, std::string(),
+                                              std::vector<Quantity>{{"flying_height", "m", "nm", "Flying height"},
+                                                                    {"minimum_spacing", "m", "nm", "Minimum spacing"}});
+    record->append({{0.0, 1e-6}, {{7e-9, -0.511e-9}, {7e-9, -0.522e-9}}}, {});
+    model.add(std::move(record));
+    Summary summary;
+    summary.status = RunStatus::Completed;
+    summary.endTime = 1e-6;
+    model.finish(1, summary);
+    const QString height = readout(-0.522e-9, "nm");
+    QVERIFY2(resultText(model.record(0)).contains(QStringLiteral("minimum spacing ") + height),
+             qPrintable(resultText(model.record(0))));
+    QCOMPARE(model.index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("ends at ") + height);
+}
+
 void TestRunsPanel::showsResults_data()
 {
     QTest::addColumn<int>("status");
     QTest::addColumn<QString>("result");
     QTest::addColumn<bool>("failed");
-    QTest::newRow("completed") << static_cast<int>(RunStatus::Completed) << "3.200\u00a0nm" << false;
+    QTest::newRow("completed") << static_cast<int>(RunStatus::Completed) << "ends at 3.200\u00a0nm" << false;
     QTest::newRow("stopped") << static_cast<int>(RunStatus::Cancelled) << "stopped" << false;
     QTest::newRow("diverged") << static_cast<int>(RunStatus::Diverged) << "diverged" << true;
     QTest::newRow("failed") << static_cast<int>(RunStatus::Failed) << "failed" << true;

@@ -81,6 +81,7 @@ private slots:
     void disablesRunForABadParameter();
     void takesWhatWasTypedWhenRunning();
     void overlaysASecondRun();
+    void theDefaultCaseBeginsWithItsFirstPart();
     void hidesEarlierRunsWithoutOverlay();
     void keepsTheLastStateOfAFailedRun();
     void stopsASlowRun();
@@ -121,7 +122,7 @@ void TestMainWindow::runsTheDefaultCase()
     // The static state of the case: 7 nm, 90.6 urad.
     QVERIFY(std::abs(*run.last("flying_height") - 7e-9) < 0.001e-9);
     QVERIFY(std::abs(*run.last("pitch") - 90.6e-6) < 0.01e-6);
-    QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("7.000\u00a0nm"));
+    QCOMPARE(f.window.runs().index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("ends at 7.000\u00a0nm"));
     QVERIFY(f.window.messages().text().contains(QStringLiteral("flying height 7.000\u00a0nm")));
     QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Success);
     QVERIFY(f.window.aboutCase().toPlainText().contains(QStringLiteral("90.60 µrad")));
@@ -199,11 +200,44 @@ void TestMainWindow::overlaysASecondRun()
     QCOMPARE(curves.size(), std::size_t(2));
     QVERIFY(curves[0].visible && curves[1].visible);
     QVERIFY(curves[0].style.colour != curves[1].style.colour);
-    QVERIFY(curves[0].style.dash != curves[1].style.dash);
+    QCOMPARE(curves[1].style.dash, 0);
+    QVERIFY(curves[0].pale && !curves[1].pale);
+    QCOMPARE(curves[1].name, QStringLiteral("d_e 8\u00a0nm"));
+    f.window.runs().raise(1);
+    QVERIFY(!curves[0].pale && curves[1].pale);
+    f.window.runs().raise(-1);
     QVERIFY(curves[0].data != curves[1].data);
     f.window.runs().setData(f.window.runs().index(0), Qt::Unchecked, Qt::CheckStateRole);
     QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[0].visible);
     QVERIFY(f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[1].visible);
+}
+
+void TestMainWindow::theDefaultCaseBeginsWithItsFirstPart()
+{
+    Fixture f;
+    PlotGroup* plots = f.window.runView().plots()->group();
+    const PlotWidget* spacing = f.window.runView().plots()->plot(QStringLiteral("spacing"));
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+    f.runToEnd();
+    const PlotWidget* spectrum = f.window.runView().spectrum()->view()->plot();
+    QTRY_COMPARE(spectrum->xAxis().range(), (PlotRange{0.0, 600e3}));
+    f.edit("ono_yamane.take_off", QStringLiteral("8"));
+    f.runToEnd();
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+    // Everything, if wanted; and so for the next run.
+    plots->fit();
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
+    f.runToEnd();
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
+    // Another case is shown whole; so is another duration.
+    f.window.files().openNow(QStringLiteral("fig11a"));
+    f.runToEnd();
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
+    f.window.files().openNow(QStringLiteral("fig10a"));
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+    f.edit("run.duration", QStringLiteral("1 ms"));
+    f.runToEnd();
+    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 1e-3}));
 }
 
 void TestMainWindow::hidesEarlierRunsWithoutOverlay()
@@ -344,7 +378,7 @@ void TestMainWindow::showsTheSpectrum()
     const RunRecord& record = f.runToEnd();
     SpectrumView* view = f.window.runView().spectrum()->view();
     QCOMPARE(view->quantity(), QStringLiteral("minimum_spacing"));
-    QCOMPARE(view->plot()->curves().size(), std::size_t(1));
+    QTRY_COMPARE(view->plot()->curves().size(), std::size_t(1));
     // 0.2 ms of samples every 0.1 us, as the case asks for.
     QCOMPARE(view->options().segment, std::size_t(2000));
     const Spectrum expected = spectrumOf(record, "minimum_spacing", view->options(), 0.0);
@@ -514,6 +548,20 @@ void TestMainWindow::exportsThePage()
         QCOMPARE(savePicture(*f.window.page(), file), QString());
         QVERIFY(QFileInfo(file).size() > 1000);
     }
+    // Dashes only if they are asked for, and where there is more than one run.
+    const auto dashed = [&](bool dashes) {
+        const QString file = folder.filePath(QStringLiteral("page.svg"));
+        if (!savePicture(f.window.runView(), file, dashes).isEmpty()) qFatal("no picture");
+        QFile svg(file);
+        if (!svg.open(QIODevice::ReadOnly)) qFatal("no picture");
+        return svg.readAll().count("stroke-dasharray");
+    };
+    const qsizetype ofLines = dashed(false); // reference lines
+    QCOMPARE(dashed(true), ofLines);
+    f.edit("initial.flying_height", QStringLiteral("20"));
+    f.runToEnd();
+    QCOMPARE(dashed(false), ofLines);
+    QVERIFY(dashed(true) > ofLines);
 }
 
 void TestMainWindow::opensHelp()

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Spectra of finished runs are computed once; one run speaks.
+#include "ui/runs/live_spectrum.h"
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+#include "ui/plot/spectrum_view.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/runs_model.h"
+
+using namespace touchdown;
+
+namespace test_live_spectrum {
+
+class TestLiveSpectrum : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup() { spectrum_.reset(), runs_.reset(); }
+
+    void computesAFinishedRunOnce();
+    void computesOnceForEachQuantity();
+    void aLiveSpectrumComesFourTimesASecond();
+    void theNewestSpeaks();
+
+private:
+    void add(int number, double frequency, bool finished = true);
+    const PlotCurve& curve(int number) const;
+
+    std::unique_ptr<RunsModel> runs_;
+    std::unique_ptr<LiveSpectrum> spectrum_;
+};
+
+/// A sine of the frequency [Hz], sampled every 1 us for 4 ms.
+void TestLiveSpectrum::add(int number, double frequency, bool finished)
+{
+    Case c;
+    c.title = "A sine";
+    c.run.duration = 4e-3;
+    c.run.sampleInterval = 1e-6;
+    auto run = std::make_unique<RunRecord>(
+        number, c, "",
+        std::vector<Quantity>{{"minimum_spacing", "m", "nm", "Minimum spacing"}, {"pitch", "rad", "urad", "Pitch"}});
+    SampleBatch batch;
+    batch.columns.resize(2);
+    for (int k = 0; k < 4000; ++k) {
+        batch.time.push_back(1e-6 * k);
+        for (std::vector<double>& column : batch.columns)
+            column.push_back(1e-9 * std::sin(2.0 * std::numbers::pi * frequency * 1e-6 * k));
+    }
+    run->append(batch, {});
+    runs_->add(std::move(run));
+    if (!finished) return;
+    runs_->finish(number, Summary{});
+    spectrum_->runFinished(number);
+}
+
+const PlotCurve& TestLiveSpectrum::curve(int number) const
+{
+    for (const PlotCurve& each : spectrum_->view()->plot()->curves())
+        if (each.id == QStringLiteral("run %1").arg(number)) return each;
+    qFatal("no spectrum of run %d", number);
+}
+
+void TestLiveSpectrum::init()
+{
+    runs_ = std::make_unique<RunsModel>();
+    spectrum_ = std::make_unique<LiveSpectrum>(*runs_);
+    spectrum_->resize(700, 300);
+    spectrum_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(spectrum_.get()));
+}
+
+void TestLiveSpectrum::computesAFinishedRunOnce()
+{
+    for (int number = 1; number <= 3; ++number) add(number, 50e3 * number);
+    QTRY_COMPARE(spectrum_->view()->plot()->curves().size(), std::size_t(3));
+    const long long before = spectrum_->computed();
+    QCOMPARE(before, 3);
+    runs_->setData(runs_->index(0), Qt::Unchecked, Qt::CheckStateRole);
+    QVERIFY(!curve(1).visible);
+    runs_->setData(runs_->index(0), Qt::Checked, Qt::CheckStateRole);
+    QVERIFY(curve(1).visible);
+    spectrum_->hide();
+    spectrum_->show();
+    QCOMPARE(spectrum_->computed(), before);
+}
+
+void TestLiveSpectrum::computesOnceForEachQuantity()
+{
+    add(1, 50e3);
+    add(2, 100e3);
+    QTRY_COMPARE(spectrum_->computed(), 2);
+    for (const QString& quantity :
+         {QStringLiteral("pitch"), QStringLiteral("minimum_spacing"), QStringLiteral("pitch")}) {
+        spectrum_->view()->setQuantity(quantity);
+        emit spectrum_->view()->requested(quantity, spectrum_->view()->options());
+    }
+    QCOMPARE(spectrum_->computed(), 4);
+    QCOMPARE(spectrum_->view()->plot()->curves().size(), std::size_t(2));
+}
+
+void TestLiveSpectrum::aLiveSpectrumComesFourTimesASecond()
+{
+    add(1, 50e3, false);
+    QElapsedTimer clock;
+    clock.start();
+    for (int count = 1; count <= 3; ++count) {
+        QVERIFY(QTest::qWaitFor([&] {
+            spectrum_->dataArrived(1); // more often than it is drawn
+            return spectrum_->computed() >= count;
+        }));
+        QCOMPARE(spectrum_->computed(), count);
+        QVERIFY(clock.elapsed() >= 240 * count);
+    }
+}
+
+void TestLiveSpectrum::theNewestSpeaks()
+{
+    add(1, 50e3);
+    add(2, 100e3);
+    QTRY_COMPARE(spectrum_->view()->plot()->curves().size(), std::size_t(2));
+    QVERIFY(curve(1).pale && !curve(2).pale && curve(2).leads);
+    // Its peak, 100 kHz, is marked and ends the axis: 125 kHz, rounded up.
+    QCOMPARE(spectrum_->view()->plot()->pointMarks().size(), std::size_t(1));
+    QCOMPARE(spectrum_->view()->plot()->xAxis().range().high, 150e3);
+    runs_->raise(1);
+    QVERIFY(!curve(1).pale && curve(2).pale);
+    QVERIFY(curve(2).leads); // the ranges stay
+    runs_->raise(-1);
+    QVERIFY(curve(1).pale);
+    // Until the next run has a spectrum, this one leads.
+    add(3, 150e3, false);
+    QVERIFY(curve(2).leads);
+}
+
+TOUCHDOWN_TEST(TestLiveSpectrum)
+
+} // namespace test_live_spectrum
+
+#include "test_live_spectrum.moc"
