@@ -18,7 +18,6 @@
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
 #include "core/results/reader_program.h"
-#include "core/results/results_reader.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 
@@ -111,29 +110,15 @@ void useNames()
     QCoreApplication::setApplicationVersion(QStringLiteral(TOUCHDOWN_VERSION));
 }
 
-/// Ends the program with a sentence for each problem when the case is not valid. With `asks`, the window will ask about
-/// files outside the folder of the case.
-touchdown::CaseDocument readCase(const QString& fileOrSample, touchdown::OutsidePaths outside, bool asks)
+/// Ends the program with a sentence for each problem when the case is not valid; with `window`, that will say it.
+touchdown::CaseDocument readCase(const QString& fileOrSample, touchdown::OutsidePaths outside, bool window)
 {
     touchdown::CaseDocument document = touchdown::openCase(fileOrSample.toStdString(), outside);
-    if (!document.valid() && !(asks && !document.outsideFiles.empty())) {
+    if (!document.valid() && !window) {
         touchdown::complainOf(document.problems);
         std::exit(touchdown::exitWrongInput);
     }
     return document;
-}
-
-/// Ends the program when a saved run cannot be opened, or when pictures are wanted, which need a case.
-void checkRun(const QString& file, bool pictures)
-{
-    std::string problem;
-    if (pictures)
-        problem = file.toStdString() + ": is a saved run; pictures need a case";
-    else
-        problem = touchdown::readResults(file.toStdString()).problem;
-    if (problem.empty()) return;
-    touchdown::complain(problem);
-    std::exit(touchdown::exitWrongInput);
 }
 
 } // namespace
@@ -162,7 +147,10 @@ int main(int argc, char** argv)
     }
     const bool isRun = MainWindow::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
-    if (isRun) checkRun(arguments.file, pictures);
+    if (isRun && pictures) {
+        complain(arguments.file.toStdString() + ": is a saved run; pictures need a case");
+        return exitWrongInput;
+    }
     CaseDocument document;
     if (!arguments.file.isEmpty() && !isRun)
         document = readCase(arguments.file, arguments.outside, !pictures);
@@ -183,7 +171,7 @@ int main(int argc, char** argv)
     const QFileInfo info(arguments.file);
     if (!document.valid()) {
         window.openFile(defaultCase);
-        window.openFile(arguments.file); // asks
+        window.openFile(arguments.file); // asks, or says what is wrong; a study opens its page
     } else if (!document.name.empty()) {
         window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
     } else if (arguments.fresh) {

@@ -81,9 +81,9 @@ void TestWorkbench::refusesBadInput_data()
 {
     QTest::addColumn<QStringList>("arguments");
     QTest::addColumn<QByteArray>("part");
-    QTest::newRow("no such case") << QStringList{"nonsuch"} << QByteArray("nonsuch");
-    QTest::newRow("unknown key") << QStringList{folder_.filePath("bad.toml")} << QByteArray("slider.mas");
-    QTest::newRow("no such run") << QStringList{folder_.filePath("missing.h5")} << QByteArray("missing.h5");
+    QTest::newRow("no such case") << QStringList{"nonsuch", "--export", "pictures"} << QByteArray("nonsuch");
+    QTest::newRow("unknown key") << QStringList{folder_.filePath("bad.toml"), "--export", "pictures"}
+                                 << QByteArray("slider.mas");
     QTest::newRow("pictures of a saved run")
         << QStringList{"run.h5", "--export", "pictures"} << QByteArray("saved run");
     QTest::newRow("two cases") << QStringList{"fig10a", "fig10b"} << QByteArray("more than one case");
@@ -118,7 +118,7 @@ void TestWorkbench::exportsPlots()
     const Outcome o = workbench({"fig10a", "--export", target}, QStringLiteral("offscreen"));
     QCOMPARE(o.code, 0);
     const QList<QByteArray> paths = o.out.trimmed().split('\n');
-    QCOMPARE(paths.size(), 6); // the page, four plots over time (no roll), the spectrum
+    QCOMPARE(paths.size(), 7); // the page, four plots over time (no roll), the side view, the spectrum
     for (const QByteArray& path : paths) {
         const QSize size = pngSize(QString::fromLocal8Bit(path));
         QVERIFY2(size.width() > 400 && size.height() > 150, path.constData());

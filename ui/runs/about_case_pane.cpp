@@ -11,6 +11,7 @@
 #include "core/simulation/recording/run_statistics.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -45,7 +46,7 @@ AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
 
 void AboutCasePane::setCase(const Case& c)
 {
-    const QString title = QString::fromStdString(c.title);
+    const QString title = readable(c.title);
     if (title == title_ && c.about.paper == about_.paper && c.about.watch == about_.watch &&
         c.about.assumed == about_.assumed)
         return;
@@ -101,8 +102,8 @@ void AboutCasePane::write()
                 .arg(colour.name(), heading,
                      text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     };
-    part(tr("Result of the paper"), QString::fromStdString(about_.paper), colours.muted);
-    part(tr("What to look at"), QString::fromStdString(about_.watch), colours.muted);
+    part(tr("Result of the paper"), readable(about_.paper), colours.muted);
+    part(tr("What to look at"), readable(about_.watch), colours.muted);
     part(tr("Result of this run"), result_, colours.change);
     part(tr("Criterion"), rule_, colours.muted);
     part(tr("Its figures"), figures_, colours.muted);
@@ -115,7 +116,7 @@ void AboutCasePane::write()
         html += QStringLiteral("<p style='margin:0'>%1</p>")
                     .arg(details_.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     part(tr("⚠ Remarks on the file"), warnings_.join(QLatin1Char('\n')), colours.warning);
-    part(tr("≈ Assumptions"), QString::fromStdString(about_.assumed), colours.warning);
+    part(tr("≈ Assumptions"), readable(about_.assumed), colours.warning);
     setHtml(html);
 }
 

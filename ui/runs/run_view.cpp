@@ -75,7 +75,7 @@ void RunView::setCase(const Case& c)
     // Finding the contact patches of a film in recordedFields() is too slow for each key press.
     const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
     const bool disk = findParameter("disk.surface.kind")->used(c);
-    const bool side = c.model == ModelKind::Film;
+    const bool side = c.model != ModelKind::Contact;
     tabs_->setTabVisible(static_cast<int>(Page::Side), side);
     tabs_->setTabVisible(static_cast<int>(Page::Maps), maps);
     tabs_->setTabVisible(static_cast<int>(Page::Disk), disk);

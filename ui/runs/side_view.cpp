@@ -57,12 +57,20 @@ void SideView::showTime(const std::optional<double>& time)
 void SideView::takeRun()
 {
     profile_.clear();
+    springs_.reset();
     const RunRecord* run = runs_.find(number_);
     if (run && run->value.model == ModelKind::Film) {
         const Case& c = run->value;
         length_ = c.slider.length;
         speed_ = diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width).x;
+        centre_ = 0.5 * length_;
         profile_ = SliderProfile(c).fromSide({});
+    } else if (run && run->value.model == ModelKind::Springs) {
+        springs_.emplace(run->value);
+        length_ = springs_->length();
+        centre_ = springs_->centre();
+        speed_ = 0.0;
+        profile_.assign(SliderProfile::along + 1, 0.0);
     }
     height_.setRange({0.0, 1e-9});
     takeState();
@@ -81,7 +89,8 @@ void SideView::takeState()
             return column ? column->valueAt(state.time).value_or(0.0) : 0.0;
         };
         state.pitch = at("pitch");
-        state.trailingHeight = at("height") - 0.5 * length_ * state.pitch;
+        state.trailingHeight = at("height") - (length_ - centre_) * state.pitch;
+        state.separation = at("flying_height");
         state.spacing = at("minimum_spacing");
         state.contactForce = at("contact_force");
         state_ = state;
@@ -159,8 +168,12 @@ void SideView::paint(QPainter& painter, const PlotTheme& theme) const
     painter.save();
     painter.setClipRect(plotArea());
     drawing().paintDisk(painter, theme);
-    drawing().paintMotion(painter, theme, speed_ * state_->time);
+    if (!springs_) drawing().paintMotion(painter, theme, speed_ * state_->time);
     paintSlider(painter, theme);
+    if (springs_) {
+        springs_->paintSprings(painter, theme, drawing(), heightAt(0.0), heightAt(1.0));
+        springs_->paintPad(painter, theme, plotArea(), state_->separation, state_->contactForce > 0.0);
+    }
     painter.restore();
     paintAxes(painter, theme);
     paintReadings(painter, theme);
@@ -191,7 +204,8 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
 {
     const QRectF area = plotArea();
     const double line = fontMetrics().height();
-    drawing().paintFrame(painter, theme, tr("Along the slider"), tr(", the disk moves from left to right"));
+    drawing().paintFrame(painter, theme, tr("Along the slider"),
+                         springs_ ? tr(", the leading edge at the left") : tr(", the disk moves from left to right"));
     painter.setPen(theme.text);
     for (const AxisTick& tick : height_.ticks(7)) {
         const double y = drawing().toPixel(0.0, tick.value).y();

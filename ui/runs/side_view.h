@@ -2,12 +2,14 @@
 //
 // The slider over the disk, from the side: x to scale, heights exaggerated. Shows the air bearing surface along the
 // slider (at each x what reaches furthest down, across all y) at the attitude of a run's latest sample, or at a time
-// that was chosen; and how the disk moves. Recesses that are deep beside the heights at which pads fly are cut off.
+// that was chosen; and how the disk moves. Recesses that are deep beside the heights at which pads fly are cut off. Of
+// the model springs it shows a flat slider on two springs, and the pad near the disk.
 #pragma once
 
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_theme.h"
+#include "ui/runs/springs_drawing.h"
 #include "ui/slider/profile_drawing.h"
 
 #include <QWidget>
@@ -26,7 +28,7 @@ public:
     /// `runs` must outlive the widget.
     explicit SideView(RunsModel& runs, QWidget* parent = nullptr);
 
-    /// A run of a film; -1: none.
+    /// A run of a film or of springs; -1: none.
     void showRun(int number);
     void dataArrived(int number);
     /// Nothing: the latest sample, as it comes.
@@ -39,6 +41,7 @@ public:
         double pitch = 0.0;          // [rad]
         double spacing = 0.0;        // the smallest one [m]
         double contactForce = 0.0;   // [N]
+        double separation = 0.0;     // springs: of the pad [m]
     };
     const std::optional<State>& state() const { return state_; }
     /// Metres of length drawn as long as one metre of height.
@@ -73,8 +76,10 @@ private:
     std::optional<double> time_;
     std::optional<State> state_;
     std::vector<double> profile_; // lowest recess at equal steps from the leading to the trailing edge [m]
-    double length_ = 0.0;         // of the slider [m]
-    double speed_ = 0.0;          // of the disk [m/s]
+    std::optional<SpringsDrawing> springs_;
+    double length_ = 0.0; // of the slider [m]
+    double centre_ = 0.0; // of the mass centre, from the leading edge [m]
+    double speed_ = 0.0;  // of the disk [m/s]
     PlotAxis height_;
 };
 

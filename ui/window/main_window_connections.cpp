@@ -4,6 +4,8 @@
 // import or an export.
 #include "ui/window/main_window.h"
 
+#include <utility>
+
 #include <QDir>
 #include <QMessageBox>
 
@@ -135,7 +137,11 @@ void MainWindow::connectFilm()
 {
     connect(actions_->solve, &QAction::triggered, this, [this] { solveStaticState(); });
     connect(actions_->solveGiven, &QAction::triggered, this, [this] { solveStaticState(true); });
-    connect(pages_, &WindowPages::shown, this, &MainWindow::updateRunActions);
+    connect(pages_, &WindowPages::shown, this, [this, before = pages_->page()]() mutable {
+        updateRunActions();
+        // A message belongs to the page on which it was shown.
+        if (std::exchange(before, pages_->page()) != pages_->page()) messages_->clear();
+    });
     connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
     connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(actions_->stop, &QAction::triggered, film_->view(), &FilmView::stop);

@@ -32,7 +32,8 @@ private slots:
     void showsTheLatestSample();
     void showsAChosenTime();
     void keepsItsScale();
-    void springsHaveNone();
+    void springs();
+    void aContactHasNone();
     void paintsBothThemes_data();
     void paintsBothThemes();
 
@@ -110,9 +111,38 @@ void TestSideView::keepsItsScale()
     QCOMPARE(view_->exaggeration(), before);
 }
 
-void TestSideView::springsHaveNone()
+/// The bottom of the slider passes through the heights at the mass centre, the pad and the pressure centres.
+void TestSideView::springs()
 {
-    add(Case{});
+    const Case c;
+    runs_->add(std::make_unique<RunRecord>(1, c, "",
+                                           std::vector<Quantity>{{"flying_height", "m", "nm", ""},
+                                                                 {"minimum_spacing", "m", "nm", ""},
+                                                                 {"pitch", "rad", "urad", ""},
+                                                                 {"height", "m", "nm", ""}}));
+    const double pitch = 90e-6, height = 60e-9, pad = height - c.onoYamane.padDistance * pitch;
+    runs_->append(1, {{0.0}, {{pad}, {pad}, {pitch}, {height}}}, {});
+    view_->showRun(1);
+    QVERIFY(view_->state());
+    QCOMPARE(view_->state()->separation, pad);
+    const SpringsDrawing drawing(c);
+    const auto near = [&](double behind, double expected) {
+        const double share = (drawing.centre() + behind) / drawing.length();
+        return std::abs(view_->heightAt(share) - expected) < 1.01 * pitch * drawing.length() / 800.0; // half a step
+    };
+    QVERIFY(near(0.0, height));
+    QVERIFY(near(c.onoYamane.padDistance, pad));
+    QVERIFY(near(-c.springs.frontDistance, height + c.springs.frontDistance * pitch));
+    // The pad's own picture reaches beyond the height at which the menisci break.
+    QVERIFY(drawing.padReach() > c.onoYamane.takeOff);
+    QVERIFY(!view_->grab().isNull());
+}
+
+void TestSideView::aContactHasNone()
+{
+    Case c;
+    c.model = ModelKind::Contact;
+    add(c);
     runs_->append(1, falling(), {});
     view_->showRun(1);
     QVERIFY(!view_->state());

@@ -103,7 +103,9 @@ private slots:
         openByKey();
         QMenu* menu = it_->editor->findChild<QMenu*>();
         QVERIFY(menu != nullptr);
-        for (const QAction* action : menu->actions()) QVERIFY(action->isSeparator() || !action->isEnabled());
+        for (const QAction* action : menu->actions()) // all but copying and saving the picture
+            QVERIFY(action->isSeparator() || !action->isEnabled() ||
+                    action->text().contains(QStringLiteral("picture")));
         menu->close();
     }
 

@@ -59,6 +59,10 @@ struct Fixture {
         Case found = window.edits().value();
         change(found);
         emit window.studies().applyRequested(found, QStringLiteral("a study"));
+        const QMessageBox* box = question(window, "applyQuestion");
+        if (!box) qFatal("nobody asks");
+        for (QAbstractButton* button : box->buttons())
+            if (box->buttonRole(button) == QMessageBox::AcceptRole) return button->click();
     }
     const RunRecord& runToEnd()
     {

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QImage>
+#include <QLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QProcess>
@@ -243,6 +244,7 @@ void TestXvfbWorkbench::showsAndWritesAStudy()
     QTRY_VERIFY(!editor->toText().isEmpty());
     QTRY_VERIFY2(editor->run()->isEnabled(), qPrintable(editor->problems()));
     QTabBar* views = editor->tabs()->tabBar();
+    editor->layout()->activate(); // the names above it have just got their lines
     click(views, views->tabRect(1).center());
     auto* text = editor->findChild<QPlainTextEdit*>();
     QTRY_VERIFY(text->isVisible());
@@ -263,7 +265,7 @@ void TestXvfbWorkbench::zoomsAndReadsAPlot()
     QTRY_VERIFY(window_->runs().record(0).finished());
     PlotWidget* plot = window_->runView().plots()->plot(QStringLiteral("spacing"));
     PlotGroup* group = window_->runView().plots()->group();
-    QTRY_COMPARE(plot->xAxis().range().high, 2e-3);
+    QTRY_COMPARE(plot->xAxis().range().high, 0.3e-3); // where the default case moves
     const QPoint centre = plot->plotArea().center().toPoint();
     click(plot, centre);
     QTRY_VERIFY(group->cursor(0).has_value());

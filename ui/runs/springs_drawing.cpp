@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/runs/springs_drawing.h"
+
+#include <algorithm>
+#include <array>
+
+#include <QPainterPath>
+
+#include "ui/style/quantity_format.h"
+#include "ui/style/translate.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double margin = 0.08;      // of the distance between the outermost points
+constexpr int coils = 7;             // of a drawn spring
+constexpr double coilWidth = 9.0;    // [px]
+constexpr double padReachInDe = 3.0; // heights of the pad's picture, in take-off heights
+
+void paintCoils(QPainter& painter, const QPointF& foot, const QPointF& head)
+{
+    QPainterPath path(foot);
+    for (int i = 0; i < 2 * coils; ++i) {
+        const double share = (i + 0.5) / (2 * coils);
+        path.lineTo(foot + share * (head - foot) + QPointF(i % 2 == 0 ? coilWidth : -coilWidth, 0.0));
+    }
+    path.lineTo(head);
+    painter.drawPath(path);
+    painter.drawEllipse(head, 2.5, 2.5);
+}
+
+} // namespace
+
+SpringsDrawing::SpringsDrawing(const Case& c)
+    : frontDistance_(c.springs.frontDistance),
+      rearDistance_(c.springs.rearDistance),
+      padDistance_(c.onoYamane.padDistance)
+{
+    const double ahead = std::max(frontDistance_, -padDistance_), behind = std::max(rearDistance_, padDistance_);
+    const double beyond = margin * std::max(ahead + behind, 1e-6);
+    length_ = ahead + behind + 2.0 * beyond;
+    centre_ = ahead + beyond;
+    if (c.contact != ContactKind::OnoYamane) return;
+    contact_ = c.onoYamane;
+    reach_ = padReachInDe * std::max({contact_->takeOff, contact_->touchDown, 1e-10});
+}
+
+void SpringsDrawing::paintSprings(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawing,
+                                  double leading, double trailing) const
+{
+    painter.setPen(QPen(theme.text, 1.4));
+    painter.setBrush(theme.text);
+    for (const double along : {centre_ - frontDistance_, centre_ + rearDistance_}) {
+        const double bottom = leading + (trailing - leading) * along / length_;
+        painter.save();
+        painter.setBrush(Qt::NoBrush);
+        paintCoils(painter, drawing.toPixel(along, 0.0), drawing.toPixel(along, std::max(bottom, 0.0)));
+        painter.restore();
+    }
+    if (!contact_) return;
+    const double pad = centre_ + padDistance_, bottom = leading + (trailing - leading) * pad / length_;
+    painter.drawRect(QRectF(drawing.toPixel(pad, bottom) - QPointF(7.0, 5.0), QSizeF(14.0, 5.0)));
+}
+
+void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& area, double separation,
+                              bool pressed) const
+{
+    if (!contact_) return;
+    const double line = painter.fontMetrics().height();
+    const QRectF frame(area.right() - 0.34 * area.width() - 8.0, area.top() + 8.0, 0.34 * area.width(),
+                       0.46 * area.height());
+    painter.fillRect(frame, theme.plotArea);
+    const QRectF inner = frame.adjusted(0.0, 1.3 * line, 0.0, 0.0);
+    const ProfileDrawing near{inner, 1.0, {-0.15 * reach_, reach_}};
+    painter.save();
+    painter.setClipRect(inner);
+    near.paintDisk(painter, theme);
+    const auto level = [&](double height, const QString& name) {
+        const double y = near.toPixel(0.0, height).y();
+        painter.setPen(QPen(theme.mutedText, 1.0, Qt::DashLine));
+        painter.drawLine(QPointF(inner.left(), y), QPointF(inner.right(), y));
+        painter.setPen(theme.mutedText);
+        painter.drawText(QRectF(inner.left() + 6.0, y - line, inner.width() - 12.0, line),
+                         Qt::AlignLeft | Qt::AlignBottom, name);
+    };
+    level(contact_->touchDown, QStringLiteral("dₛ ") + lengthText(contact_->touchDown, 3));
+    level(contact_->takeOff, QStringLiteral("dₑ ") + lengthText(contact_->takeOff, 3));
+    QColor body = pressed ? theme.curves[1] : theme.curves[0];
+    painter.setPen(QPen(body, 1.5));
+    body.setAlphaF(0.4F);
+    painter.setBrush(body);
+    const QPointF bottom = near.toPixel(0.62, separation);
+    painter.drawRect(QRectF(QPointF(near.toPixel(0.45, 0.0).x(), inner.top() - 10.0),
+                            QPointF(near.toPixel(0.79, 0.0).x(), std::max(bottom.y(), inner.top() - 9.0))));
+    painter.restore();
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(theme.axis);
+    painter.drawRect(frame);
+    painter.setPen(theme.text);
+    painter.drawText(frame.adjusted(6.0, 0.2 * line, -6.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+                     tr("Pad at %1").arg(lengthText(separation, 4)));
+}
+
+} // namespace touchdown

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the side view of the model springs shows beside slider and disk: the two air springs under their pressure
+// centres, the heights at which the contact law switches, and the pad near the disk in a picture of its own, in which
+// nanometres are seen.
+#pragma once
+
+#include <optional>
+
+#include "core/case/case.h"
+#include "ui/slider/profile_drawing.h"
+
+namespace touchdown {
+
+class SpringsDrawing {
+public:
+    explicit SpringsDrawing(const Case& c);
+
+    /// Of the slider as it is drawn: it reaches a little beyond its outermost points [m].
+    double length() const { return length_; }
+    /// Of the mass centre from the leading end [m].
+    double centre() const { return centre_; }
+
+    /// Two springs between the disk and the slider, whose bottom has these heights at its leading and trailing end [m].
+    void paintSprings(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawing, double leading,
+                      double trailing) const;
+    /// The pad at the upper right of `area`, at this separation [m]; `pressed`: it touches. Nothing without contact.
+    void paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& area, double separation, bool pressed) const;
+    /// Heights up to which the pad's own picture reaches [m]; 0 without contact.
+    double padReach() const { return reach_; }
+
+private:
+    double frontDistance_, rearDistance_, padDistance_; // from the mass centre [m]
+    double length_, centre_;
+    std::optional<OnoYamane> contact_;
+    double reach_ = 0.0;
+};
+
+} // namespace touchdown
