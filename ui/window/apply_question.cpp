@@ -20,12 +20,12 @@ void askToApply(QWidget& window, const Case& open, const Case& found, const QStr
 {
     const QStringList changes = caseDifference(open, found);
     const bool isOther = open.model != found.model || open.title != found.title;
-    auto* box = new QMessageBox(changes.isEmpty() ? QMessageBox::Information : QMessageBox::Question,
+    auto* box = new QMessageBox(open == found ? QMessageBox::Information : QMessageBox::Question,
                                 tr("Apply to the case"), {}, QMessageBox::Cancel, &window);
     box->setObjectName(QStringLiteral("applyQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setTextFormat(Qt::PlainText);
-    if (changes.isEmpty()) {
+    if (open == found) {
         box->setText(tr("The open case already has the values that the study found."));
         box->setStandardButtons(QMessageBox::Close);
         return box->open();
@@ -38,7 +38,8 @@ void askToApply(QWidget& window, const Case& open, const Case& found, const QStr
         shown << tr("and %1 more").arg(changes.size() - mostShown);
         box->setDetailedText(changes.join(QLatin1Char('\n')));
     }
-    box->setInformativeText(shown.join(QLatin1Char('\n')) + QLatin1Char('\n') + tr("Undo takes it back."));
+    shown << tr("Undo takes it back.");
+    box->setInformativeText(shown.join(QLatin1Char('\n')));
     QPushButton* yes = box->addButton(isOther ? tr("Replace") : tr("Apply"), QMessageBox::AcceptRole);
     box->setDefaultButton(isOther ? qobject_cast<QPushButton*>(box->button(QMessageBox::Cancel)) : yes);
     QObject::connect(yes, &QPushButton::clicked, &window, apply);

@@ -274,7 +274,7 @@ void TestXvfbWorkbench::zoomsAndReadsAPlot()
     QTRY_VERIFY(plot->xAxis().range().width() < before);
     QVERIFY(!window_->actions().follow->isChecked());
     click(button(window_->actions().fit));
-    QTRY_COMPARE(plot->xAxis().range().width(), before);
+    QTRY_COMPARE(plot->xAxis().range().high, 2e-3); // all of the run
 }
 
 void TestXvfbWorkbench::growsForAProjector()
