@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "core/formats/units.h"
 #include "core/numerics/interval.h"
@@ -21,22 +22,60 @@ namespace {
 
 constexpr std::size_t mostMarks = 2000; // more are closer than a pixel
 
-/// What encloses W: between d_s and d_e the net force on the way up, and none on the way down.
-ShadedArea cycleArea(const OnoYamane& parameters)
+using Outline = std::vector<std::pair<double, double>>;
+
+/// The net force on the pad on the way up from d_s to d_e; on the way down there is none.
+Outline forceOnTheWayUp(const OnoYamane& parameters)
 {
     const OnoYamaneLaw law(parameters);
-    ShadedArea area;
-    area.style.colour = 6; // ink, as the marks of events
-    area.label = QStringLiteral("W = %1").arg(QString::fromStdString(fewDigits(law.cycleWork(), "pJ", 3)));
-    area.outline.emplace_back(parameters.touchDown, 0.0);
+    Outline way;
     for (const ContactRegion region : {ContactRegion::Lifting, ContactRegion::Bridged}) {
-        const Interval way = law.interval(region);
-        for (const double d : {way.lower, way.upper})
-            if (way.lower < way.upper)
-                area.outline.emplace_back(d, law.contactForce(region, d) + law.adhesionForce(region, d));
+        const Interval holds = law.interval(region);
+        for (const double d : {holds.lower, holds.upper})
+            if (holds.lower < holds.upper)
+                way.emplace_back(d, law.contactForce(region, d) + law.adhesionForce(region, d));
     }
-    area.outline.emplace_back(parameters.takeOff, 0.0);
-    return area;
+    return way;
+}
+
+/// The part of what encloses W in which the force pushes (sign 1: it creates energy) or pulls (-1: it takes energy),
+/// and that energy [J].
+std::pair<ShadedArea, double> cyclePart(const Outline& way, double sign)
+{
+    ShadedArea area;
+    area.style.colour = sign > 0.0 ? 1 : 6; // ink, as the marks of events
+    Outline& part = area.outline;
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const auto [d, force] = way[i];
+        if (i > 0 && way[i - 1].second * force < 0.0) { // it changes its sign
+            const auto [before, forceBefore] = way[i - 1];
+            part.emplace_back(before + forceBefore / (forceBefore - force) * (d - before), 0.0);
+        }
+        part.emplace_back(d, sign * std::max(0.0, sign * force));
+    }
+    double energy = 0.0;
+    for (std::size_t i = 1; i < part.size(); ++i)
+        energy += 0.5 * sign * (part[i].second + part[i - 1].second) * (part[i].first - part[i - 1].first);
+    if (!part.empty()) {
+        part.insert(part.begin(), {part.front().first, 0.0});
+        part.emplace_back(part.back().first, 0.0);
+    }
+    return {std::move(area), energy};
+}
+
+/// What encloses W: one area where the law only takes energy; else that which creates it has a colour and a name of its
+/// own.
+std::vector<ShadedArea> cycleAreas(const OnoYamane& parameters)
+{
+    const Outline way = forceOnTheWayUp(parameters);
+    auto [takes, taken] = cyclePart(way, -1.0);
+    auto [creates, created] = cyclePart(way, 1.0);
+    const auto energy = [](double value) { return QString::fromStdString(fewDigits(value, "pJ", 3)); };
+    takes.label = QStringLiteral("W = %1").arg(trueMinus(energy(OnoYamaneLaw(parameters).cycleWork())));
+    if (created <= 0.0) return {takes};
+    creates.label = LivePlots::tr("creates %1").arg(energy(created));
+    takes.label = LivePlots::tr("takes %1, %2").arg(energy(taken), takes.label);
+    return {takes, creates};
 }
 
 } // namespace
@@ -71,7 +110,7 @@ void LivePlots::updateMarks()
     PlotWidget* forces = plot(QStringLiteral("force_separation"));
     forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
     std::vector<ShadedArea> areas;
-    if (run && run->value.contact == ContactKind::OnoYamane) areas.push_back(cycleArea(run->value.onoYamane));
+    if (run && run->value.contact == ContactKind::OnoYamane) areas = cycleAreas(run->value.onoYamane);
     forces->setShadedAreas(std::move(areas));
     // A slider falls from heights without contact forces.
     const bool falls = run && run->value.model == ModelKind::Springs && run->value.contact == ContactKind::OnoYamane;

@@ -190,6 +190,7 @@ void SideView::paintSlider(QPainter& painter, const PlotTheme& theme) const
         if (heights.back() < heightAt(lowest)) lowest = share;
     }
     drawn.paintSlider(painter, theme, heights);
+    if (springs_) return; // their pad has a picture of its own
 
     const QPointF tip = drawn.toPixel(lowest * length_, heightAt(lowest));
     const QPointF foot = drawn.toPixel(lowest * length_, 0.0);

@@ -99,7 +99,8 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
     painter.drawRect(frame);
     painter.setPen(theme.text);
     painter.drawText(frame.adjusted(6.0, 0.2 * line, -6.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
-                     tr("Pad at %1").arg(lengthText(separation, 4)));
+                     tr("Pad at %1").arg(lengthText(separation, 4)) +
+                         (separation > reach_ ? QStringLiteral(" ↑") : QString()));
 }
 
 } // namespace touchdown

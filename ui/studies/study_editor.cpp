@@ -16,6 +16,7 @@
 #include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
 #include "ui/style/whole_file.h"
@@ -233,7 +234,7 @@ void StudyEditor::showForm()
 {
     const TomlDocument toml = readToml(plan_.text);
     const bool namesCase = std::ranges::find(toml.entries, "case", &TomlEntry::key) != toml.entries.end();
-    const QString title = QString::fromStdString(plan_.start.value.title).toHtmlEscaped();
+    const QString title = readable(plan_.start.value.title).toHtmlEscaped();
     const bool differs = namesCase && !caseDifference(case_, plan_.start.value).isEmpty();
     subject_->setText(namesCase ? tr("Studies <b>%1</b>; changes at the left have no effect.").arg(title)
                                 : tr("Studies the case at the left: <b>%1</b>").arg(title));

@@ -157,7 +157,7 @@ void StudyResults::clear(bool underWay)
                  "step are accurate and fast enough, where a method is unstable, at which value of a parameter the "
                  "slider touches down and takes off, which model is simple and good enough, which design has a "
                  "wanted attitude, or how small the cells of a contact patch must be.<br><br>"
-                 "Choose the kind of study at the right and press Perform: its text already fits the case.");
+                 "Choose the kind of study at the right and press Perform: its form already fits the case.");
     empty_->setText(QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title, text));
     pages_->setCurrentIndex(0);
     setStale(false);

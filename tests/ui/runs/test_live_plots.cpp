@@ -33,6 +33,8 @@ private slots:
     void leavesOutANetForceThatIsTheContactForce();
     void dashesTheFittedCharacteristic();
     void offersForcesOfASliderOnSprings();
+    void shadesWhatTakesAndWhatCreatesEnergy_data();
+    void shadesWhatTakesAndWhatCreatesEnergy();
     void remembersWhatWasChosenForAModel();
     void aBaselineLeavesTheWayAsItIs();
     void aHiddenCurveStaysHiddenInItsPlotAlone();
@@ -167,6 +169,48 @@ void TestLivePlots::offersForcesOfASliderOnSprings()
     runs_->append(1, batch, {});
     forces()->refreshNow();
     QVERIFY(forces()->xAxis().range().high >= 10e-9 && forces()->xAxis().range().high < 20e-9);
+}
+
+void TestLivePlots::shadesWhatTakesAndWhatCreatesEnergy_data()
+{
+    QTest::addColumn<int>("shape");
+    QTest::addColumn<double>("meniscusForce"); // [N]
+    QTest::addColumn<double>("takeOff");       // [m]
+    QTest::addColumn<int>("areas");
+    // f_c0 5 mN, k_c 5e6 N/m: the contact ends 1 nm above d_s = 3 nm.
+    QTest::newRow("the menisci are stronger") << 0 << 10.7e-3 << 5e-9 << 1;
+    QTest::newRow("first the contact pushes") << 0 << 0.5e-3 << 5e-9 << 2;
+    QTest::newRow("it never pulls") << 0 << 0.0 << 5e-9 << 2;
+    QTest::newRow("menisci that weaken") << 1 << 2e-3 << 6e-9 << 2;
+    QTest::newRow("both weaken") << 2 << 8e-3 << 6e-9 << 1;
+    QTest::newRow("both weaken, the contact is stronger") << 2 << 1e-3 << 6e-9 << 2;
+    QTest::newRow("d_e within the reach of the contact") << 0 << 3e-3 << 3.5e-9 << 2;
+}
+
+/// Below zero the area is what the law takes, above it what it creates: together they are W.
+void TestLivePlots::shadesWhatTakesAndWhatCreatesEnergy()
+{
+    QFETCH(int, shape);
+    QFETCH(double, meniscusForce);
+    QFETCH(double, takeOff);
+    QFETCH(int, areas);
+    Case c = openCase("fig10a").value;
+    c.onoYamane.takeOffShape = static_cast<TakeOffShape>(shape);
+    c.onoYamane.meniscusForce = meniscusForce;
+    c.onoYamane.takeOff = takeOff;
+    runs_->add(std::make_unique<RunRecord>(1, c, "", recordedQuantities(c)));
+    plots_->setCase(c);
+    const std::vector<ShadedArea>& shaded = forces()->shadedAreas();
+    QCOMPARE(shaded.size(), static_cast<std::size_t>(areas));
+    double work = 0.0;
+    for (const ShadedArea& area : shaded)
+        for (std::size_t i = 1; i < area.outline.size(); ++i)
+            work -= 0.5 * (area.outline[i].second + area.outline[i - 1].second) *
+                    (area.outline[i].first - area.outline[i - 1].first);
+    const double wanted = OnoYamaneLaw(c.onoYamane).cycleWork();
+    QVERIFY2(std::abs(work - wanted) < 1e-9 * 1e-12 + 1e-9 * std::abs(wanted), qPrintable(QString::number(work)));
+    QVERIFY(shaded[0].label.contains(QStringLiteral("W = ")));
+    if (areas == 2) QVERIFY(shaded[1].label.startsWith(QStringLiteral("creates ")));
 }
 
 void TestLivePlots::remembersWhatWasChosenForAModel()
