@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_view.h"
 
+#include <algorithm>
+
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
@@ -11,6 +13,7 @@
 #include "ui/plot/spectrum_view.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
+#include "ui/runs/replay_bar.h"
 #include "ui/runs/run_maps.h"
 #include "ui/runs/side_view.h"
 
@@ -27,6 +30,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
       plots_(new LivePlots(runs, this)),
       spectrum_(new LiveSpectrum(runs, this)),
       side_(new SideView(runs, this)),
+      replay_(new ReplayBar([this] { return replayed(); }, this)),
       maps_(new RunMaps(runs, this)),
       disk_(new DiskSurfaceView(this)),
       splitter_(new QSplitter(Qt::Vertical, this)),
@@ -41,8 +45,14 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     splitter_->setSizes({560, 280});
     splitter_->setChildrenCollapsible(true);
     splitter_->setCollapsible(0, false);
-    for (QWidget* page : {static_cast<QWidget*>(splitter_), static_cast<QWidget*>(side_), static_cast<QWidget*>(maps_),
-                          static_cast<QWidget*>(disk_)})
+    auto* sidePage = new QWidget(this);
+    auto* sideLayout = new QVBoxLayout(sidePage);
+    sideLayout->setContentsMargins(0, 0, 0, 0);
+    sideLayout->setSpacing(0);
+    sideLayout->addWidget(side_, 1);
+    sideLayout->addWidget(replay_);
+    for (QWidget* page :
+         {static_cast<QWidget*>(splitter_), sidePage, static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)})
         pages_->addWidget(page);
 
     for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);
@@ -63,8 +73,11 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     // The cursor of the plots follows the time of the maps.
     connect(maps_, &RunMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
     connect(plots_->group(), &PlotGroup::cursorMoved, side_, [this](int which) {
-        if (which == 0) side_->showTime(plots_->group()->cursor(0));
+        if (which != 0) return;
+        side_->showTime(plots_->group()->cursor(0));
+        replay_->showTime(plots_->group()->cursor(0));
     });
+    connect(replay_, &ReplayBar::timeChosen, this, [this](double time) { plots_->group()->setCursor(0, time); });
     setCase({});
 }
 
@@ -84,6 +97,15 @@ void RunView::setCase(const Case& c)
     plots_->setCase(c);
     disk_->setCase(c);
     showSpectrum();
+}
+
+/// The part of the shown run that the plots show.
+std::optional<PlotRange> RunView::replayed() const
+{
+    const std::optional<PlotRange> run = side_->span();
+    const PlotRange& shown = plots_->plot(QStringLiteral("spacing"))->xAxis().range();
+    if (!run || shown.high <= run->low || shown.low >= run->high) return run;
+    return PlotRange{std::max(run->low, shown.low), std::min(run->high, shown.high)};
 }
 
 void RunView::opened(const QString& sample, const Case& c)

@@ -18,6 +18,7 @@ class LivePlots;
 class LiveSpectrum;
 class RunMaps;
 class RunsModel;
+class ReplayBar;
 class SideView;
 
 class RunView : public QWidget {
@@ -42,6 +43,7 @@ public:
     LivePlots* plots() const { return plots_; }
     LiveSpectrum* spectrum() const { return spectrum_; }
     SideView* side() const { return side_; }
+    ReplayBar* replay() const { return replay_; }
     RunMaps* maps() const { return maps_; }
     DiskSurfaceView* disk() const { return disk_; }
     QSplitter* splitter() const { return splitter_; }
@@ -51,12 +53,14 @@ public:
 
 private:
     void showSpectrum();
+    std::optional<PlotRange> replayed() const;
 
     ModelKind model_ = ModelKind::Springs;
     double openedDuration_ = 0.0; // of the default case, while its first part is shown [s]
     LivePlots* plots_;
     LiveSpectrum* spectrum_;
     SideView* side_;
+    ReplayBar* replay_;
     RunMaps* maps_;
     DiskSurfaceView* disk_;
     QSplitter* splitter_;

@@ -101,6 +101,14 @@ void SideView::takeState()
     update();
 }
 
+std::optional<PlotRange> SideView::span() const
+{
+    const RunRecord* run = runs_.find(number_);
+    const MinMaxPyramid* height = run && !profile_.empty() ? run->pyramid("height") : nullptr;
+    if (!height || height->empty()) return std::nullopt;
+    return PlotRange{height->time(0), height->lastTime()};
+}
+
 double SideView::heightAt(double share) const
 {
     const auto column = static_cast<std::size_t>(std::lround(share * SliderProfile::along));

@@ -44,6 +44,8 @@ public:
         double separation = 0.0;     // springs: of the pad [m]
     };
     const std::optional<State>& state() const { return state_; }
+    /// The times of the run's samples so far [s].
+    std::optional<PlotRange> span() const;
     /// Metres of length drawn as long as one metre of height.
     double exaggeration() const;
     /// Height of the surface at a share of the slider's length [m].

@@ -13,7 +13,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double margin = 0.08;      // of the distance between the outermost points
+constexpr double overhang = 0.08;    // of the distance between the outermost points
 constexpr int coils = 7;             // of a drawn spring
 constexpr double coilWidth = 9.0;    // [px]
 constexpr double padReachInDe = 3.0; // heights of the pad's picture, in take-off heights
@@ -38,7 +38,7 @@ SpringsDrawing::SpringsDrawing(const Case& c)
       padDistance_(c.onoYamane.padDistance)
 {
     const double ahead = std::max(frontDistance_, -padDistance_), behind = std::max(rearDistance_, padDistance_);
-    const double beyond = margin * std::max(ahead + behind, 1e-6);
+    const double beyond = overhang * std::max(ahead + behind, 1e-6);
     length_ = ahead + behind + 2.0 * beyond;
     centre_ = ahead + beyond;
     if (c.contact != ContactKind::OnoYamane) return;

@@ -12,7 +12,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr int margin = 4; // around the text of an item [px]
+constexpr int itemMargin = 4; // around the text of an item [px]
 
 /// The first line of an item is its title, in bold.
 class TitledItem : public QStyledItemDelegate {
@@ -29,7 +29,7 @@ public:
         const bool selected = option.state.testFlag(QStyle::State_Selected);
         layOut(text, option, index, option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
         painter->save();
-        painter->translate(option.rect.topLeft() + QPoint(margin, margin));
+        painter->translate(option.rect.topLeft() + QPoint(itemMargin, itemMargin));
         text.drawContents(painter);
         painter->restore();
     }
@@ -37,7 +37,7 @@ public:
     {
         QTextDocument text;
         layOut(text, option, index, {});
-        return {static_cast<int>(text.textWidth()), static_cast<int>(text.size().height()) + 2 * margin};
+        return {static_cast<int>(text.textWidth()), static_cast<int>(text.size().height()) + 2 * itemMargin};
     }
 
 private:
@@ -48,7 +48,7 @@ private:
         const auto* list = qobject_cast<const QListWidget*>(option.widget);
         text.setDefaultFont(option.font);
         text.setDocumentMargin(0.0);
-        text.setTextWidth(list->viewport()->width() - 2 * margin - 2 * list->spacing());
+        text.setTextWidth(list->viewport()->width() - 2 * itemMargin - 2 * list->spacing());
         text.setHtml(QStringLiteral("<div style='color:%1'><b>%2</b><br>%3</div>")
                          .arg(colour.name(), lines.front().toHtmlEscaped(),
                               lines.mid(1).join(QLatin1Char(' ')).toHtmlEscaped()));
