@@ -25,6 +25,9 @@ void TomlEditor::remove(std::string_view key)
 {
     const TomlEntry* entry = find(key);
     if (entry == nullptr) return;
+    const auto dot = key.find_last_of('.');
+    const TomlTable* table = dot == std::string_view::npos ? nullptr : findTable(key.substr(0, dot));
+    if (table != nullptr && table->kind == TomlTableKind::Inline) return removeFromInline(*entry, *table);
     // With the line end before it rather than its own, behind which new lines may go.
     std::size_t begin = lineBegin(entry->begin);
     std::size_t end = lineEnd(entry->end);
@@ -33,6 +36,19 @@ void TomlEditor::remove(std::string_view key)
         if (text_[end - 1] == '\n')
             end -= text_.compare(end - newline_.size(), newline_.size(), newline_) == 0 ? newline_.size() : 1;
     }
+    edits_.push_back({begin, end - begin, ""});
+}
+
+/// With one of the commas beside it.
+void TomlEditor::removeFromInline(const TomlEntry& entry, const TomlTable& table)
+{
+    std::size_t begin = text_.rfind('=', entry.begin);
+    while (begin > table.begin && text_[begin - 1] != ',' && text_[begin - 1] != '{') --begin;
+    std::size_t end = text_.find_first_not_of(" \t", entry.end);
+    if (text_[end] == ',')
+        ++end;
+    else if (text_[begin - 1] == ',')
+        --begin;
     edits_.push_back({begin, end - begin, ""});
 }
 

@@ -40,6 +40,7 @@ private:
     };
 
     const TomlEntry* find(std::string_view key) const;
+    void removeFromInline(const TomlEntry& entry, const TomlTable& table);
     const TomlTable* findTable(std::string_view key) const;
     static bool isBelow(std::string_view key, std::string_view group);
     std::string_view headerOf(std::string_view key) const;

@@ -53,6 +53,15 @@ private slots:
                         }),
                  std::string("a = 1\n\n[t]\nb = 2\nc = 3\n\n[u]\nd = 4\n"));
     }
+    void removesFromAnInlineTable()
+    {
+        const std::string text = "e = { a = 1, b = \"x\", c = 3 } # mine\nf = 2\n";
+        const auto without = [](const char* key) { return [key](TomlEditor& e) { e.remove(key); }; };
+        QCOMPARE(edited(text, without("e.a")), std::string("e = { b = \"x\", c = 3 } # mine\nf = 2\n"));
+        QCOMPARE(edited(text, without("e.b")), std::string("e = { a = 1, c = 3 } # mine\nf = 2\n"));
+        QCOMPARE(edited(text, without("e.c")), std::string("e = { a = 1, b = \"x\"} # mine\nf = 2\n"));
+        QCOMPARE(edited("e = { a = [1,\n2] }\n", without("e.a")), std::string("e = {}\n"));
+    }
     /// New keys of a table do not fall into the [[tables]] below it.
     void putsAboveArraysOfTables()
     {

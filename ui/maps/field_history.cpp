@@ -49,6 +49,7 @@ PlotRange FieldHistory::usualRange(std::size_t field) const
     std::ranges::nth_element(lows, lows.begin() + tenth);
     std::ranges::nth_element(highs, highs.end() - 1 - tenth);
     const double low = lows[static_cast<std::size_t>(tenth)], high = *(highs.end() - 1 - tenth), span = high - low;
+    if (!(span > 0.0)) return whole; // as without contact most of the time
     return {whole.low < low - span ? low : whole.low, whole.high > high + span ? high : whole.high};
 }
 

@@ -53,7 +53,7 @@ void FieldMap::setLook(const FieldLook& look)
 {
     look_ = look;
     forgetLayout();
-    setTitle(look.title);
+    setTitle(look.title + look.remark);
     if (isFitted()) fit(); // the numbers of the bar may need another width
     update();
 }

@@ -17,6 +17,7 @@ struct FieldLook {
     QString unit;        // the display unit, "kPa"
     double factor = 1.0; // of the display unit in SI
     ColourScale scale;
+    QString remark{}; // behind the title: ", beyond the scale up to 54 kPa"
 };
 
 class FieldMap : public SliderPlan {

@@ -136,8 +136,8 @@ void FieldsView::showField()
     FieldLook shown = look(kinds_[chosen], logarithms_[chosen], range.low, range.high);
     if (fixed && !values.empty()) {
         const auto [low, high] = std::ranges::minmax(values);
-        if (high > range.high) shown.title += tr(", beyond the scale up to %1").arg(fieldText(high, shown));
-        if (low < range.low) shown.title += tr(", beyond the scale down to %1").arg(fieldText(low, shown));
+        if (high > range.high) shown.remark += tr(", beyond the scale up to %1").arg(fieldText(high, shown));
+        if (low < range.low) shown.remark += tr(", beyond the scale down to %1").arg(fieldText(low, shown));
     }
     map_->setLook(shown);
     map_->setField(grid_, std::move(values));

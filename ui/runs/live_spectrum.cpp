@@ -142,7 +142,10 @@ void LiveSpectrum::compute(const RunRecord& run)
     if (spectrum.empty()) return;
     const std::vector<Peak> peaks = findPeaks(spectrum, options.scaling);
     show(spectrum, peaks);
-    if (run.finished()) kept_.emplace(run.number, Kept{quantity, options, std::move(spectrum), peaks});
+    if (!run.finished()) return;
+    constexpr std::size_t mostKept = 4; // of a run
+    if (kept_.count(run.number) >= mostKept) kept_.erase(kept_.lower_bound(run.number));
+    kept_.emplace(run.number, Kept{quantity, options, std::move(spectrum), peaks});
 }
 
 /// Until the newest run has a spectrum, the one before it leads.

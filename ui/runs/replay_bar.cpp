@@ -86,7 +86,7 @@ void ReplayBar::showTime(const std::optional<double>& time)
     if (!playing()) share_ = span->width() > 0.0 ? (at - span->low) / span->width() : 1.0;
     const QSignalBlocker quiet(slider_);
     slider_->setValue(static_cast<int>(std::lround(share_ * replaySteps)));
-    time_->setText(timeText(at));
+    time_->setText(time ? timeText(at) : QString()); // else the picture shows the newest sample
 }
 
 void ReplayBar::describe()

@@ -13,7 +13,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double overhang = 0.08;    // of the distance between the outermost points
+constexpr double overhang = 0.08;    // at the front, of the distance between the outermost points
 constexpr int coils = 7;             // of a drawn spring
 constexpr double coilWidth = 9.0;    // [px]
 constexpr double padReachInDe = 3.0; // heights of the pad's picture, in take-off heights
@@ -39,7 +39,7 @@ SpringsDrawing::SpringsDrawing(const Case& c)
 {
     const double ahead = std::max(frontDistance_, -padDistance_), behind = std::max(rearDistance_, padDistance_);
     const double beyond = overhang * std::max(ahead + behind, 1e-6);
-    length_ = ahead + behind + 2.0 * beyond;
+    length_ = ahead + behind + beyond; // at the rear it ends with its outermost point: nothing is lower
     centre_ = ahead + beyond;
     if (c.contact != ContactKind::OnoYamane) return;
     contact_ = c.onoYamane;

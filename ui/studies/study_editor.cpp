@@ -80,6 +80,8 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
         soon_.start();
     });
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
+    connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
+    connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
     connect(gallery_, &StudyGallery::chosen, this, &StudyEditor::openSample);
     connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) {
         tabs_->setCurrentWidget(text_);
@@ -179,9 +181,8 @@ void StudyEditor::openSample(const SampleStudy& sample)
 {
     setKind(QString::fromStdString(sample.kind));
     drafts_[kind()].file.clear();
-    setText(withoutLicence(sample.text));
+    replaceText(withoutLicence(sample.text));
     replan();
-    tabs_->setCurrentWidget(form_);
 }
 
 void StudyEditor::showKind()
@@ -204,6 +205,7 @@ void StudyEditor::takeDefaults()
 
 const StudyPlan& StudyEditor::plan()
 {
+    form_->commitTyped();
     if (stale_) replan();
     return plan_;
 }
@@ -233,6 +235,10 @@ void StudyEditor::replan()
 void StudyEditor::showForm()
 {
     const TomlDocument toml = readToml(plan_.text);
+    if (!toml.problem.empty()) {
+        form_->show({}, toml, {});
+        return;
+    }
     const bool namesCase = std::ranges::find(toml.entries, "case", &TomlEntry::key) != toml.entries.end();
     const QString title = readable(plan_.start.value.title).toHtmlEscaped();
     const bool differs = namesCase && !caseDifference(case_, plan_.start.value).isEmpty();
@@ -254,10 +260,16 @@ void StudyEditor::enter(const QString& key, const QString& value)
         editor.remove(key.toStdString());
     else
         editor.put(key.toStdString(), value.toStdString());
-    QTextCursor all(text_->document()); // so that the text's own undo takes it back
-    all.select(QTextCursor::Document);
-    all.insertText(QString::fromStdString(editor.result()));
+    replaceText(QString::fromStdString(editor.result()));
     replan();
+}
+
+/// So that the text's own undo takes it back.
+void StudyEditor::replaceText(const QString& text)
+{
+    QTextCursor all(text_->document());
+    all.select(QTextCursor::Document);
+    all.insertText(text);
 }
 
 void StudyEditor::showProblems()

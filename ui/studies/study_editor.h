@@ -95,6 +95,7 @@ private:
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);
+    void replaceText(const QString& text);
     void takeDefaults();
     void replan();
     void showProblems();

@@ -9,6 +9,7 @@
 #include <QCompleter>
 #include <QEvent>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QRegularExpression>
 #include <QStringListModel>
@@ -93,7 +94,7 @@ Parameter typedAs(ParameterKind kind, std::string displayUnit)
 /// A bare number, or a text in quotation marks.
 std::string asToml(const std::string& text)
 {
-    static const QRegularExpression number(QStringLiteral("^[+-]?[0-9]+(\\.[0-9]+)?([eE][+-]?[0-9]+)?$"));
+    static const QRegularExpression number(QStringLiteral("^[+-]?(0|[1-9][0-9]{0,17})(\\.[0-9]+)?([eE][+-]?[0-9]+)?$"));
     return number.match(QString::fromStdString(text)).hasMatch() ? text : tomlString(text);
 }
 
@@ -164,8 +165,13 @@ void StudyFormView::show(const std::vector<StudyKey>& keys, const TomlDocument& 
 void StudyFormView::build(std::vector<StudyKey> keys)
 {
     std::string focused;
+    QString typed; // and not entered yet
     for (const Row& row : rows_) {
-        if (row.input->hasFocus()) focused = row.key.key;
+        if (row.input->hasFocus()) {
+            focused = row.key.key;
+            const auto* entry = qobject_cast<QLineEdit*>(row.input);
+            if (entry != nullptr && entry->isModified()) typed = entry->text();
+        }
         row.input->disconnect(this); // an input that loses its focus while it is destroyed
     }
     keys_ = std::move(keys);
@@ -193,6 +199,7 @@ void StudyFormView::build(std::vector<StudyKey> keys)
         row.problem->hide();
         label->setToolTip(tr("Key: %1. Allowed: %2").arg(QString::fromStdString(key.key), readable(allowedText(key))));
         row.input->setToolTip(label->toolTip());
+        row.input->installEventFilter(this);
         row.input->setObjectName(QString::fromStdString(key.key));
         row.input->setAccessibleName(fieldLabel(key.key));
         row.input->setAccessibleDescription(row.help->text());
@@ -206,9 +213,14 @@ void StudyFormView::build(std::vector<StudyKey> keys)
     lists_->setWordWrap(true);
     grid->addWidget(lists_, line++, 0, 1, 2);
     grid->setRowStretch(line, 1);
+    takeWidget()->deleteLater(); // one of its inputs may have asked for this
     setWidget(page);
     colour();
     if (QWidget* input = field(focused)) input->setFocus();
+    auto* entry = qobject_cast<QLineEdit*>(field(focused));
+    if (entry == nullptr || typed.isNull()) return;
+    entry->setText(typed);
+    entry->setModified(true);
 }
 
 QWidget* StudyFormView::makeInput(const StudyKey& key)
@@ -252,7 +264,9 @@ void StudyFormView::fill(Row& row, const TomlDocument& toml, const QString& give
     } else if (auto* line = qobject_cast<QLineEdit*>(row.input)) {
         const bool isNumber = row.key.kind == StudyKeyKind::Number;
         row.shown = isNumber ? readable(text) : QString::fromStdString(text);
-        if (line->text() != row.shown) {
+        row.isBare = entry != nullptr && !std::holds_alternative<std::string>(entry->value);
+        const bool beingTyped = line->hasFocus() && line->isModified();
+        if (line->text() != row.shown && !beingTyped) {
             line->setText(row.shown);
             line->setCursorPosition(0);
         }
@@ -286,16 +300,17 @@ void StudyFormView::commit(const std::string& key)
         const std::string chosen = choice->currentData().toString().toStdString();
         return emitValue(chosen.empty() ? chosen : tomlString(chosen));
     }
-    const auto* line = qobject_cast<QLineEdit*>(row.input);
+    auto* line = qobject_cast<QLineEdit*>(row.input);
     if (line->text() == row.shown) return; // Enter, and then the loss of the focus
     const std::string before = row.shown.toStdString();
     row.shown = line->text();
+    line->setModified(false);
     if (row.shown.trimmed().isEmpty()) return emitValue("");
     switch (row.key.kind) {
     case StudyKeyKind::Number: {
-        // A bare number has the unit that stood there.
+        // A bare number has the unit that stood there, which may be none (SI).
         std::string unit = unitOf(entryText(QString::fromStdString(before), typedAs(ParameterKind::Number, "")));
-        if (unit.empty()) unit = row.key.displayUnit;
+        if (unit.empty() && !row.isBare) unit = row.key.displayUnit;
         return emitValue(asToml(entryText(row.shown, typedAs(ParameterKind::Number, unit))));
     }
     case StudyKeyKind::List: return emitValue(listAsToml(entryText(row.shown, typedAs(ParameterKind::List, ""))));
@@ -336,6 +351,31 @@ void StudyFormView::colour()
         setTextColour(row.problem, colours.failure);
     }
     if (lists_ != nullptr) setTextColour(lists_, colours.muted);
+}
+
+bool StudyFormView::eventFilter(QObject* watched, QEvent* event)
+{
+    // The wheel scrolls the form unless the input has the focus.
+    if (event->type() == QEvent::Wheel && !qobject_cast<QWidget*>(watched)->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    // With nothing typed, undo and redo are those of the study.
+    const auto* entry = qobject_cast<QLineEdit*>(watched);
+    const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (!isKey || (entry != nullptr && entry->isModified())) return QScrollArea::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool undo = key->matches(QKeySequence::Undo);
+    if (!undo && !key->matches(QKeySequence::Redo)) return QScrollArea::eventFilter(watched, event);
+    event->accept();
+    if (event->type() == QEvent::KeyPress) undo ? emit undoRequested() : emit redoRequested();
+    return true;
+}
+
+void StudyFormView::commitTyped()
+{
+    for (const Row& row : rows_)
+        if (row.input->hasFocus()) return commit(std::string(row.key.key));
 }
 
 void StudyFormView::changeEvent(QEvent* event)

@@ -30,6 +30,8 @@ public:
     void show(const std::vector<StudyKey>& keys, const TomlDocument& toml, const QString& givenTitle);
     /// Shows each problem of the text `name` at its field.
     void mark(const std::vector<InputProblem>& problems, const std::string& name);
+    /// Takes what is typed in a line and was not confirmed yet.
+    void commitTyped();
     /// nullptr if the key has no field: a QLineEdit, QCheckBox or QComboBox.
     QWidget* field(const std::string& key) const;
     /// What is wrong with the value of a key; "" if nothing.
@@ -38,16 +40,20 @@ public:
 signals:
     /// The value as TOML; empty: the key is to be left out.
     void entered(const QString& key, const QString& value);
+    void undoRequested();
+    void redoRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     struct Row {
         StudyKey key;
         QWidget* input = nullptr;
         QLabel *help = nullptr, *problem = nullptr;
-        QString shown; // text that was put into a line
+        QString shown;       // text that was put into a line
+        bool isBare = false; // the text has a number without quotation marks, in SI
     };
 
     void build(std::vector<StudyKey> keys);

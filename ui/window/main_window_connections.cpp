@@ -250,6 +250,8 @@ void MainWindow::openStudy(const QString& file)
     if (CaseFiles::isResultsFile(file)) {
         StoredStudy stored = readStudy(file.toStdString());
         problem = QString::fromStdString(stored.problem);
+        if (problem.isEmpty() && studies_->underWay(stored.report.kind))
+            problem = tr("A study of this kind is being performed. Stop it before a report is opened.");
         if (problem.isEmpty()) {
             studies_->editor()->setKind(QString::fromStdString(stored.report.kind));
             studies_->restore(std::move(stored));

@@ -33,6 +33,12 @@ private slots:
         const FieldHistory history = of(20, [](int i) { return i == 3 ? 1.9 : 1.0; });
         QCOMPARE(history.usualRange(0).high, 1.9);
     }
+    /// Zero but for one impact, as a contact pressure: the impact is all that there is to see.
+    void mostlyNothing()
+    {
+        const FieldHistory history = of(20, [](int i) { return i == 3 ? 54.0 : 0.0; });
+        QCOMPARE(history.usualRange(0).high, 54.0);
+    }
     void fewSnapshots()
     {
         const FieldHistory history = of(9, [](int i) { return i == 3 ? 54.0 : 1.0; });

@@ -5,7 +5,7 @@
 
 #include <QCheckBox>
 #include <QLineEdit>
-#include <QSignalSpy>
+#include <QWheelEvent>
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
@@ -134,6 +134,65 @@ private slots:
         cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
         QCOMPARE(cases->currentText(), QStringLiteral("../mine.toml"));
     }
+    /// The form is built anew while its own input asks for it.
+    void anotherCaseWithOtherKeys()
+    {
+        QVERIFY(editor_->form()->field("equilibria") != nullptr);
+        auto* cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
+        cases->setFocus();
+        const int film = cases->findData(QStringLiteral("film_pico"));
+        cases->setCurrentIndex(film - 1);
+        QTest::keyClick(cases, Qt::Key_Down);
+        QCOMPARE(qobject_cast<QComboBox*>(editor_->form()->field("case"))->currentData().toString(),
+                 QStringLiteral("film_pico"));
+        QCOMPARE(editor_->form()->field("equilibria"), nullptr);
+    }
+    /// In the text it is in SI, and stays so.
+    void aNumberWithoutAUnit()
+    {
+        editor_->setText(QStringLiteral("hold = 0.002\n"));
+        editor_->plan();
+        enter(QStringLiteral("hold"), QStringLiteral("0.003"));
+        QVERIFY2(editor_->toText().contains(QStringLiteral("hold = 0.003\n")), qPrintable(editor_->toText()));
+    }
+    void aLeadingZero()
+    {
+        enter(QStringLiteral("steps"), QStringLiteral("07"));
+        QVERIFY(!editor_->run()->isEnabled());
+        QVERIFY(line("steps")->isEnabled());
+        QVERIFY(!editor_->form()->problemOf("steps").isEmpty());
+    }
+    /// A new case does not take it away, and Perform takes it.
+    void whatIsBeingTyped()
+    {
+        line("steps")->setFocus();
+        line("steps")->selectAll();
+        QTest::keyClicks(line("steps"), QStringLiteral("7"));
+        editor_->setCase(openCase("fig10b").value);
+        QTRY_VERIFY(editor_->subject().contains(QStringLiteral("Fig. 10 (b)")));
+        QCOMPARE(line("steps")->text(), QStringLiteral("7"));
+        QVERIFY(editor_->plan().valid());
+        QVERIFY(editor_->toText().contains(QStringLiteral("steps = 7")));
+    }
+    void undo()
+    {
+        QWidget* anew = editor_->form()->field("anew");
+        QTest::mouseClick(anew, Qt::LeftButton, {}, QPoint(8, 8));
+        QVERIFY(editor_->toText().contains(QStringLiteral("anew = true")));
+        QTest::keySequence(anew, QKeySequence::Undo);
+        QVERIFY(editor_->toText().contains(QStringLiteral("anew = false")));
+        editor_->plan();
+        QVERIFY(!qobject_cast<QCheckBox*>(editor_->form()->field("anew"))->isChecked());
+    }
+    void theWheelScrolls()
+    {
+        auto* cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
+        cases->clearFocus();
+        QWheelEvent event(QPointF(5, 5), cases->mapToGlobal(QPointF(5, 5)), QPoint(), QPoint(0, -120), Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(cases, &event);
+        QCOMPARE(cases->currentIndex(), 0);
+    }
     void aList()
     {
         editor_->setKind(QStringLiteral("statements"));
@@ -182,7 +241,8 @@ private slots:
         emit editor_->gallery()->itemClicked(editor_->gallery()->item(0));
         QVERIFY(!editor_->toText().contains(QStringLiteral("SPDX")));
         QVERIFY(editor_->plan().valid());
-        QCOMPARE(editor_->tabs()->currentWidget(), static_cast<QWidget*>(editor_->form()));
+        editor_->findChild<QPlainTextEdit*>()->undo(); // what stood there before
+        QVERIFY(editor_->toText().startsWith(QStringLiteral("kind = \"hysteresis\"\n")));
     }
     void firstSentences()
     {
