@@ -60,22 +60,6 @@ bool fallsTo(double base, const std::vector<double>& power, std::size_t top, std
 }
 
 // A parabola through the logarithms of three bins: its top in bins from the middle one, and its value.
-struct Top {
-    double offset = 0.0;
-    double power = 0.0;
-};
-Top interpolate(double left, double middle, double right)
-{
-    // Beside a sine on a bin an unwindowed spectrum holds nothing but rounding, whose logarithm means nothing.
-    const double floor = 1e-12 * middle;
-    const double a = std::log(std::max(left, floor) / middle);
-    const double c = std::log(std::max(right, floor) / middle);
-    const double curvature = a + c;
-    if (!(curvature < 0.0)) return {0.0, middle};
-    const double offset = 0.5 * (a - c) / curvature;
-    return {offset, middle * std::exp(-0.25 * (a - c) * offset)};
-}
-
 } // namespace
 
 struct WelchEstimator::Plan {
@@ -191,6 +175,18 @@ Spectrum welch(std::span<const double> signal, double interval, const WelchOptio
     return WelchEstimator(options)(signal, interval);
 }
 
+PeakTop topBetween(double left, double middle, double right)
+{
+    // Beside a sine on a bin an unwindowed spectrum holds nothing but rounding, whose logarithm means nothing.
+    const double floor = 1e-12 * middle;
+    const double a = std::log(std::max(left, floor) / middle);
+    const double c = std::log(std::max(right, floor) / middle);
+    const double curvature = a + c;
+    if (!(curvature < 0.0)) return {0.0, middle};
+    const double offset = 0.5 * (a - c) / curvature;
+    return {offset, middle * std::exp(-0.25 * (a - c) * offset)};
+}
+
 std::vector<Peak> findPeaks(const Spectrum& spectrum, SpectrumScaling scaling, std::size_t most, double prominence)
 {
     const std::vector<double>& power = spectrum.power;
@@ -204,7 +200,7 @@ std::vector<Peak> findPeaks(const Spectrum& spectrum, SpectrumScaling scaling, s
         const double base = power[k] / prominence;
         if (!fallsTo(base, power, k, -1) || !fallsTo(base, power, k, 1)) continue;
 
-        const Top top = interpolate(power[k - 1], power[k], power[k + 1]);
+        const PeakTop top = topBetween(power[k - 1], power[k], power[k + 1]);
         // A density counts the sine's power over the window's noise bandwidth.
         const double bandwidth = scaling == SpectrumScaling::Density ? spectrum.equivalentNoiseBandwidth : 1.0;
         peaks.push_back(

@@ -54,6 +54,14 @@ private:
 
 Spectrum welch(std::span<const double> signal, double interval, const WelchOptions& options = {});
 
+/// The top between a local maximum and its neighbours, by a parabola through the logarithms of their powers.
+struct PeakTop {
+    double offset = 0.0; // from the middle one, -0.5 to 0.5 [bins]
+    double power = 0.0;  // [unit of the powers]
+};
+/// All positive; `middle` is the largest.
+PeakTop topBetween(double left, double middle, double right);
+
 /// A local maximum of a spectrum.
 struct Peak {
     double frequency = 0.0; // [Hz], between bins by a parabola through the logarithms

@@ -70,6 +70,7 @@ private slots:
     void oddSegmentWithoutMeanRemoval();
     void shortSignals_data();
     void shortSignals();
+    void topBetweenBins();
     void constantSignalHasNoPower();
     void peakBetweenBins_data();
     void peakBetweenBins();
@@ -276,6 +277,18 @@ void TestSpectrum::shortSignals()
     QCOMPARE(s.frequency.size(), s.power.size());
     QCOMPARE(s.empty(), bins == 0);
     QVERIFY(bins > 0 || findPeaks(s, SpectrumScaling::Density).empty());
+}
+
+/// A Gaussian h exp(-(x - x0)^2/w) is a parabola in its logarithm: the top is found to rounding.
+void TestSpectrum::topBetweenBins()
+{
+    for (const double place : {-0.49, -0.2, 0.0, 0.37}) {
+        const auto power = [&](double x) { return 3e-18 * std::exp(-std::pow(x - place, 2) / 1.7); };
+        const PeakTop top = topBetween(power(-1.0), power(0.0), power(1.0));
+        QVERIFY(std::abs(top.offset - place) < 1e-12);
+        QVERIFY(std::abs(top.power - 3e-18) < 1e-12 * 3e-18);
+    }
+    QCOMPARE(topBetween(2.0, 2.0, 2.0).offset, 0.0); // flat
 }
 
 void TestSpectrum::constantSignalHasNoPower()

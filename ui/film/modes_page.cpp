@@ -207,6 +207,7 @@ void ModesPage::onFinished(const ModesResult& result)
         if (!result.modes.empty()) picture_->setState(solved_, result.steady.attitude);
         fillTable();
         pages_->setCurrentIndex(result.modes.empty() ? 0 : 1);
+        emit found(solved_, result);
     }
     showNotes();
 }

@@ -36,6 +36,10 @@ public:
     QTableWidget* table() const { return table_; }
     bool stale() const;
 
+signals:
+    /// Modes were found, or none, for this case.
+    void found(const touchdown::Case& solved, const touchdown::ModesResult& result);
+
 public slots:
     /// Finds the modes of the case, or stops that.
     void startOrStop();

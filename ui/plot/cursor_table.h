@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of all curves at the two cursors, their differences, and 1/dt in Hz. Ctrl+C copies all of it.
+// The values of all curves at the two cursors, their differences, and 1/dt in Hz; of spectra also the ratio of the
+// powers in dB, 10 log10(P2/P1), and which cursor is at a peak of the newest run. With several groups of plots, tabs
+// show whose cursors are read: those that moved last. Ctrl+C or the button copies all of it.
 #pragma once
 
+#include <vector>
+
 #include <QLabel>
+#include <QTabBar>
 #include <QTableWidget>
 #include <QTimer>
+#include <QToolButton>
 
 #include "ui/plot/plot_group.h"
 
@@ -17,10 +23,16 @@ class CursorTable : public QWidget {
 public:
     /// `group` must outlive the table or be destroyed together with it.
     explicit CursorTable(PlotGroup* group, QWidget* parent = nullptr);
+    /// Another group of plots; its table is shown while its cursors are used.
+    void add(PlotGroup* group);
 
     /// Fills the table again soon: after curves came or went. The table follows the cursors by itself.
     void scheduleUpdate();
     QTableWidget* table() const { return table_; }
+    QTabBar* tabs() const { return tabs_; }
+    const PlotGroup* shown() const { return shown_; }
+    /// The table for a spreadsheet: cells between tabulators, one number in each, with the units in the heads.
+    QString asText() const;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -28,11 +40,17 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
+    void cursorMoved(PlotGroup* group);
+    void showGroup(PlotGroup* group);
     void fill();
-    QString asText() const; // with tabulators, for a spreadsheet
+    QString placesText() const;
+    void copy() const;
 
-    PlotGroup* group_;
-    QLabel* times_; // of the cursors, their difference and its inverse
+    std::vector<PlotGroup*> groups_;
+    PlotGroup* shown_;
+    QTabBar* tabs_; // one for each group
+    QToolButton* copy_;
+    QLabel* places_; // of the cursors, their difference and its inverse
     QTableWidget* table_;
     QTimer timer_;
     bool stale_ = true;

@@ -137,6 +137,14 @@ std::optional<PlotRange> MinMaxPyramid::extremes(double from, double to) const
     return PlotRange{values_[found.smallest], values_[found.largest]};
 }
 
+std::size_t MinMaxPyramid::nearest(double time) const
+{
+    const auto after = static_cast<std::size_t>(std::ranges::lower_bound(times_, time) - times_.begin());
+    if (after == 0) return 0;
+    if (after == times_.size()) return after - 1;
+    return time - times_[after - 1] <= times_[after] - time ? after - 1 : after;
+}
+
 std::optional<double> MinMaxPyramid::valueAt(double time) const
 {
     if (empty() || !(time >= firstTime() && time <= lastTime())) return std::nullopt;

@@ -59,6 +59,8 @@ public:
 
     /// By a straight line between neighbours; nothing before the first and after the last sample.
     std::optional<double> valueAt(double time) const;
+    /// The index of the sample nearest to `time`, the earlier of two at equal distance; not when empty.
+    std::size_t nearest(double time) const;
 
     /// Points for a line that shows from <= time <= to on `pixels` columns: at most 4 points a column, plus 4, with the
     /// smallest and the largest sample of each bin, in the order of time, and the neighbours just outside so that the

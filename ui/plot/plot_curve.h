@@ -33,10 +33,11 @@ struct PlotCurve {
     std::optional<double> end = {}; // its data will grow up to this x: the range of x does not grow with each sample
 };
 
-/// A horizontal line across the plot: "d_s = 3 nm".
+/// A line across the plot: horizontal "d_s = 3 nm", or upright "contact 281.3 kHz".
 struct ReferenceLine {
-    double value = 0.0; // [unit of y]
+    double value = 0.0; // [unit of y], or of x where it is upright
     QString label;
+    bool upright = false;
 };
 
 /// Something that happened: a subtle tick at the upper edge, with its name in the tooltip.

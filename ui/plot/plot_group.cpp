@@ -54,6 +54,8 @@ void openMenu(PlotWidget* plot, PlotGroup* group, const QPoint& at)
             addCheckable(curves, curve.name.isEmpty() ? plot->title() : curve.name, curve.visible, plot,
                          [plot, id = curve.id](bool visible) { plot->setCurveVisible(id, visible); });
     }
+    if (!plot->actions().isEmpty()) menu->addSeparator();
+    menu->addActions(plot->actions());
     menu->addSeparator();
 
     addPictureActions(*menu, *plot, [plot](QIODevice& device) { writeCsv(*plot, device); });
@@ -62,7 +64,7 @@ void openMenu(PlotWidget* plot, PlotGroup* group, const QPoint& at)
 
 } // namespace
 
-PlotGroup::PlotGroup(QObject* parent) : QObject(parent), history_{state()} {}
+PlotGroup::PlotGroup(QObject* parent, Across across) : QObject(parent), across_(across), history_{state()} {}
 
 void PlotGroup::add(PlotWidget* plot)
 {
@@ -80,6 +82,7 @@ void PlotGroup::add(PlotWidget* plot)
     });
     connect(plot, &PlotWidget::menuRequested, this, [this, plot](const QPoint& at) { openMenu(plot, this, at); });
     for (const int which : {0, 1}) plot->setPlotCursor(which, cursor(which));
+    plot->setCursorsSnap(across_ == Across::Frequency);
     plot->setEverything(everything_);
     if (follow_ == Follow::Frozen)
         showX(xRange_);
@@ -263,28 +266,34 @@ void PlotGroup::forgetHistory()
     emit historyChanged();
 }
 
-void PlotGroup::setCursor(int which, std::optional<double> time)
+void PlotGroup::setCursor(int which, std::optional<double> at)
 {
-    cursors_[static_cast<std::size_t>(which)] = time;
-    for (PlotWidget* plot : plots_) plot->setPlotCursor(which, time);
+    cursors_[static_cast<std::size_t>(which)] = at;
+    for (PlotWidget* plot : plots_) plot->setPlotCursor(which, at);
     emit cursorMoved(which);
+}
+
+std::optional<double> PlotGroup::valueAt(const PlotCurve& curve, int which) const
+{
+    const auto at = cursor(which);
+    const auto between = at ? curve.data->valueAt(*at) : std::nullopt;
+    if (!between || across_ == Across::Time) return between;
+    return curve.data->value(curve.data->nearest(*at));
 }
 
 std::vector<CursorReading> PlotGroup::readings() const
 {
     std::vector<CursorReading> readings;
-    const auto at = [this](const PlotCurve& curve, int which) {
-        return cursor(which) ? curve.data->valueAt(*cursor(which)) : std::nullopt;
-    };
     for (const PlotWidget* plot : plots_) {
         if (plot->isPhasePortrait()) continue;
         for (const PlotCurve& curve : plot->curves()) {
             if (!curve.visible || curve.data == nullptr) continue;
             const bool same = curve.name.isEmpty() || curve.name == plot->title();
-            const QString name = same                      ? plot->title()
-                                 : plot->title().isEmpty() ? curve.name
-                                                           : tr("%1: %2").arg(plot->title(), curve.name);
-            readings.push_back({plot, curve.id, name, curve.style, curve.pale, at(curve, 0), at(curve, 1)});
+            const bool alone = plot->title().isEmpty() || across_ == Across::Frequency;
+            const QString name = same    ? plot->title()
+                                 : alone ? curve.name
+                                         : tr("%1: %2").arg(plot->title(), curve.name);
+            readings.push_back({plot, curve.id, name, curve.style, curve.pale, valueAt(curve, 0), valueAt(curve, 1)});
         }
     }
     return readings;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plots that belong together: one time axis, one zoom history, one pair of cursors, and the menu of the right mouse
-// button. The time axis follows the run or is frozen.
+// Plots that belong together: one axis of time or frequency, one zoom history, one pair of cursors, and the menu of the
+// right mouse button. The axis follows the run or is frozen. Over frequency cursors go to peaks, and values are those
+// of the nearest sample: a spectrum has none between its bins.
 //
 // The group does not own its plots. A plot leaves the group when it is destroyed. The axes follow the curves that lead:
 // the newest run. Zooming x by hand freezes the time axis; fitting shows everything, until a new run begins. A phase
@@ -22,7 +23,8 @@ namespace touchdown {
 struct CursorReading {
     const PlotWidget* plot = nullptr;
     QString curve; // id
-    QString name;  // "Energy: kinetic"; the title of the plot alone where the curve has no other name
+    QString name;  // "Energy: kinetic"; the title of the plot alone where the curve has no other name; of a spectrum
+                   // the name of the run
     CurveStyle style;
     bool pale = false;
     std::optional<double> first;  // at cursor 1
@@ -36,7 +38,10 @@ public:
     enum class Follow { WholeRun, Frozen };
     Q_ENUM(Follow)
 
-    explicit PlotGroup(QObject* parent = nullptr);
+    enum class Across { Time, Frequency };
+
+    explicit PlotGroup(QObject* parent = nullptr, Across across = Across::Time);
+    Across across() const { return across_; }
 
     void add(PlotWidget* plot);
     void remove(PlotWidget* plot);
@@ -60,8 +65,9 @@ public:
     void goForward();
     void forgetHistory(); // as for a new run
 
-    void setCursor(int which, std::optional<double> time);
+    void setCursor(int which, std::optional<double> at); // time [s] or frequency [Hz]
     std::optional<double> cursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
+    bool hasCursors() const { return cursors_[0] || cursors_[1]; }
     /// Values of all visible curves of all plots that are not phase portraits.
     std::vector<CursorReading> readings() const;
 
@@ -91,6 +97,9 @@ private:
     void step(std::size_t position);
     void record(std::optional<PlotWidget::Gesture> gesture, const PlotWidget* plot);
 
+    std::optional<double> valueAt(const PlotCurve& curve, int which) const;
+
+    Across across_;
     std::vector<PlotWidget*> plots_;
     Follow follow_ = Follow::WholeRun;
     bool everything_ = false;

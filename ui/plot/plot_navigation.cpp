@@ -10,6 +10,8 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include "ui/plot/cursor_peak.h"
+
 namespace touchdown {
 
 namespace {
@@ -18,6 +20,7 @@ constexpr double wheelStep = 1.25;  // of the range for one notch
 constexpr double keyStep = 0.1;     // of the range
 constexpr double flatBox = 8.0;     // a side shorter than this does not zoom [px]
 constexpr double grabReach = 4.0;   // of a cursor's line [px]
+constexpr double snapReach = 8.0;   // of a peak [px]
 constexpr double widestView = 20.0; // of the data
 
 } // namespace
@@ -120,13 +123,13 @@ bool PlotNavigation::move(const QMouseEvent& event)
         plot_.hoverLegend(at);
         plot_.setCursor(cursorNear(at) ? Qt::SplitHCursor : inside ? Qt::CrossCursor : Qt::ArrowCursor);
         if (plot_.cursorPinned() || plot_.isPhasePortrait()) return true;
-        plot_.userCursor(0, inside ? std::optional(plot_.xAxis().valueAt(inArea(at).x())) : std::nullopt);
+        plot_.userCursor(0, inside ? std::optional(cursorAt(event)) : std::nullopt);
         return true;
     }
     dragged_ = dragged_ || (at - pressedAt_).manhattanLength() >= QApplication::startDragDistance();
     if (!dragged_) return true;
     if (drag_ == Drag::Cursor) {
-        plot_.userCursor(draggedCursor_, plot_.xAxis().valueAt(std::clamp(inArea(at).x(), 0.0, 1.0)));
+        plot_.userCursor(draggedCursor_, cursorAt(event));
     } else if (drag_ == Drag::Box) {
         plot_.showSelection(QRectF(pressedAt_, at).normalized());
     } else {
@@ -159,12 +162,20 @@ bool PlotNavigation::release(const QMouseEvent& event)
     return true;
 }
 
+/// Where the mouse sets a cursor, within the plot area.
+double PlotNavigation::cursorAt(const QMouseEvent& event) const
+{
+    const double x = plot_.xAxis().valueAt(std::clamp(inArea(event.position()).x(), 0.0, 1.0));
+    if (!plot_.cursorsSnap() || event.modifiers().testFlag(Qt::ControlModifier)) return x;
+    return peakNear(plot_, x, snapReach).value_or(x);
+}
+
 void PlotNavigation::click(const QMouseEvent& event)
 {
     cursorBefore_ = plot_.plotCursor(0);
     pinnedBefore_ = plot_.cursorPinned();
     if (plot_.isPhasePortrait() || !plot_.plotArea().contains(event.position())) return;
-    const double x = plot_.xAxis().valueAt(inArea(event.position()).x());
+    const double x = cursorAt(event);
     const bool second = event.modifiers().testFlag(Qt::ShiftModifier);
     if (!second) plot_.userPin(true);
     plot_.userCursor(second ? 1 : 0, x);

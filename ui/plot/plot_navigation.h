@@ -39,6 +39,7 @@ private:
     void shift(double partX, double partY, PlotWidget::Gesture gesture);
     void zoomToBox(const QPointF& from, const QPointF& to);
     void click(const QMouseEvent& event);
+    double cursorAt(const QMouseEvent& event) const;
 
     PlotWidget& plot_;
     Drag drag_ = Drag::None;

@@ -203,15 +203,24 @@ void PlotPainter::paintShadedAreas(QPainter& painter) const
     painter.restore();
 }
 
+bool PlotPainter::isSeen(const ReferenceLine& line) const
+{
+    return (line.upright ? plot_.xAxis() : plot_.yAxis()).range().contains(line.value);
+}
+
 void PlotPainter::paintReferenceLines(QPainter& painter) const
 {
     QPen pen(theme_.referenceLine, 1.0);
     pen.setDashPattern({4.0, 4.0});
     painter.setPen(pen);
     for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (!plot_.yAxis().range().contains(line.value)) continue;
+        if (!isSeen(line)) continue;
         const double y = alignedPixel(frame_.up(plot_.yAxis().position(line.value)));
-        painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
+        const double x = alignedPixel(frame_.across(plot_.xAxis().position(line.value)));
+        if (line.upright)
+            painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
+        else
+            painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
     }
 }
 
@@ -221,13 +230,23 @@ void PlotPainter::paintReferenceLabels(QPainter& painter) const
     const QFontMetricsF metrics(frame_.numberFont);
     std::vector<QRectF> taken;
     for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (line.label.isEmpty() || !plot_.yAxis().range().contains(line.value)) continue;
-        const double y = frame_.up(plot_.yAxis().position(line.value));
+        if (line.label.isEmpty() || !isSeen(line)) continue;
         QRectF box(0.0, 0.0, metrics.horizontalAdvance(line.label) + 4.0, metrics.height());
-        box.moveBottomRight({area_.right() - 4.0, y - 1.0});
-        if (box.top() < area_.top()) box.moveTop(y + 2.0);
-        for (const QRectF& other : taken)
-            if (box.intersects(other)) box.moveRight(other.left() - PlotFrame::gap);
+        if (line.upright) {
+            // Beside its line at the bottom, where no peak has its label, above the labels of its neighbours.
+            const double x = frame_.across(plot_.xAxis().position(line.value));
+            box.moveBottomLeft({x + 3.0, area_.bottom() - 2.0});
+            if (box.right() > area_.right()) box.moveRight(x - 3.0);
+            for (const QRectF& other : taken)
+                if (box.intersects(other)) box.moveBottom(other.top() - 1.0);
+            if (box.top() < area_.top()) continue;
+        } else {
+            const double y = frame_.up(plot_.yAxis().position(line.value));
+            box.moveBottomRight({area_.right() - 4.0, y - 1.0});
+            if (box.top() < area_.top()) box.moveTop(y + 2.0);
+            for (const QRectF& other : taken)
+                if (box.intersects(other)) box.moveRight(other.left() - PlotFrame::gap);
+        }
         taken.push_back(box);
         paintLabel(painter, box, line.label, theme_.mutedText);
     }

@@ -35,6 +35,7 @@ public:
 private:
     void paintHeader(QPainter& painter) const;
     void paintShadedAreas(QPainter& painter) const;
+    bool isSeen(const ReferenceLine& line) const;
     void paintReferenceLines(QPainter& painter) const;
     void paintReferenceLabels(QPainter& painter) const;
     void paintEventMarks(QPainter& painter) const;

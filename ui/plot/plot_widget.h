@@ -10,7 +10,7 @@
 // Mouse: wheel zooms x about the pointer, Ctrl + wheel (or over the numbers of y) zooms y, Shift + wheel zooms both;
 // a phase portrait always zooms both. Left drag zooms to the box, a flat box in one direction only. Middle or right
 // drag moves. Double click fits. Cursor 1 follows the pointer until a click pins it; Shift + click sets cursor 2;
-// Escape takes both away. Right click: menu.
+// Escape takes both away. In a plot over frequency both go to the nearest peak, unless Ctrl is held. Right click: menu.
 // Keys: arrows move, + and - zoom x, Ctrl with + and - zoom y, Home fits, Backspace or Alt + Left and Alt + Right
 // walk through the zoom history, Shift + Left and Shift + Right move cursor 1 by a pixel, L switches y between linear
 // and logarithmic.
@@ -108,6 +108,9 @@ public:
     /// A pinned cursor 1 does not follow the pointer. Emits nothing.
     void setCursorPinned(bool pinned) { cursorPinned_ = pinned; }
     bool cursorPinned() const { return cursorPinned_; }
+    /// A cursor that the mouse sets goes to the nearest peak (ui/plot/cursor_peak.h), unless Ctrl is held.
+    void setCursorsSnap(bool snap) { cursorsSnap_ = snap; }
+    bool cursorsSnap() const { return cursorsSnap_; }
 
     /// Where the curves are, in pixels of this widget.
     QRectF plotArea() const;
@@ -178,6 +181,7 @@ private:
     std::vector<ShadedArea> shadedAreas_;
     std::array<std::optional<double>, 2> cursors_;
     bool cursorPinned_ = false;
+    bool cursorsSnap_ = false;
     std::optional<PlotRange> timeWindow_;
     std::optional<double> mostX_;
     PlotCanvas* canvas_ = nullptr; // owned by Qt as a child

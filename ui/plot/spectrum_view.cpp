@@ -43,7 +43,7 @@ void choose(QComboBox* box, const QVariant& data)
 SpectrumView::SpectrumView(QWidget* parent)
     : QWidget(parent),
       plot_(new PlotWidget(this)),
-      group_(new PlotGroup(this)),
+      group_(new PlotGroup(this, PlotGroup::Across::Frequency)),
       quantity_(new QComboBox(this)),
       window_(new QComboBox(this)),
       segment_(new QComboBox(this)),
@@ -103,6 +103,13 @@ SpectrumView::SpectrumView(QWidget* parent)
         connect(box, &QComboBox::currentIndexChanged, this, &SpectrumView::request);
     }
     connect(overlap_, &QSpinBox::valueChanged, this, &SpectrumView::request);
+    for (const auto& [kind, text] : {std::pair(FrequencyKind::Mode, tr("Lines at the &modes")),
+                                     std::pair(FrequencyKind::Contact, tr("Line at the frequency of co&ntact")),
+                                     std::pair(FrequencyKind::Wave, tr("Lines at the &waves of the disk"))}) {
+        lines_[kind] = new QAction(text, this);
+        lines_[kind]->setCheckable(true);
+        connect(lines_[kind], &QAction::toggled, this, &SpectrumView::updateLines);
+    }
     connect(logFrequency_, &QCheckBox::toggled, this, [this](bool on) {
         AxisLabel label = plot_->xAxis().label;
         label.scale = on ? AxisScale::Logarithmic : AxisScale::Linear;
@@ -221,6 +228,7 @@ void SpectrumView::setSpectrum(const QString& id, const QString& name, const Cur
     spectra_[id] = std::move(samples); // the curve points to the new data by now
     updateMarks();
     group_->dataChanged();
+    emit curvesChanged();
 }
 
 void SpectrumView::removeSpectrum(const QString& id)
@@ -230,6 +238,7 @@ void SpectrumView::removeSpectrum(const QString& id)
     peaks_.erase(id);
     updateMarks();
     group_->dataChanged();
+    emit curvesChanged();
 }
 
 void SpectrumView::clear()
@@ -238,6 +247,7 @@ void SpectrumView::clear()
     spectra_.clear();
     peaks_.clear();
     updateMarks();
+    emit curvesChanged();
 }
 
 void SpectrumView::updateCurves(const std::function<void(PlotCurve&)>& change)
@@ -245,6 +255,31 @@ void SpectrumView::updateCurves(const std::function<void(PlotCurve&)>& change)
     plot_->updateCurves(change);
     updateMarks();
     group_->dataChanged();
+    emit curvesChanged();
+}
+
+void SpectrumView::setReferences(std::vector<ReferenceFrequency> references)
+{
+    if (references == references_) return;
+    references_ = std::move(references);
+    for (const auto& [kind, wanted] : lines_) {
+        if (std::ranges::find(references_, kind, &ReferenceFrequency::kind) != references_.end())
+            plot_->addAction(wanted);
+        else
+            plot_->removeAction(wanted);
+    }
+    updateLines();
+}
+
+void SpectrumView::updateLines()
+{
+    std::vector<ReferenceLine> lines;
+    for (const ReferenceFrequency& each : references_)
+        if (lines_.at(each.kind)->isChecked())
+            lines.push_back(
+                {each.frequency,
+                 QStringLiteral("%1 %2").arg(QString::fromStdString(each.name), frequencyText(each.frequency)), true});
+    plot_->setReferenceLines(std::move(lines));
 }
 
 void SpectrumView::updateMarks()

@@ -9,12 +9,14 @@
 
 #include <map>
 
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QSpinBox>
 
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/quantity.h"
+#include "core/simulation/reference_frequencies.h"
 #include "ui/plot/plot_group.h"
 
 namespace touchdown {
@@ -43,17 +45,25 @@ public:
     /// those of the curves that lead.
     void updateCurves(const std::function<void(PlotCurve&)>& change);
 
+    /// Frequencies of the case: the menu of the plot offers lines at those kinds that it has.
+    void setReferences(std::vector<ReferenceFrequency> references);
+    /// Shows the lines of this kind.
+    QAction* linesWanted(FrequencyKind kind) const { return lines_.at(kind); }
+
     PlotWidget* plot() const { return plot_; }
     PlotGroup* group() const { return group_; }
 
 signals:
     /// The user chose: please compute the spectra of all runs anew.
     void requested(const QString& quantity, const touchdown::WelchOptions& options);
+    /// Spectra came, went or are shown in another way.
+    void curvesChanged();
 
 private:
     void request();
     void updateAxes();
     void updateMarks();
+    void updateLines();
 
     PlotWidget* plot_;
     PlotGroup* group_;
@@ -64,6 +74,8 @@ private:
     QComboBox* scaling_;
     QCheckBox* logFrequency_;
     std::vector<Quantity> quantities_;
+    std::map<FrequencyKind, QAction*> lines_;
+    std::vector<ReferenceFrequency> references_;
     std::map<QString, std::unique_ptr<MinMaxPyramid>> spectra_;
     std::map<QString, std::vector<PointMark>> peaks_;
 };

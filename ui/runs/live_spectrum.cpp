@@ -7,6 +7,8 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/static_state/steady.h"
+#include "ui/film/same_film.h"
 #include "ui/plot/spectrum_view.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
@@ -30,6 +32,13 @@ int numberOf(const QString& id)
 }
 
 } // namespace
+
+/// Of a static state that was solved.
+struct LiveSpectrum::FilmModes {
+    Case solved;
+    Attitude attitude;
+    std::vector<ReferenceFrequency> list;
+};
 
 LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent)
     : QWidget(parent), runs_(runs), view_(new SpectrumView(this))
@@ -74,7 +83,29 @@ LiveSpectrum::LiveSpectrum(RunsModel& runs, QWidget* parent)
     connect(view_->plot(), &PlotWidget::legendHovered, this, [this](const QString& id) { runs_.raise(numberOf(id)); });
 }
 
+LiveSpectrum::~LiveSpectrum() = default;
+
 void LiveSpectrum::setOptionsOf(const Case& c) { view_->setOptions(welchOptions(c.spectrum, c.run.sampleInterval)); }
+
+void LiveSpectrum::setFilmModes(const Case& solved, const ModesResult& result)
+{
+    filmModes_ = std::make_unique<FilmModes>(FilmModes{solved, result.steady.attitude, {}});
+    for (const AirBearingMode& mode : result.modes)
+        if (mode.frequency > 0.0)
+            filmModes_->list.push_back({FrequencyKind::Mode, mode.frequency, mode.kind + " mode"});
+    updateReferences();
+}
+
+void LiveSpectrum::updateReferences()
+{
+    const RunRecord* leads = runs_.find(leader_);
+    std::vector<ReferenceFrequency> list;
+    if (leads) list = referenceFrequencies(leads->value);
+    if (leads && filmModes_ && leads->value.model == ModelKind::Film &&
+        hasStaticState(leads->value, filmModes_->solved, filmModes_->attitude))
+        list.insert(list.begin(), filmModes_->list.begin(), filmModes_->list.end());
+    view_->setReferences(std::move(list));
+}
 
 void LiveSpectrum::dataArrived(int number)
 {
@@ -158,6 +189,10 @@ void LiveSpectrum::restyle()
     int leader = -1;
     for (int row = runs_.count() - 1; row >= 0 && leader < 0; --row)
         if (runs_.record(row).shown && has(runs_.record(row).number)) leader = runs_.record(row).number;
+    if (leader != leader_) {
+        leader_ = leader;
+        updateReferences();
+    }
     const int speaker = has(runs_.speaker()) ? runs_.speaker() : leader;
     view_->updateCurves([&](PlotCurve& curve) {
         const int number = numberOf(curve.id);

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <map>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -15,12 +16,14 @@
 
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/quantity.h"
+#include "core/simulation/reference_frequencies.h"
 
 namespace touchdown {
 
 class RunsModel;
 class SpectrumView;
 struct Case;
+struct ModesResult;
 struct RunRecord;
 
 class LiveSpectrum : public QWidget {
@@ -29,10 +32,14 @@ class LiveSpectrum : public QWidget {
 public:
     /// `runs` must outlive the widget.
     explicit LiveSpectrum(RunsModel& runs, QWidget* parent = nullptr);
+    ~LiveSpectrum() override;
 
     SpectrumView* view() const { return view_; }
     /// Takes over what the case asks for.
     void setOptionsOf(const Case& c);
+    /// Air bearing modes that were found for a case: the spectrum offers lines at them while the newest run has the
+    /// same film.
+    void setFilmModes(const touchdown::Case& solved, const touchdown::ModesResult& result);
     void dataArrived(int number);
     void runFinished(int number);
     /// Spectra computed since the beginning.
@@ -46,12 +53,14 @@ private:
     void computeStale();
     void compute(const RunRecord& run);
     void restyle();
+    void updateReferences();
 
     RunsModel& runs_;
     SpectrumView* view_;
     QTimer timer_;
     QElapsedTimer last_;  // since the last computation
     std::set<int> stale_; // numbers of runs
+    int leader_ = -1;     // number of the run whose case gives the reference frequencies
     struct Kept {
         std::string quantity;
         WelchOptions options;
@@ -62,6 +71,8 @@ private:
     std::set<int> whole_;           // numbers of the runs whose last spectrum is shown
     long long computed_ = 0;
     std::vector<Quantity> offered_;
+    struct FilmModes;
+    std::unique_ptr<FilmModes> filmModes_; // nullptr: none are known
 };
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 #include "ui/lists/record_panel.h"
 #include "ui/plot/cursor_table.h"
 #include "ui/plot/plot_group.h"
+#include "ui/plot/spectrum_view.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_maps.h"
@@ -28,7 +29,9 @@ RunWindow::RunWindow(QWidget* parent)
     connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
     connect(&controller_, &RunController::recordingFailed, this, [this] { runs_.setFile(number_, {}); });
+    values_->add(view_->spectrum()->view()->group());
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
+    connect(view_->spectrum()->view(), &SpectrumView::curvesChanged, values_, &CursorTable::scheduleUpdate);
     connect(panel_, &RecordPanel::recordChosen, view_->maps(), &RunMaps::showRun);
     connect(panel_, &RecordPanel::recordHovered, &runs_, &RunsModel::raise);
     connect(panel_, &RecordPanel::recordChosen, view_->side(), &SideView::showRun);

@@ -19,6 +19,7 @@
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/modes_page.h"
 #include "ui/film/solution_files.h"
 #include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
@@ -26,6 +27,7 @@
 #include "ui/plot/plot_group.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
@@ -147,6 +149,7 @@ void MainWindow::connectFilm()
     connect(actions_->stop, &QAction::triggered, film_->view(), &FilmView::stop);
     connect(film_->view(), &FilmView::busyChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
+    connect(film_->view()->modes(), &ModesPage::found, runView().spectrum(), &LiveSpectrum::setFilmModes);
     connect(film_, &FilmWindow::shownChanged, this, [this] {
         const SteadyResult* result = film_->result();
         aboutCase_->setResult(result ? steadyText(*result) : QString());

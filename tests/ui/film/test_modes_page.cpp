@@ -152,7 +152,10 @@ void TestModesPage::saysWhenTheCaseHasChanged()
 
 void TestModesPage::aStopKeepsWhatIsKnown()
 {
+    QSignalSpy found(page_.get(), &ModesPage::found);
     find();
+    QCOMPARE(found.count(), 1);
+    QCOMPARE(found[0][1].value<ModesResult>().modes.size(), std::size_t(2));
     waiting_ = true;
     QSignalSpy progressed(&page_->controller(), &ModesController::progressed);
     QSignalSpy finished(&page_->controller(), &ModesController::finished);
@@ -162,6 +165,7 @@ void TestModesPage::aStopKeepsWhatIsKnown()
     button()->click(); // it says Stop by now
     QTRY_COMPARE(finished.count(), 1);
     QCOMPARE(page_->table()->rowCount(), 2);
+    QCOMPARE(found.count(), 1); // a search that was stopped finds none
 }
 
 void TestModesPage::aFailureSaysWhy()

@@ -47,6 +47,7 @@ private slots:
     void foldingLosesNoExtreme();
     void refusesWhatIsNoSample();
     void interpolatesBetweenNeighbours();
+    void findsTheNearestSample();
     void resultsOutliveAppending();
     void emptyAnswersNothing();
 };
@@ -224,6 +225,16 @@ void TestMinMaxPyramid::interpolatesBetweenNeighbours()
     QCOMPARE(pyramid.valueAt(3.0), std::optional(20.0));
     QVERIFY(!pyramid.valueAt(-0.1).has_value());
     QVERIFY(!pyramid.valueAt(3.1).has_value());
+}
+
+void TestMinMaxPyramid::findsTheNearestSample()
+{
+    MinMaxPyramid pyramid;
+    const double times[] = {1.0, 2.0, 4.0};
+    pyramid.append(times, times);
+    const std::pair<double, std::size_t> expected[] = {{-9.0, 0}, {1.0, 0}, {1.4, 0}, {1.5, 0}, {1.6, 1},
+                                                       {2.9, 1},  {3.0, 1}, {3.1, 2}, {4.0, 2}, {99.0, 2}};
+    for (const auto& [time, index] : expected) QCOMPARE(pyramid.nearest(time), index);
 }
 
 void TestMinMaxPyramid::resultsOutliveAppending()

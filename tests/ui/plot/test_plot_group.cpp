@@ -248,8 +248,8 @@ void TestPlotGroup::tableShowsDifferences()
     QTRY_VERIFY(table.table()->rowHeight(0) >= QFontMetrics(large).height());
     QTest::keyClick(table.table(), Qt::Key_C, Qt::ControlModifier);
     const QStringList lines = QGuiApplication::clipboard()->text().split('\n');
-    QCOMPARE(lines.size(), 5); // times, header, two rows, the end
-    QCOMPARE(lines[3].split('\t')[3].toDouble(), -5.0);
+    QCOMPARE(lines.size(), 6); // header, times, frequency, two rows, the end
+    QCOMPARE(lines[4].split('\t')[3].toDouble(), -5.0);
 }
 
 void TestPlotGroup::aPlotMayGo()

@@ -50,6 +50,10 @@ private slots:
     void marksThePeaksOfTheSpectrumThatLeads();
     void otherUnitsClear();
     void spectraComeAndGo();
+    void clicksSetBothCursorsAtPeaks();
+    void controlFreesTheCursor();
+    void keysMoveTheCursorByAPixel();
+    void offersLinesOfTheCase();
     void controlsHaveNames();
 
 private:
@@ -59,6 +63,13 @@ private:
         for (Widget* widget : view_->findChildren<Widget*>())
             if (widget->accessibleName() == name) return widget;
         return nullptr;
+    }
+
+    QPoint pixel(double frequency, int beside) const
+    {
+        const PlotWidget* plot = view_->plot();
+        return {static_cast<int>(std::lround(plot->toPixel(frequency, 1e-22).x())) + beside,
+                static_cast<int>(plot->plotArea().center().y())};
     }
 
     std::unique_ptr<SpectrumView> view_;
@@ -235,6 +246,87 @@ void TestSpectrumView::spectraComeAndGo()
     view_->setSpectrum("3", "Empty", {0, 0}, Spectrum{});
     view_->plot()->refreshNow();
     QVERIFY(view_->plot()->curvePaths()[0].empty());
+}
+
+/// Within 8 pixels; a cursor farther away stays where it was set.
+void TestSpectrumView::clicksSetBothCursorsAtPeaks()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42e3, 1e-9}, {152e3, 1e-10}});
+    PlotWidget* plot = view_->plot();
+    plot->refreshNow();
+    QTest::mouseMove(plot, pixel(42e3, -5));
+    QTRY_COMPARE(view_->group()->cursor(0), std::optional(42e3)); // it follows the pointer
+    QTest::mouseClick(plot, Qt::LeftButton, Qt::NoModifier, pixel(42e3, 6));
+    QTest::mouseClick(plot, Qt::LeftButton, Qt::ShiftModifier, pixel(152e3, -6));
+    QCOMPARE(view_->group()->cursor(0), std::optional(42e3));
+    QCOMPARE(view_->group()->cursor(1), std::optional(152e3));
+    QVERIFY(plot->cursorPinned());
+    QTest::mouseClick(plot, Qt::LeftButton, Qt::ShiftModifier, pixel(152e3, -10));
+    QVERIFY(*view_->group()->cursor(1) < 151e3);
+    QTest::keyClick(plot, Qt::Key_Escape);
+    QVERIFY(!view_->group()->hasCursors());
+}
+
+void TestSpectrumView::controlFreesTheCursor()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42e3, 1e-9}, {152e3, 1e-10}});
+    PlotWidget* plot = view_->plot();
+    plot->refreshNow();
+    QTest::mouseClick(plot, Qt::LeftButton, Qt::ControlModifier, pixel(42e3, 6));
+    QTest::mouseClick(plot, Qt::LeftButton, Qt::ControlModifier | Qt::ShiftModifier, pixel(152e3, -6));
+    for (const auto& [which, peak] : {std::pair(0, 42e3), std::pair(1, 152e3)}) {
+        const double away = plot->toPixel(*view_->group()->cursor(which), 1e-22).x() - plot->toPixel(peak, 1e-22).x();
+        QVERIFY(std::abs(away - (which == 0 ? 6.0 : -6.0)) <= 1.0);
+    }
+}
+
+void TestSpectrumView::keysMoveTheCursorByAPixel()
+{
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42e3, 1e-9}, {152e3, 1e-10}});
+    PlotWidget* plot = view_->plot();
+    plot->refreshNow();
+    view_->group()->setCursor(0, 42e3);
+    const double pixelWidth = plot->xAxis().range().width() / plot->plotArea().width();
+    QTest::keyClick(plot, Qt::Key_Right, Qt::ShiftModifier);
+    QVERIFY(std::abs(*view_->group()->cursor(0) - 42e3 - pixelWidth) < 1e-3); // no peak holds it
+    QTest::keyClick(plot, Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(std::abs(*view_->group()->cursor(0) - 42e3) < 1e-3);
+}
+
+void TestSpectrumView::offersLinesOfTheCase()
+{
+    PlotWidget* plot = view_->plot();
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample());
+    QVERIFY(plot->actions().isEmpty()); // no case
+    view_->setReferences({{FrequencyKind::Mode, 98.3e3, "mode 1"},
+                          {FrequencyKind::Mode, 201e3, "mode 2"},
+                          {FrequencyKind::Contact, 281.25e3, "contact"}});
+    QCOMPARE(plot->actions(),
+             (QList<QAction*>{view_->linesWanted(FrequencyKind::Mode), view_->linesWanted(FrequencyKind::Contact)}));
+    QVERIFY(plot->referenceLines().empty()); // only on request
+    view_->linesWanted(FrequencyKind::Mode)->trigger();
+    QCOMPARE(plot->referenceLines().size(), std::size_t(2));
+    QCOMPARE(plot->referenceLines()[0].label, QStringLiteral("mode 1 98.30\u00a0kHz"));
+    QVERIFY(plot->referenceLines()[0].upright);
+    view_->linesWanted(FrequencyKind::Contact)->trigger();
+    QCOMPARE(plot->referenceLines().size(), std::size_t(3));
+    QCOMPARE(plot->referenceLines()[2].value, 281.25e3);
+    plot->refreshNow();
+    const QImage with = plot->grab().toImage();
+    view_->setReferences({{FrequencyKind::Wave, 50e3, "wave"}}); // another case: the choice stays
+    QVERIFY(plot->referenceLines().empty());
+    QCOMPARE(plot->actions(), QList<QAction*>{view_->linesWanted(FrequencyKind::Wave)});
+    const QImage without = plot->grab().toImage();
+    // Each line changes a column of pixels, half of them as it is dashed.
+    for (const double frequency : {98.3e3, 201e3, 281.25e3}) {
+        const QRectF area = plot->plotArea();
+        const double ratio = with.devicePixelRatio();
+        const int column = static_cast<int>(ratio * std::floor(plot->toPixel(frequency, 1e-22).x()));
+        int changed = 0;
+        for (int y = static_cast<int>(ratio * area.top()); y < static_cast<int>(ratio * area.bottom()); ++y)
+            changed += with.pixel(column, y) != without.pixel(column, y);
+        QVERIFY(changed > 0.3 * ratio * area.height());
+    }
 }
 
 void TestSpectrumView::controlsHaveNames()

@@ -9,6 +9,7 @@
 
 #include <QTest>
 
+#include "core/simulation/static_state/steady.h"
 #include "tests/support/test_program.h"
 #include "ui/plot/spectrum_view.h"
 #include "ui/runs/run_record.h"
@@ -29,9 +30,11 @@ private slots:
     void computesOnceForEachQuantity();
     void aLiveSpectrumComesFourTimesASecond();
     void theNewestSpeaks();
+    void offersTheLinesOfTheNewestCase();
+    void offersModesOfTheSameFilm();
 
 private:
-    void add(int number, double frequency, bool finished = true);
+    void add(int number, double frequency, bool finished = true, Case c = {});
     const PlotCurve& curve(int number) const;
 
     std::unique_ptr<RunsModel> runs_;
@@ -39,9 +42,8 @@ private:
 };
 
 /// A sine of the frequency [Hz], sampled every 1 us for 4 ms.
-void TestLiveSpectrum::add(int number, double frequency, bool finished)
+void TestLiveSpectrum::add(int number, double frequency, bool finished, Case c)
 {
-    Case c;
     c.title = "A sine";
     c.run.duration = 4e-3;
     c.run.sampleInterval = 1e-6;
@@ -139,6 +141,53 @@ void TestLiveSpectrum::theNewestSpeaks()
     // Until the next run has a spectrum, this one leads.
     add(3, 150e3, false);
     QVERIFY(curve(2).leads);
+}
+
+/// The default case has springs and a contact: two modes and one frequency of contact.
+void TestLiveSpectrum::offersTheLinesOfTheNewestCase()
+{
+    SpectrumView* view = spectrum_->view();
+    QVERIFY(view->plot()->actions().isEmpty());
+    add(1, 50e3);
+    QTRY_COMPARE(view->plot()->actions().size(), 2);
+    view->linesWanted(FrequencyKind::Mode)->trigger();
+    view->linesWanted(FrequencyKind::Contact)->trigger();
+    QCOMPARE(view->plot()->referenceLines().size(), std::size_t(3));
+    runs_->remove(0);
+    QTRY_VERIFY(view->plot()->actions().isEmpty());
+    QVERIFY(view->plot()->referenceLines().empty());
+}
+
+/// Not with another skew; with the same film again, whatever the run.
+void TestLiveSpectrum::offersModesOfTheSameFilm()
+{
+    Case film;
+    film.model = ModelKind::Film;
+    film.contact = ContactKind::None;
+    const auto* lines = spectrum_->view()->linesWanted(FrequencyKind::Mode);
+    const PlotWidget* plot = spectrum_->view()->plot();
+    add(1, 50e3, true, film);
+    QTRY_COMPARE(plot->curves().size(), std::size_t(1));
+    QVERIFY(plot->actions().isEmpty());
+    ModesResult result;
+    result.modes.resize(2);
+    result.modes[0].frequency = 98.3e3;
+    result.modes[0].kind = "pitch";
+    result.modes[1].frequency = 201e3;
+    result.modes[1].kind = "vertical";
+    Case other = film;
+    other.disk.skew = 0.1;
+    spectrum_->setFilmModes(other, result);
+    QVERIFY(plot->actions().isEmpty());
+    Case longer = film;
+    longer.run.duration = 1.0;
+    spectrum_->setFilmModes(longer, result);
+    QVERIFY(plot->actions().contains(lines));
+    spectrum_->view()->linesWanted(FrequencyKind::Mode)->trigger();
+    QCOMPARE(plot->referenceLines().size(), std::size_t(2));
+    QVERIFY(plot->referenceLines()[1].label.startsWith("vertical mode 201.0"));
+    add(2, 50e3, true, other);
+    QTRY_VERIFY(plot->referenceLines().empty());
 }
 
 TOUCHDOWN_TEST(TestLiveSpectrum)
