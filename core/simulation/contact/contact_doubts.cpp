@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "core/case/case.h"
 #include "core/formats/units.h"
@@ -53,6 +55,9 @@ std::optional<double> difference(const Case& c, const Summary& own, const Summar
 
 std::string millinewtons(double force) { return fewDigits(force, "mN", 3); }
 std::string micrometres(double length) { return fewDigits(length, "um", 4); }
+
+/// An area counts whole cells: half a cell along the border of a disk of that area [m^2].
+double rimError(double area, double cell) { return 0.5 * cell * 2.0 * std::sqrt(std::numbers::pi * area); }
 
 void addError(std::vector<RunFigure>& figures, std::string_view name, double error)
 {
@@ -121,6 +126,8 @@ void addErrors(const Case& c, Summary& summary, const Summary& other, double adh
         const auto own = figureOf(summary.figures, name);
         if (own == summary.figures.end()) continue;
         std::string text(name);
+        for (const auto& [written, read] : {std::pair("pull_off", "pull-off"), std::pair("snap_in", "snap-in")})
+            if (text.starts_with(written)) text.replace(0, std::string_view(written).size(), read);
         std::ranges::replace(text, '_', ' ');
         const std::optional<double> distance = difference(c, summary, other, *own);
         if (!distance) {
@@ -130,19 +137,20 @@ void addErrors(const Case& c, Summary& summary, const Summary& other, double adh
         const Quantity quantity = own->quantity;
         const double value = own->value;
         const double error = moreThanOther * *distance + (quantity.unit == "m" ? resolution : 0.0) +
-                             (name == "pull_off_force" ? adhesionBeyond : 0.0);
-        if (name.ends_with("_force") && error > largeDifference * std::abs(value))
-            large += (large.empty() ? "" : ", ") + text + " " + fewDigits(value, quantity.displayUnit, 3) + " up to " +
-                     fewDigits(error, quantity.displayUnit, 2);
+                             (name == "pull_off_force" ? adhesionBeyond : 0.0) +
+                             (name == "closest_contact_area" ? rimError(value, c.elastic.cell) : 0.0);
+        if (name.ends_with("_force") && moreThanOther * *distance > largeDifference * std::abs(value))
+            large += (large.empty() ? "" : ", ") + text + ": " + fewDigits(value, quantity.displayUnit, 3) +
+                     " with an error of up to " + fewDigits(error, quantity.displayUnit, 2);
         addError(summary.figures, name, error);
     }
     const std::string cells = micrometres(2.0 * c.elastic.cell);
     if (!large.empty())
-        summary.warnings.push_back("the cells are large for this contact: compared with cells of " + cells +
-                                   " the errors are: " + large + "; take a smaller elastic.cell");
+        summary.warnings.push_back("the cells are large for this contact: compared with cells of " + cells + ": " +
+                                   large + "; take a smaller elastic.cell");
     if (!missing.empty())
         summary.warnings.push_back("the error of the contact's grid is not known for the " + missing +
-                                   ": with cells of " + cells + " there is none; take a smaller elastic.cell");
+                                   ": a run with cells of " + cells + " has none; take a smaller elastic.cell");
 }
 
 void addErrors(Summary& summary, const ContactGridError& error, bool withArea)

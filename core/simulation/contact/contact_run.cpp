@@ -113,6 +113,7 @@ private:
             }
             closest_ = model_->move(hardest_.separation, hardestTime_);
             doubts_ = model_->doubts(goOn);
+            if (end_.status == RunStatus::Cancelled) return stoppedInDoubt(summary);
         }
         std::ranges::move(warningsOf(case_, doubts_, closest_.contact, closest_.adhesion),
                           std::back_inserter(summary.warnings));
@@ -120,14 +121,26 @@ private:
         if (!model_->canJump()) return;
         Case coarse = case_;
         coarse.run.fieldSnapshots = 0;
-        coarse.run.sampleInterval = std::max(case_.run.sampleInterval, case_.run.duration / mostCoarseSteps);
+        // Over a surface that moves, forces depend on when they are looked at.
+        const bool moves =
+            case_.diskSurface.kind != DiskSurfaceKind::Flat && case_.diskSurface.motion == SurfaceMotion::Moving;
+        if (!moves)
+            coarse.run.sampleInterval = std::max(case_.run.sampleInterval, case_.run.duration / mostCoarseSteps);
         const RunCallback callback = [&](const RunUpdate&) { return lookAtClock(); };
         const Summary other = ContactRun(coarse, callback, true).run();
-        if (other.status == RunStatus::Completed)
+        if (other.status == RunStatus::Cancelled)
+            stoppedInDoubt(summary);
+        else if (other.status == RunStatus::Completed)
             addErrors(case_, summary, other, doubts_.adhesionBeyond, jumpResolution);
         else
             summary.warnings.push_back("the error of the contact's grid is not known: with cells twice as large " +
                                        other.message);
+    }
+
+    /// The run itself is complete.
+    static void stoppedInDoubt(Summary& summary)
+    {
+        summary.warnings.emplace_back("the error of the contact's grid is not known: its calculation was stopped");
     }
 
     /// False when the run ends here.

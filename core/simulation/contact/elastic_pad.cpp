@@ -23,6 +23,7 @@ constexpr double cellsOfZone = 2.0;
 constexpr double unresolvedShare = 0.1; // of a measured surface's RMS, between cells: a wave of 7 cells [-]
 constexpr double lostShare = 0.01;      // of the RMS, that counts [-]
 constexpr double cellsOfBump = 4.0;
+constexpr double leastRms = 1e-12; // [m]; below it is flat
 constexpr double seamShare = 1e-6; // of the surface's whole height: rounding [-]
 
 std::vector<double> lines(double first, double step, int count)
@@ -39,18 +40,22 @@ void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& s
     const auto nanometres = [](double length) { return fewDigits(length, "nm", 3); };
     const SurfaceSampling sampling = surfaceSampling(surface, grid);
     const DiskSurface& disk = c.diskSurface;
-    if (hasFile(disk) && sampling.unresolved > unresolvedShare * sampling.rmsOfMap)
+    const bool isFlat = sampling.rmsOfMap < leastRms;
+    if (hasFile(disk) && !isFlat && sampling.unresolved > unresolvedShare * sampling.rmsOfMap)
         list.push_back("the measured surface has features below a cell: elastic.cell is " + micrometres(grid.dx) +
                        ", the points of its map are " + micrometres(surface.period().dx) +
                        " apart, and in the middle of four cells it differs by " + nanometres(sampling.unresolved) +
                        " RMS from their mean, of " + nanometres(sampling.rmsOfMap) +
                        " RMS in all; the contact does not know of it: take a smaller elastic.cell");
-    if ((hasFile(disk) || hasRoughness(disk)) && sampling.rms < (1.0 - lostShare) * sampling.rmsOfMap)
+    // Of much smaller cells there are too few to compare their heights with those of the points.
+    const bool comparable = grid.dx > 0.5 * surface.period().dx;
+    if ((hasFile(disk) || hasRoughness(disk)) && !isFlat && comparable &&
+        sampling.rms < (1.0 - lostShare) * sampling.rmsOfMap)
         list.push_back("the centres of the patch's cells lie between the points of the surface's map, where it is "
                        "smoother: their heights have an RMS of " +
                        nanometres(sampling.rms) + ", those of the points " + nanometres(sampling.rmsOfMap) + ", " +
-                       percent(1.0 - sampling.rms / sampling.rmsOfMap) +
-                       " more; a map with closer points (disk.surface.cell) loses less");
+                       percent(sampling.rmsOfMap / sampling.rms - 1.0) + " more; a map with closer points" +
+                       (hasFile(disk) ? "" : " (disk.surface.cell)") + " loses less");
     if (hasBumps(disk)) {
         double narrowest = *std::ranges::min_element(disk.bumpLengths);
         if (!disk.bumpWidths.empty()) narrowest = std::min(narrowest, *std::ranges::min_element(disk.bumpWidths));
