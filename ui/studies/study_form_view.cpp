@@ -375,7 +375,8 @@ bool StudyFormView::eventFilter(QObject* watched, QEvent* event)
 void StudyFormView::commitTyped()
 {
     for (const Row& row : rows_)
-        if (row.input->hasFocus()) return commit(std::string(row.key.key));
+        if (qobject_cast<QLineEdit*>(row.input) != nullptr && row.input->hasFocus())
+            return commit(std::string(row.key.key));
 }
 
 void StudyFormView::changeEvent(QEvent* event)

@@ -19,7 +19,8 @@ namespace {
 constexpr double largeError = 0.02;     // of a force, for a warning [-]
 constexpr double largeDifference = 0.2; // of a force from that with cells twice as large, which is much more wrong [-]
 constexpr double moreThanOther = 1.5;   // of a difference: the error shrinks as cell^0.74 or faster
-constexpr double ofCut = 2.5;           // sides of a patch that holds a contact, against sqrt(R d) [-]
+constexpr double mostCoarseSteps = 200.0; // of the run with cells twice as large
+constexpr double ofCut = 2.5;             // sides of a patch that holds a contact, against sqrt(R d) [-]
 constexpr std::array<std::string_view, 7> ofGrid = {
     "largest_contact_force", "pull_off_force", "pull_off_separation", "snap_in_separation",
     "release_separation",    "loop_work",      "closest_contact_area"};
@@ -82,6 +83,15 @@ std::string wantedPatch(const Case& c)
 }
 
 } // namespace
+
+Case withFewerSamples(const Case& c)
+{
+    Case fewer = c;
+    fewer.run.fieldSnapshots = 0;
+    const bool moves = c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Moving;
+    if (!moves) fewer.run.sampleInterval = std::max(c.run.sampleInterval, c.run.duration / mostCoarseSteps);
+    return fewer;
+}
 
 void ContactDoubts::add(const ContactGridError& patch)
 {

@@ -27,6 +27,10 @@ struct ContactDoubts {
 /// Warnings about a state with the contact force `force` and the adhesion force `adhesion` <= 0 [N].
 std::vector<std::string> warningsOf(const Case& c, const ContactDoubts& doubts, double force, double adhesion);
 
+/// The case for such a comparison: without fields and with at most 200 samples. Over a surface that moves the samples
+/// stay, because forces depend on when they are looked at.
+Case withFewerSamples(const Case& c);
+
 /// Adds "<figure>_error" behind each figure that depends on the grid, from `other`, the same run with cells twice as
 /// large: 1.5 of the difference, `resolution` of the separations [m], and of the pull-off force `adhesionBeyond`. Warns
 /// of large ones, and of figures that `other` does not have. On 16 drawn spheres with two to three cells in the zone

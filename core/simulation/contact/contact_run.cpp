@@ -22,9 +22,8 @@ constexpr double suddenOfCoarse = 4.0;   // of the run with cells twice as large
 constexpr int mostJumpsInStep = 20;
 constexpr int mostMisses = 4;
 constexpr int shortSteps = 8;
-constexpr double pullResolution = 2e-12;  // of the separation of the strongest pull [m]
-constexpr double worthRefining = 0.95;    // of the strongest pull so far, for a search between the samples [-]
-constexpr double mostCoarseSteps = 200.0; // of the run with cells twice as large
+constexpr double pullResolution = 2e-12; // of the separation of the strongest pull [m]
+constexpr double worthRefining = 0.95;   // of the strongest pull so far, for a search between the samples [-]
 
 /// Where the pad goes: the times of all states, and which of them are recorded.
 struct Station {
@@ -119,15 +118,8 @@ private:
                           std::back_inserter(summary.warnings));
         if (doubts_.grid) addErrors(summary, *doubts_.grid, hardest_.separation == case_.approach.closest);
         if (!model_->canJump()) return;
-        Case coarse = case_;
-        coarse.run.fieldSnapshots = 0;
-        // Over a surface that moves, forces depend on when they are looked at.
-        const bool moves =
-            case_.diskSurface.kind != DiskSurfaceKind::Flat && case_.diskSurface.motion == SurfaceMotion::Moving;
-        if (!moves)
-            coarse.run.sampleInterval = std::max(case_.run.sampleInterval, case_.run.duration / mostCoarseSteps);
         const RunCallback callback = [&](const RunUpdate&) { return lookAtClock(); };
-        const Summary other = ContactRun(coarse, callback, true).run();
+        const Summary other = ContactRun(withFewerSamples(case_), callback, true).run();
         if (other.status == RunStatus::Cancelled)
             stoppedInDoubt(summary);
         else if (other.status == RunStatus::Completed)

@@ -147,7 +147,7 @@ void TestMainWindowContact::offersThePagesOfTheCase()
     QVERIFY(f.window.runView().plots()->isVisible());
     f.window.edits().undoStack().setClean();
     f.window.files().openNow(QStringLiteral("fig10a"));
-    QVERIFY(!f.window.runView().tabs()->isVisible());
+    QVERIFY(f.offered(RunView::Page::Side) && !f.offered(RunView::Page::Maps) && !f.offered(RunView::Page::Disk));
     QVERIFY(f.window.runView().spectrum()->isVisible());
 }
 
