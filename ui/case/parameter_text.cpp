@@ -105,6 +105,30 @@ QString moveText(const MovedPoints& moved)
     return tr("%1 moved by %2\u00A0µm").arg(what, number(moved.x) + separator + number(moved.y));
 }
 
+/// The changes in words, points that were moved together as one; `valueChange` writes that of a value.
+template <typename ValueChange>
+QStringList changesAs(const Case& before, const Case& after, const ValueChange& valueChange)
+{
+    QStringList texts;
+    const std::vector<MovedPoints> moved = movedPoints(before.surface, after.surface);
+    bool movesListed = false;
+    for (const CaseChange& change : caseChanges(before, after)) {
+        if (isMove(change, moved)) {
+            if (!std::exchange(movesListed, true))
+                for (const MovedPoints& each : moved) texts << moveText(each);
+            continue;
+        }
+        const QString label = QString::fromStdString(change.label);
+        switch (change.kind) {
+        case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
+        case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
+        case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
+        case CaseChangeKind::Value: texts << valueChange(label, findParameter(change.key), change); break;
+        }
+    }
+    return texts;
+}
+
 } // namespace
 
 QString editorText(const Case& c, const Parameter& parameter, const QLocale& locale)
@@ -148,54 +172,20 @@ QString valueText(const Case& c, const Parameter& parameter, const QLocale& loca
 
 QStringList caseDifference(const Case& before, const Case& after)
 {
-    QStringList texts;
-    const std::vector<MovedPoints> moved = movedPoints(before.surface, after.surface);
-    bool movesTold = false;
-    for (const CaseChange& change : caseChanges(before, after)) {
-        if (isMove(change, moved)) {
-            if (!std::exchange(movesTold, true))
-                for (const MovedPoints& each : moved) texts << moveText(each);
-            continue;
-        }
-        const QString label = QString::fromStdString(change.label);
-        const Parameter* parameter = findParameter(change.key);
-        switch (change.kind) {
-        case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
-        case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
-        case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
-        case CaseChangeKind::Value: {
-            const auto [then, now] = parameter ? changeTexts(before, after, *parameter)
-                                               : std::pair(quantityText(change.before), quantityText(change.after));
-            texts << QStringLiteral("%1 %2 → %3").arg(label, then, now);
-            break;
-        }
-        }
-    }
-    return texts;
+    return changesAs(before, after, [&](const QString& label, const Parameter* parameter, const CaseChange& change) {
+        const auto [then, now] = parameter ? changeTexts(before, after, *parameter)
+                                           : std::pair(quantityText(change.before), quantityText(change.after));
+        return QStringLiteral("%1 %2 → %3").arg(label, then, now);
+    });
 }
 
 QStringList shortDifference(const Case& before, const Case& after)
 {
-    QStringList texts;
-    const std::vector<MovedPoints> moved = movedPoints(before.surface, after.surface);
-    for (const MovedPoints& each : moved) texts << moveText(each);
-    for (const CaseChange& change : caseChanges(before, after)) {
-        if (isMove(change, moved)) continue;
-        const QString label = QString::fromStdString(change.label);
-        const Parameter* parameter = findParameter(change.key);
-        switch (change.kind) {
-        case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
-        case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
-        case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
-        case CaseChangeKind::Value:
-            texts << (parameter ? QStringLiteral("%1 %2").arg(
-                                      parameter->symbol.empty() ? label : plainSymbol(parameter->symbol),
-                                      changeTexts(before, after, *parameter).second)
-                                : QStringLiteral("%1 %2").arg(label, quantityText(change.after)));
-            break;
-        }
-    }
-    return texts;
+    return changesAs(before, after, [&](const QString& label, const Parameter* parameter, const CaseChange& change) {
+        if (!parameter) return QStringLiteral("%1 %2").arg(label, quantityText(change.after));
+        return QStringLiteral("%1 %2").arg(parameter->symbol.empty() ? label : plainSymbol(parameter->symbol),
+                                           changeTexts(before, after, *parameter).second);
+    });
 }
 
 } // namespace touchdown
