@@ -19,24 +19,21 @@ constexpr double roundOff = 1e-13;              // of a swing at rest [m]
 constexpr double mostPerSample = 0.8;           // changes that samples can show: a period is 2.5 of them
 constexpr std::array shares{0.1, 0.2, 1.0 / 3}; // of the last part, of the time after the landing
 
-/// Changes of a signal from below `low` to above `high` and back.
+/// Changes of a signal from below a low value to above a high one and back.
 struct Changes {
     int count = 0;
     std::size_t first = 0, last = 0; // samples at which they end
 };
-Changes changesOf(std::span<const double> signal, double low, double high)
+/// The same, their number alone.
+int countChanges(std::span<const double> signal, double low, double high)
 {
-    Changes changes;
-    int side = 0;
-    for (std::size_t i = 0; i < signal.size(); ++i) {
-        const int now = signal[i] < low ? -1 : signal[i] > high ? 1 : side;
-        if (side != 0 && now != side) {
-            if (changes.count++ == 0) changes.first = i;
-            changes.last = i;
-        }
+    int count = 0, side = 0;
+    for (const double value : signal) {
+        const int now = value < low ? -1 : value > high ? 1 : side;
+        if (side != 0 && now != side) ++count;
         side = now;
     }
-    return changes;
+    return count;
 }
 
 /// Extremes and contact over a range of samples.
@@ -278,7 +275,7 @@ bool movesOn(std::span<const double> lastHalf)
     if (most - least < 3.0 * Rule::smallestSwing) return false;
     const std::span<const double> window = lastHalf.last(std::max<std::size_t>(1, lastHalf.size() / 5));
     const double mean = std::accumulate(window.begin(), window.end(), 0.0) / static_cast<double>(window.size());
-    return changesOf(lastHalf, mean - 0.5 * Rule::smallestSwing, mean + 0.5 * Rule::smallestSwing).count < 2;
+    return countChanges(lastHalf, mean - 0.5 * Rule::smallestSwing, mean + 0.5 * Rule::smallestSwing) < 2;
 }
 
 bool isFolded(const MotionSamples& samples, std::size_t first)
