@@ -81,7 +81,6 @@ private slots:
     void disablesRunForABadParameter();
     void takesWhatWasTypedWhenRunning();
     void overlaysASecondRun();
-    void theDefaultCaseBeginsWithItsFirstPart();
     void hidesEarlierRunsWithoutOverlay();
     void keepsTheLastStateOfAFailedRun();
     void stopsASlowRun();
@@ -210,34 +209,6 @@ void TestMainWindow::overlaysASecondRun()
     f.window.runs().setData(f.window.runs().index(0), Qt::Unchecked, Qt::CheckStateRole);
     QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[0].visible);
     QVERIFY(f.window.runView().plots()->plot(QStringLiteral("spacing"))->curves()[1].visible);
-}
-
-void TestMainWindow::theDefaultCaseBeginsWithItsFirstPart()
-{
-    Fixture f;
-    PlotGroup* plots = f.window.runView().plots()->group();
-    const PlotWidget* spacing = f.window.runView().plots()->plot(QStringLiteral("spacing"));
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
-    f.runToEnd();
-    const PlotWidget* spectrum = f.window.runView().spectrum()->view()->plot();
-    QTRY_COMPARE(spectrum->xAxis().range(), (PlotRange{0.0, 600e3}));
-    f.edit("ono_yamane.take_off", QStringLiteral("8"));
-    f.runToEnd();
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
-    // Everything, if wanted; and so for the next run.
-    plots->fit();
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
-    f.runToEnd();
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
-    // Another case is shown whole; so is another duration.
-    f.window.files().openNow(QStringLiteral("fig11a"));
-    f.runToEnd();
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
-    f.window.files().openNow(QStringLiteral("fig10a"));
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
-    f.edit("run.duration", QStringLiteral("1 ms"));
-    f.runToEnd();
-    QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 1e-3}));
 }
 
 void TestMainWindow::hidesEarlierRunsWithoutOverlay()
