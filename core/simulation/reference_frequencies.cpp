@@ -18,7 +18,7 @@ namespace {
 
 constexpr double radiansPerCycle = 2.0 * std::numbers::pi;
 
-/// Of the springs about their static state under one law [Hz], lowest first.
+/// Frequencies of the springs about their static state under one law [Hz], lowest first.
 std::vector<double> springFrequencies(const SpringModel& model, ContactRegion contact)
 {
     std::vector<double> found;

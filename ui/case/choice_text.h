@@ -14,8 +14,8 @@ struct ChoiceText {
     QString meaning; // a sentence
 };
 
-/// Of the parameter with this key, the choice that a case file calls `choice`: "air.slip", "fukui-kaneko". Both are
-/// empty if there is no such choice.
+/// The texts of the choice that a case file calls `choice` for the parameter `key`: "air.slip", "fukui-kaneko". Both
+/// are empty if there is no such choice.
 ChoiceText choiceText(std::string_view key, std::string_view choice);
 
 } // namespace touchdown

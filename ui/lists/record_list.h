@@ -38,7 +38,7 @@ public:
         FailedRole,
         StyleColourRole, // of CurveStyle
         StyleDashRole,
-        SpeaksRole, // whether it is the one to look at; its curves are wide
+        SpeaksRole, // whether its curves are wide
         NoteRole,
         BaselineRole, // the record that others are compared with
     };

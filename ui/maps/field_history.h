@@ -21,8 +21,9 @@ struct FieldHistory {
     std::size_t arrived = 0;
     std::vector<std::vector<PlotRange>> extremes{}; // of each snapshot that is held, of each field
 
-    /// Of a field, without the highest and the lowest tenth of the snapshots that are held, if these reach further by
-    /// more than the rest spans: a landing does not blank all else. At least ten snapshots are needed.
+    /// The range of a field without the highest and the lowest tenth of the snapshots that are held. A tenth is left
+    /// out only if it reaches further by more than the rest spans, as in a landing, and if there are at least ten
+    /// snapshots.
     PlotRange usualRange(std::size_t field) const;
 
     void add(const FieldSnapshot& snapshot);

@@ -52,7 +52,7 @@ std::optional<double> ratioOf(const CursorReading& reading)
     return 10.0 * std::log10(*reading.second / *reading.first);
 }
 
-/// What the ratio compares, by the unit of the spectrum.
+/// The quantities that the ratio compares, by the unit of the spectrum.
 QString powersName(const CursorReading& reading)
 {
     const bool density = reading.plot->yAxis().label.unit.endsWith(QLatin1String("/Hz"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The curves of a plot that stand still behind the one to look at, drawn once: as long as the view does not change, a
+// The curves of a plot behind the wide ones, which stand still, drawn once: as long as the view does not change, a
 // refresh only adds the curves that are new. So earlier runs cost nothing while a later one goes.
 #pragma once
 

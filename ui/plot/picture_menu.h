@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the menu of every picture offers: to copy and to save the picture, and the numbers that it shows.
+// The actions of every picture: copy and save the picture and the numbers that it shows.
 #pragma once
 
 #include <functional>

@@ -26,7 +26,7 @@ struct PlotCurve {
     bool inLegend = true;
     bool dots = false;              // one at each sample: what was computed, and what is a line between
     QString legend = {};            // in the legend; empty: the name
-    bool pale = false;              // thin and faint, behind the others: another curve is the one to look at
+    bool pale = false;              // thin and faint, behind the curves that are not
     bool leads = true;              // the automatic ranges are those of the curves that lead
     bool still = false;             // its data do not grow any more
     int printDash = 0;              // added to the dash of its style in pictures that are to have dashes

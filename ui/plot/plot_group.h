@@ -55,7 +55,7 @@ public:
     void fit(); // all x and y show all data; a step of the history
     /// A new run begins: the automatic ranges are again those of the curves that lead.
     void followNewest();
-    /// What the time axis shows instead of the whole run until it is zoomed or everything is shown.
+    /// The range of the time axis, instead of the whole run, until the axis is zoomed or everything is shown.
     void setFirstRange(std::optional<PlotRange> range);
     const std::optional<PlotRange>& firstRange() const { return firstRange_; }
 

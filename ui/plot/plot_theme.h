@@ -46,7 +46,7 @@ PlotTheme plotTheme(const QPalette& palette);
 /// 1.5 wide. `dashed` false draws a dashed curve solid: a dash says nothing where the line folds within a pixel.
 QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed = true);
 
-/// Thin, faint and solid: for curves behind the one to look at.
+/// Thin, faint and solid: for curves behind the wide ones.
 QPen palePen(const CurveStyle& style, const PlotTheme& theme);
 
 } // namespace touchdown

@@ -38,8 +38,8 @@ Outline forceOnTheWayUp(const OnoYamane& parameters)
     return way;
 }
 
-/// The part of what encloses W in which the force pushes (sign 1: it creates energy) or pulls (-1: it takes energy),
-/// and that energy [J].
+/// The part of the area that encloses W in which the force pushes (sign 1: it creates energy) or pulls (-1: it takes
+/// energy), and that energy [J].
 std::pair<ShadedArea, double> cyclePart(const Outline& way, double sign)
 {
     ShadedArea area;
@@ -63,8 +63,8 @@ std::pair<ShadedArea, double> cyclePart(const Outline& way, double sign)
     return {std::move(area), energy};
 }
 
-/// What encloses W: one area where the law only takes energy; else that which creates it has a colour and a name of its
-/// own.
+/// The areas that enclose W: one area where the law only takes energy. A part that creates energy is a second area with
+/// a colour and a name of its own.
 std::vector<ShadedArea> cycleAreas(const OnoYamane& parameters)
 {
     const Outline way = forceOnTheWayUp(parameters);

@@ -33,7 +33,7 @@ int numberOf(const QString& id)
 
 } // namespace
 
-/// Of a static state that was solved.
+/// The modes of a static state that was solved.
 struct LiveSpectrum::FilmModes {
     Case solved;
     Attitude attitude;

@@ -82,7 +82,7 @@ void ReplayBar::showTime(const std::optional<double>& time)
     const auto span = span_();
     if (!span) return time_->clear();
     const double at = std::clamp(time.value_or(span->high), span->low, span->high);
-    // A pass goes on from its own place: the pictures may stand at a sample beside it.
+    // A pass continues from its own place: the pictures may stand at a sample beside it.
     if (!playing()) share_ = span->width() > 0.0 ? (at - span->low) / span->width() : 1.0;
     const QSignalBlocker quiet(slider_);
     slider_->setValue(static_cast<int>(std::lround(share_ * replaySteps)));

@@ -3,7 +3,7 @@
 // The runs of this session: newest last, each with what changed since the run before it.
 //
 // A run has a short name by what it changes in the baseline, or else in the first run of the same case: "FH(0) 20 nm".
-// One run speaks, the others are pale: the newest that is shown, or the one that is raised.
+// The newest run that is shown, or the run that is raised, is wide; the other runs are pale.
 #pragma once
 
 #include "ui/lists/record_list.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the side view of the model springs shows beside slider and disk: the two air springs under their pressure
-// centres, the heights at which the contact law switches, and the pad near the disk in a picture of its own, in which
-// nanometres are seen.
+// Parts of the side view of the model springs: the two air springs under their pressure centres, the heights at which
+// the contact law switches, and the pad near the disk in a picture of its own, in which nanometres are seen.
 #pragma once
 
 #include <optional>
@@ -16,9 +15,9 @@ class SpringsDrawing {
 public:
     explicit SpringsDrawing(const Case& c);
 
-    /// Of the slider as it is drawn: it reaches a little beyond its outermost points [m].
+    /// Length of the slider as it is drawn [m]; at the front it reaches a little beyond its outermost point.
     double length() const { return length_; }
-    /// Of the mass centre from the leading end [m].
+    /// Distance of the mass centre from the leading end [m].
     double centre() const { return centre_; }
 
     /// Two springs between the disk and the slider, whose bottom has these heights at its leading and trailing end [m].

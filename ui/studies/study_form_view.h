@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The keys of a study as fields with their help. The study's text is the one source: fields show what it says, and an
-// entry is a change of the text. Lists of tables, such as [[method]], are only counted.
+// The keys of a study as fields with their help. The study's text is the one source: the fields show its values, and
+// an entry changes the text. Lists of tables, such as [[method]], are only counted.
 #pragma once
 
 #include <string>
@@ -34,7 +34,7 @@ public:
     void commitTyped();
     /// nullptr if the key has no field: a QLineEdit, QCheckBox or QComboBox.
     QWidget* field(const std::string& key) const;
-    /// What is wrong with the value of a key; "" if nothing.
+    /// The problem with the value of a key; "" if there is none.
     QString problemOf(const std::string& key) const;
 
 signals:

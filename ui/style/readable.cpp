@@ -21,8 +21,9 @@ QString raised(QString digits)
 
 QString lowered(QString letters)
 {
-    static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx"),
-                         low = QStringLiteral("₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
+    static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
+    static const QString low = QStringLiteral("₀₁₂₃₄₅₆₇₈₉"
+                                              "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
     for (QChar& letter : letters) {
         const qsizetype found = plain.indexOf(letter);
         if (found < 0) return {};

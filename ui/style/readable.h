@@ -9,8 +9,8 @@
 
 namespace touchdown {
 
-/// "0.5 +- 0.1 um^2, f_m >= -3 mN" as "0.5 ± 0.1 µm², fₘ ≥ −3 mN". Keys of a case, and what stands in quotation marks
-/// or backquotes, stay as they are; of subscripts those of which a character exists.
+/// "0.5 +- 0.1 um^2, f_m >= -3 mN" as "0.5 ± 0.1 µm², fₘ ≥ −3 mN". Keys of a case, text in quotation marks or
+/// backquotes, and subscripts for which there is no character stay as they are.
 QString readable(std::string_view text);
 
 } // namespace touchdown

@@ -30,7 +30,7 @@ void askToApply(QWidget& window, const Case& open, const Case& found, const QStr
         box->setStandardButtons(QMessageBox::Close);
         return box->open();
     }
-    box->setText(isOther ? tr("“%1” studied another case. Replace the open case, “%2”, by the one that it found?")
+    box->setText(isOther ? tr("“%1” studied another case. Replace the open case, “%2”, by the case found?")
                                .arg(title, QString::fromStdString(open.title))
                          : tr("Change the open case as “%1” found?").arg(title));
     QStringList shown = changes.mid(0, mostShown);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Before the values that a study found replace those of the open case: what will change.
+// The question before the values that a study found replace those of the open case. It lists the changes.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,7 @@
 
 namespace touchdown {
 
-/// Asks without blocking the window; `apply` follows on yes. `title`: of the study. Where nothing would change, says
-/// so.
+/// Asks without blocking the window; calls `apply` on yes. `title` is that of the study. Says so where nothing changes.
 void askToApply(QWidget& window, const Case& open, const Case& found, const QString& title,
                 const std::function<void()>& apply);
 

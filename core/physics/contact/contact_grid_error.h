@@ -15,7 +15,7 @@
 // r is 2, or larger, to 64, where few cells or none touch, so that also a contact smaller than a cell is found. A state
 // of many cells is compared with one of cells twice as large instead, whose difference is at least the error where it
 // shrinks in proportion to the cell or faster. The area's error is measured in the same way, with half the cells at the
-// rims of the islands as bound. The measure does not know what is finer than the finer cells.
+// rims of the islands as bound. Features smaller than the finer cells are not seen.
 #pragma once
 
 #include <functional>
@@ -47,14 +47,14 @@ struct ContactGridError {
     long long cells = 0; // in contact on the state's own grid
 };
 
-/// Of a state without adhesion. `goOn` false ends the solution; then it is not known.
+/// The error of a state without adhesion. If `goOn` returns false the solution ends, and the error is not known.
 ContactGridError contactGridError(const ContactState& state, const SeparationOn& separation,
                                   const std::function<bool()>& goOn = {});
 
 /// The same rectangle in half as many cells along and across, one more where that is no whole number.
 UniformGrid coarsened(const UniformGrid& grid);
 
-/// Whether contact at the border of the patch goes on beyond it: next to a touching cell at the border the undeformed
+/// Whether contact at the border of the patch continues beyond it: next to a touching cell at the border the undeformed
 /// surfaces overlap outside. That part is missing in the state.
 bool isCutOff(const ContactState& state, const SeparationOn& separation);
 

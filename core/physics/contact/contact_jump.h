@@ -35,9 +35,9 @@ struct ContactJump {
 ContactJump locateJump(const TracedContact& contact, double from, double forceAtFrom, double to, double resolution,
                        double smallest);
 
-/// The same for the first of several jumps, of which the bisection finds the largest: the way to what the bisection
-/// finds is walked again in sixteen steps, and a step over which the contact may have jumped, or over which the force
-/// changes by more than half as much again as over the one before, is searched. With the second slot only.
+/// The same for the first of several jumps; the bisection alone finds the largest. The way to the jump that it finds is
+/// walked again in sixteen steps. A step is searched if the contact may have jumped in it, or if the force changes by
+/// more than 1.5 times the change over the step before. Needs the second slot.
 ContactJump locateFirstJump(const TracedContact& contact, double from, double forceAtFrom, double to, double resolution,
                             double smallest);
 

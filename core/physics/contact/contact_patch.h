@@ -25,7 +25,7 @@ namespace touchdown {
 
 /// A length at any point of the pad [m].
 using LengthAt = std::function<double(double x, double y)>;
-/// What it is where the pad has ended [m].
+/// Height and recess where the pad has ended [m].
 inline constexpr double beyondPad = 1.0;
 
 struct ContactPatch {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a grid of cells, which takes the surface at the cells' centres, loses of it. Found on up to 512 x 256 cells of
-// the same size and place, but not more than one period of the surface.
+// How much of a surface is lost on a grid of cells that samples it at their centres. Measured on up to 512 x 256 cells
+// of the same size and place, but not more than one period of the surface.
 #pragma once
 
 #include "core/numerics/cell_grid.h"

@@ -30,8 +30,8 @@ auto figureOf(std::vector<RunFigure>& figures, std::string_view name)
     return std::ranges::find(figures, name, [](const RunFigure& figure) { return figure.quantity.name; });
 }
 
-/// What a figure differs by in another run of the case. Of a jump, which may be the first one here and not there, the
-/// distance to the nearest, and on the way out that of the last ones of both.
+/// The difference of a figure from another run of the case. The first jump here may not be the first jump there: for a
+/// jump it is the distance to the nearest jump there, on the way out also the distance between the last jumps of both.
 std::optional<double> difference(const Case& c, const Summary& own, const Summary& other, const RunFigure& figure)
 {
     const std::string& name = figure.quantity.name;
@@ -73,9 +73,8 @@ void addError(std::vector<RunFigure>& figures, std::string_view name, double err
 
 std::string wantedPatch(const Case& c)
 {
-    if (c.model != ModelKind::Contact)
-        return "elastic.patch_reach, and elastic.patch_pitch, decide what belongs to a patch";
-    if (c.pad.shape != PadShape::Sphere) return "a smaller approach.closest belongs to a larger patch";
+    if (c.model != ModelKind::Contact) return "elastic.patch_reach and elastic.patch_pitch set the size of the patches";
+    if (c.pad.shape != PadShape::Sphere) return "increase approach.closest, or take a larger pad";
     const double depth = std::max(-c.approach.closest, 0.0);
     const double side = ofCut * std::sqrt(c.pad.radius * depth);
     const std::string wish = "pad.length and pad.width must be larger";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is wrong with an elastic contact because of its grid and its patch: the error of the grid, contact that the
+// Errors of an elastic contact that come from its grid and its patch: the error of the grid, contact that the
 // border of the patch cuts off, and attraction beyond it. Each becomes a figure or a warning.
 #pragma once
 
@@ -15,7 +15,7 @@ namespace touchdown {
 
 struct Case;
 
-/// Of all patches of one state together.
+/// The errors of all patches of one state together.
 struct ContactDoubts {
     std::optional<ContactGridError> grid; // not of a contact with adhesion, whose state depends on its history
     bool cutOff = false;

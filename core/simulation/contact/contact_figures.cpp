@@ -16,7 +16,7 @@ void ContactFigures::add(const ContactForces& forces, bool away)
 void ContactFigures::addJump(const ContactJump& jump)
 {
     jumps_.push_back(jump);
-    // What is released beyond the work done between the two separations.
+    // The released energy minus the work done between the two separations.
     lostInJumps_ +=
         jump.energyBefore - jump.energyAfter - 0.5 * (jump.forceBefore + jump.forceAfter) * (jump.after - jump.before);
     if (jump.after > jump.before) addPull(jump.before, jump.forceBefore);

@@ -60,7 +60,7 @@ public:
 
     /// Fills the values of contactMaps() after a move.
     virtual void observe(FieldSnapshot& snapshot) const;
-    /// What is wrong with the last state because of its grid and its patch. If `goOn` returns false it is not known.
+    /// Errors of the last state that come from its grid and its patch; not known if `goOn` returns false.
     virtual ContactDoubts doubts(const std::function<bool()>& /*goOn*/) const { return {}; }
     /// What was assumed or left out, in sentences.
     virtual std::vector<std::string> remarks() const { return {}; }

@@ -33,7 +33,7 @@ std::vector<double> lines(double first, double step, int count)
     return result;
 }
 
-/// What the cells of a patch lose of the disk's surface.
+/// Warns of features of the disk's surface that the cells of a patch lose.
 void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& surface, std::vector<std::string>& list)
 {
     const auto micrometres = [](double length) { return fewDigits(length, "um", 4); };
@@ -47,7 +47,7 @@ void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& s
                        " apart, and in the middle of four cells it differs by " + nanometres(sampling.unresolved) +
                        " RMS from their mean, of " + nanometres(sampling.rmsOfMap) +
                        " RMS in all; the contact does not know of it: take a smaller elastic.cell");
-    // Of much smaller cells there are too few to compare their heights with those of the points.
+    // Where the cells are much smaller, the sampled part holds too few points to compare both RMS heights.
     const bool comparable = grid.dx > 0.5 * surface.period().dx;
     if ((hasFile(disk) || hasRoughness(disk)) && !isFlat && comparable &&
         sampling.rms < (1.0 - lostShare) * sampling.rmsOfMap)

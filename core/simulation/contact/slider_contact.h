@@ -68,7 +68,7 @@ public:
 
     /// Fills the values of contactFields() at the last call.
     virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
-    /// What is wrong, because of grid and patches, with the accepted state of the largest contact force. It replaces
+    /// Errors, from grid and patches, of the accepted state of the largest contact force. It replaces
     /// the last state: the run is over. If `goOn` returns false it is not known.
     struct Doubts {
         ContactDoubts of;

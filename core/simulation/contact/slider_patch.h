@@ -59,7 +59,7 @@ public:
     void part(const Attitude& attitude, double time);
     void accept();
 
-    /// Adds what is wrong with the last solution because of its cells and its border.
+    /// Adds the errors of the last solution that come from its cells and its border.
     void addDoubts(ContactDoubts& doubts, const std::function<bool()>& goOn) const;
 
     /// Prepares deform() for the cells of a film.

@@ -25,7 +25,7 @@ using namespace touchdown;
 
 namespace {
 
-/// Of the calling thread [ms].
+/// Processor time of the calling thread [ms].
 double processorTime()
 {
     timespec now{};

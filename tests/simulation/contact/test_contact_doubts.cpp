@@ -100,7 +100,7 @@ private slots:
             const double change = std::abs(figure(own, name) - figure(finer, name));
             QVERIFY2(error >= change, qPrintable(QString("%1 %2 %3").arg(name).arg(error).arg(change)));
         }
-        // Beyond 0.75 um from the middle the attraction of the sphere goes on: (4/3) 2 pi R dgamma (z0/(g + z0))^2.
+        // Beyond 0.75 um from the middle the attraction of the sphere continues: (4/3) 2 pi R dgamma (z0/(g + z0))^2.
         QVERIFY(warns(own, "the attraction beyond the border of the patch"));
     }
 

@@ -67,7 +67,7 @@ void TestCurvePicture::init()
 void TestCurvePicture::drawsEachLineOnce()
 {
     QCOMPARE(plot_->stillPicture().linesDrawn(), earlier);
-    // The newest run goes on within the same view: nothing else is drawn.
+    // The newest run continues within the same view: nothing else is drawn.
     for (int k = 0; k < 10; ++k) {
         data_.back().append(std::vector{1e-3}, std::vector{21e-9 + 1e-10 * k});
         plot_->refreshNow();
