@@ -10,7 +10,9 @@
 #include <QMenu>
 
 #include "ui/film/mode_motion.h"
+#include "ui/plot/laid_out_as.h"
 #include "ui/plot/picture_menu.h"
+#include "ui/plot/plot_frame.h"
 
 namespace touchdown {
 
@@ -122,10 +124,19 @@ void ModePicture::paintInto(QPainter& painter, const QRectF& target, const PlotT
     painter.save();
     painter.translate(target.topLeft());
     painter.scale(target.width() / width(), target.height() / height());
-    painter.setFont(font());
+    painter.setFont(plotTextFont(font()));
     paint(painter, theme);
     painter.restore();
 }
+
+void ModePicture::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
+{
+    const LaidOutAs laidOut(*this, size, font);
+    painter.setFont(font);
+    paint(painter, paperTheme(colours));
+}
+
+double ModePicture::heightOnPaper(double width, const QFont& /*font*/) const { return 0.55 * width; }
 
 void ModePicture::paintEvent(QPaintEvent*)
 {

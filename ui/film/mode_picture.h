@@ -50,6 +50,8 @@ public:
 
     QString title() const override { return title_; }
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
+    double heightOnPaper(double width, const QFont& font) const override;
 
     QSize sizeHint() const override { return {640, 300}; }
     QSize minimumSizeHint() const override { return {240, 160}; }

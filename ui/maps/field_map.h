@@ -43,13 +43,14 @@ public:
     /// Where the sections cross; nothing: no sections.
     void setSectionPoint(const std::optional<SurfacePoint>& point);
 
+    /// The centre of each cell [m] and its value, in the display unit.
+    std::function<void(QIODevice&)> dataWriter() const override;
+
 protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;
     void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) override;
     double keyWidth() const override;
     QStringList readingAt(const SurfacePoint& point) const override;
-    /// The centre of each cell [m] and its value, in the display unit.
-    std::function<void(QIODevice&)> dataWriter() const override;
 
 private:
     void paintCells(QPainter& painter) const;

@@ -12,8 +12,9 @@
 
 namespace touchdown {
 
-void addPictureActions(QMenu& menu, QWidget& shown, const std::function<void(QIODevice&)>& writeData)
+void addPictureActions(QMenu& menu, QWidget& shown)
 {
+    const std::function<void(QIODevice&)> writeData = dynamic_cast<PagePart&>(shown).dataWriter();
     QWidget* part = &shown;
     menu.addAction(tr("&Copy picture"), part, [part] { copyPicture(*part); });
     menu.addAction(tr("&Save picture…"), part, [part] {

@@ -133,7 +133,16 @@ std::vector<AxisTick> PlotAxis::logarithmicTicks(int most, double decades) const
     const double high = range_.high / label.factor;
     const int first = static_cast<int>(std::floor(std::log10(low) + 1e-9));
     const int last = static_cast<int>(std::floor(std::log10(high) + 1e-9));
-    const int every = std::max(1, static_cast<int>(std::ceil((decades + 1.0) / most)));
+    // A single number is no scale: more powers of ten than there is good room for, or 3 beside the only one.
+    const auto powers = [&](int step) {
+        int count = 0;
+        for (int exponent = first; exponent <= last; ++exponent)
+            count += exponent % step == 0 && std::pow(10.0, exponent) >= low * (1.0 - 1e-9) ? 1 : 0;
+        return count;
+    };
+    int every = std::max(1, static_cast<int>(std::ceil((decades + 1.0) / most)));
+    while (every > 1 && powers(every) < 2) --every;
+    const bool lonely = powers(every) < 2;
     const bool plain = first >= -2 && last <= 4;
 
     std::vector<AxisTick> ticks;
@@ -144,9 +153,10 @@ std::vector<AxisTick> PlotAxis::logarithmicTicks(int most, double decades) const
             const QString text = plain ? typeset(power, std::max(0, -exponent)) : powerOfTen(exponent);
             ticks.push_back({power * label.factor, major ? text : QString(), major});
         }
-        for (int digit = 2; digit <= 9 && 2.0 * decades <= most; ++digit) {
+        for (int digit = 2; digit <= 9 && (lonely || 2.0 * decades <= most); ++digit) {
             if (digit * power < low || digit * power > high) continue;
-            const bool named = decades < 1.7 && (digit == 2 || digit == 5) && 3 * (decades + 1.0) <= most;
+            const bool roomy = decades < 1.7 && 3 * (decades + 1.0) <= most;
+            const bool named = roomy ? digit == 2 || digit == 5 : lonely && digit == 3;
             const QString text = plain ? typeset(digit * power, std::max(0, -exponent))
                                        : QString::number(digit) + QChar(0x00b7) + powerOfTen(exponent);
             ticks.push_back({digit * power * label.factor, named ? text : QString(), named});

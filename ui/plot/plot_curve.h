@@ -29,7 +29,6 @@ struct PlotCurve {
     bool pale = false;              // thin and faint, behind the curves that are not
     bool leads = true;              // the automatic ranges are those of the curves that lead
     bool still = false;             // its data do not grow any more
-    int printDash = 0;              // added to the dash of its style in pictures that are to have dashes
     std::optional<double> end = {}; // its data will grow up to this x: the range of x does not grow with each sample
 };
 

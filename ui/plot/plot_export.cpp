@@ -2,6 +2,7 @@
 #include "ui/plot/plot_export.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <QBuffer>
@@ -23,9 +24,10 @@ namespace touchdown {
 
 namespace {
 
-constexpr int screenResolution = 96; // [pixels per inch], that of a picture's size in SVG and PDF
-constexpr int paperResolution = 1200;
-constexpr double finer = 2.0; // PNG against the screen
+constexpr int paperResolution = 1200; // of PDF [dots per inch]
+constexpr double finer = 2.0;         // the clipboard's picture against the screen
+constexpr int svgFineness = 10;       // units of an SVG's size for a pixel
+constexpr double inch = 0.0254;       // [m]
 
 QImage rastered(const Picture& picture, double scale)
 {
@@ -37,15 +39,22 @@ QImage rastered(const Picture& picture, double scale)
     return image;
 }
 
-void writePng(const Picture& picture, QIODevice& device) { rastered(picture, finer).save(&device, "PNG"); }
+void writePng(const Picture& picture, QIODevice& device)
+{
+    QImage image = rastered(picture, picture.dotsPerInch / picture.pixelsPerInch);
+    const auto perMetre = static_cast<int>(std::lround(picture.dotsPerInch / inch));
+    image.setDotsPerMeterX(perMetre);
+    image.setDotsPerMeterY(perMetre);
+    image.save(&device, "PNG");
+}
 
 void writeSvg(const Picture& picture, QIODevice& device)
 {
     QSvgGenerator generator;
     generator.setOutputDevice(&device);
-    generator.setSize(picture.size.toSize());
+    generator.setSize((picture.size * svgFineness).toSize());
     generator.setViewBox(QRectF(QPointF(), picture.size));
-    generator.setResolution(screenResolution);
+    generator.setResolution(static_cast<int>(std::lround(picture.pixelsPerInch * svgFineness)));
     generator.setTitle(picture.title);
     QPainter painter(&generator);
     picture.paint(painter);
@@ -55,22 +64,15 @@ void writePdf(const Picture& picture, QIODevice& device)
 {
     QPdfWriter writer(&device);
     writer.setResolution(paperResolution);
-    writer.setPageSize(QPageSize(picture.size * 72.0 / screenResolution, QPageSize::Point, {}, QPageSize::ExactMatch));
+    writer.setPageSize(
+        QPageSize(picture.size * 72.0 / picture.pixelsPerInch, QPageSize::Point, {}, QPageSize::ExactMatch));
     writer.setPageMargins({});
     writer.setTitle(picture.title);
     writer.setCreator(QStringLiteral("Touchdown"));
     QPainter painter(&writer);
-    painter.scale(1.0 * paperResolution / screenResolution, 1.0 * paperResolution / screenResolution);
+    painter.setRenderHint(QPainter::LosslessImageRendering);
+    painter.scale(paperResolution / picture.pixelsPerInch, paperResolution / picture.pixelsPerInch);
     picture.paint(painter);
-}
-
-/// What `write` writes, as a file. Qt's generators do not report a device that fails, so they write into memory.
-QString writeFile(const QString& path, const std::function<void(QIODevice&)>& write)
-{
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    write(buffer);
-    return writeWholeFile(path, buffer.data());
 }
 
 Picture pictureOf(QWidget& shown, const PlotTheme& theme)
@@ -82,9 +84,9 @@ Picture pictureOf(QWidget& shown, const PlotTheme& theme)
                     return;
                 }
                 painter.fillRect(shown.rect(), theme.background);
-                for (QWidget* widget : shown.findChildren<QWidget*>())
-                    if (auto* inner = dynamic_cast<PagePart*>(widget); inner != nullptr && widget->isVisibleTo(&shown))
-                        inner->paintInto(painter, QRectF(widget->mapTo(&shown, QPoint()), widget->size()), theme);
+                for (QWidget* widget : visibleParts(shown))
+                    dynamic_cast<PagePart*>(widget)->paintInto(
+                        painter, QRectF(widget->mapTo(&shown, QPoint()), widget->size()), theme);
             }};
 }
 
@@ -112,6 +114,18 @@ QByteArray number(std::optional<double> value, double factor)
 
 } // namespace
 
+std::vector<QWidget*> visibleParts(QWidget& page)
+{
+    std::vector<QWidget*> parts;
+    for (QWidget* widget : page.findChildren<QWidget*>())
+        if (dynamic_cast<PagePart*>(widget) != nullptr && widget->isVisibleTo(&page)) parts.push_back(widget);
+    std::ranges::stable_sort(parts, {}, [&page](const QWidget* widget) {
+        const QPoint at = widget->mapTo(&page, QPoint());
+        return std::pair(at.y(), at.x());
+    });
+    return parts;
+}
+
 QString saveImage(const QImage& image, const QString& path)
 {
     const QByteArray format = QFileInfo(path).suffix().toLatin1();
@@ -122,22 +136,28 @@ QString saveImage(const QImage& image, const QString& path)
     return writeWholeFile(path, buffer.data());
 }
 
-QString savePicture(const Picture& picture, const QString& path)
+std::optional<QByteArray> pictureBytes(const Picture& picture, const QString& path)
 {
     using Write = void (*)(const Picture&, QIODevice&);
     static const QHash<QString, Write> formats{{"png", writePng}, {"svg", writeSvg}, {"pdf", writePdf}};
     const Write write = formats.value(QFileInfo(path).suffix().toLower());
-    if (write == nullptr)
-        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
-            .arg(QDir::toNativeSeparators(path));
-    return writeFile(path, [&](QIODevice& device) { write(picture, device); });
+    if (write == nullptr) return {};
+    // Qt's generators do not report a device that fails, so they write into memory.
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    write(picture, buffer);
+    return buffer.data();
 }
 
-QString savePicture(QWidget& shown, const QString& path, bool dashes)
+QString savePicture(const Picture& picture, const QString& path)
 {
-    PlotTheme theme = lightPlotTheme();
-    theme.printDashes = dashes;
-    return savePicture(pictureOf(shown, theme), path);
+    if (const std::optional<QByteArray> bytes = pictureBytes(picture, path)) return writeWholeFile(path, *bytes);
+    return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.").arg(QDir::toNativeSeparators(path));
+}
+
+QString savePicture(QWidget& shown, const QString& path)
+{
+    return savePicture(pictureOf(shown, lightPlotTheme()), path);
 }
 
 void copyPicture(QWidget& shown)
@@ -183,7 +203,10 @@ void writeCsv(const PlotWidget& plot, QIODevice& device)
 
 QString saveCsv(const PlotWidget& plot, const QString& path)
 {
-    return writeFile(path, [&](QIODevice& device) { writeCsv(plot, device); });
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    writeCsv(plot, buffer);
+    return writeWholeFile(path, buffer.data());
 }
 
 } // namespace touchdown

@@ -9,12 +9,15 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <vector>
 
 #include <QIODevice>
 #include <QImage>
 #include <QPainter>
 #include <QString>
 
+#include "ui/plot/paper_curves.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
@@ -26,6 +29,8 @@ struct Picture {
     QSizeF size; // [px]
     QString title;
     std::function<void(QPainter&)> paint;
+    double pixelsPerInch = 96.0; // of `size`
+    double dotsPerInch = 192.0;  // of a PNG
 };
 
 /// A widget that belongs to the picture of its page.
@@ -35,12 +40,22 @@ public:
     virtual QString title() const = 0;
     /// The whole widget into `target`, in the colours of `theme`. The proportions of the screen stay.
     virtual void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) = 0;
+
+    /// For a figure on paper: laid out anew in `size` from the painter's origin, with a font whose size is in pixels.
+    virtual void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) = 0;
+    /// A height that suits this width there [px].
+    virtual double heightOnPaper(double width, const QFont& font) const = 0;
+    /// Writes the numbers that are shown, as comma-separated values; nothing: it shows none.
+    virtual std::function<void(QIODevice&)> dataWriter() const { return {}; }
 };
 
 [[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
-/// A PagePart, or a page with every visible PagePart inside it at its place. `dashes`: runs differ in their dashes and
-/// none is pale, for paper without colours.
-[[nodiscard]] QString savePicture(QWidget& shown, const QString& path, bool dashes = false);
+/// A PagePart, or a page with every visible PagePart inside it at its place.
+[[nodiscard]] QString savePicture(QWidget& shown, const QString& path);
+/// The bytes of a file of that name; nothing if its ending is not known.
+std::optional<QByteArray> pictureBytes(const Picture& picture, const QString& path);
+/// The visible PageParts of a page, from the top to the bottom and from the left to the right.
+std::vector<QWidget*> visibleParts(QWidget& page);
 /// Pixels as they are; the ending is that of an image format of Qt.
 [[nodiscard]] QString saveImage(const QImage& image, const QString& path);
 void copyPicture(QWidget& shown);

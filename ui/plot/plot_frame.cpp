@@ -18,6 +18,16 @@ QFont titleFont(const QFont& text)
     return heavy;
 }
 
+/// Smaller where it has no room; shortened only where it could not be read any more.
+void paintFitting(QPainter& painter, const QRectF& box, const QString& text, QFont font)
+{
+    const double wanted = QFontMetricsF(font).horizontalAdvance(text);
+    if (wanted > box.width())
+        font.setPixelSize(static_cast<int>(font.pixelSize() * std::max(PlotFrame::leastTitle, box.width() / wanted)));
+    painter.setFont(font);
+    painter.drawText(box, Qt::AlignCenter, QFontMetricsF(font).elidedText(text, Qt::ElideRight, box.width()));
+}
+
 } // namespace
 
 QFont plotTextFont(const QFont& font)
@@ -48,14 +58,20 @@ QRectF PlotFrame::areaWithin(const QSizeF& size, const QFont& font, const QStrin
             std::max(20.0, std::floor(size.height() - top - bottom))};
 }
 
+QRectF PlotFrame::curveArea(const QSizeF& size, const QFont& font, bool xNumbers)
+{
+    const double lastNumber = QFontMetricsF(plotNumberFont(font)).horizontalAdvance(QStringLiteral("00.0"));
+    return areaWithin(size, font, QStringLiteral("\u2212000.000"), lastNumber / 2.0 + gap, xNumbers);
+}
+
 PlotFrame::PlotFrame(const QRectF& plotArea, const QFont& font, const PlotAxis& xAxis, const PlotAxis& yAxis,
                      int mostUp)
-    : area(plotArea), textFont(plotTextFont(font)), numberFont(plotNumberFont(font)), x(xAxis), y(yAxis)
+    : area(plotArea), textFont(plotTextFont(font)), numberFont(plotNumberFont(font)), x(&xAxis), y(&yAxis)
 {
     const QFontMetricsF numbers(numberFont);
     const double width = numbers.horizontalAdvance(QStringLiteral("00000.000"));
-    xTicks = x.ticks(std::min(12, static_cast<int>(area.width() / width)));
-    yTicks = y.ticks(std::min(mostUp, static_cast<int>(area.height() / (2.0 * numbers.height()))));
+    xTicks = x->ticks(std::min(12, static_cast<int>(area.width() / width)));
+    yTicks = y->ticks(std::min(mostUp, static_cast<int>(area.height() / (2.0 * numbers.height()))));
 }
 
 void PlotFrame::paintNumbers(QPainter& painter, const PlotTheme& theme, double width, bool xNumbers) const
@@ -65,7 +81,7 @@ void PlotFrame::paintNumbers(QPainter& painter, const PlotTheme& theme, double w
     const double height = metrics.height();
     for (const AxisTick& tick : yTicks) {
         if (!tick.major) continue;
-        const double at = alignedPixel(up(y.position(tick.value)));
+        const double at = alignedPixel(up(y->position(tick.value)));
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(area.left() - tickLength, at), QPointF(area.left(), at));
         painter.setPen(theme.mutedText);
@@ -75,7 +91,7 @@ void PlotFrame::paintNumbers(QPainter& painter, const PlotTheme& theme, double w
     double free = 0.0; // no number begins left of this
     for (const AxisTick& tick : xTicks) {
         if (!tick.major) continue;
-        const double at = alignedPixel(across(x.position(tick.value)));
+        const double at = alignedPixel(across(x->position(tick.value)));
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(at, area.bottom()), QPointF(at, area.bottom() + tickLength));
         const double half = metrics.horizontalAdvance(tick.text) / 2.0 + 1.0;
@@ -90,20 +106,17 @@ void PlotFrame::paintNumbers(QPainter& painter, const PlotTheme& theme, double w
 
 void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool xTitle) const
 {
-    const QFontMetricsF metrics(textFont);
-    painter.setFont(textFont);
+    const double height = QFontMetricsF(textFont).height();
     painter.setPen(theme.text);
     if (xTitle) {
         const double top = area.bottom() + tickLength + QFontMetricsF(numberFont).height() + 2.0;
-        painter.drawText(QRectF(area.left(), top, area.width(), metrics.height() + 2.0), Qt::AlignCenter,
-                         metrics.elidedText(x.text(), Qt::ElideRight, area.width()));
+        paintFitting(painter, QRectF(area.left(), top, area.width(), height + 2.0), x->text(), textFont);
     }
     painter.save();
     painter.translate(gap, area.center().y());
     painter.rotate(-90.0);
-    const double length = area.height() + metrics.height(); // may reach a little over the ends
-    painter.drawText(QRectF(-length / 2.0, 0.0, length, metrics.height()), Qt::AlignCenter,
-                     metrics.elidedText(y.text(), Qt::ElideRight, length));
+    const double length = area.height() + height; // may reach a little over the ends
+    paintFitting(painter, QRectF(-length / 2.0, 0.0, length, height), y->text(), textFont);
     painter.restore();
 }
 
@@ -116,6 +129,8 @@ void PlotFrame::paintTitle(QPainter& painter, const PlotTheme& theme, const QStr
                      Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
                      QFontMetricsF(heavy).elidedText(title, Qt::ElideRight, width));
 }
+
+double PlotFrame::lineHeight() const { return QFontMetricsF(textFont).height(); }
 
 double PlotFrame::titleWidth(const QString& title, double width) const
 {

@@ -24,11 +24,15 @@ double alignedPixel(double pixel);
 struct PlotFrame {
     static constexpr double gap = 6.0;        // between things that belong together [px]
     static constexpr double tickLength = 4.0; // [px]
+    static constexpr double leastTitle = 0.7; // size of an axis title where it has no room, of its usual one
 
     /// The area within `size`, with room for `widestNumber` at its left and `right` pixels at its right. It depends on
     /// size and font only, so that stacked plots agree and a live plot does not move.
     static QRectF areaWithin(const QSizeF& size, const QFont& font, const QString& widestNumber, double right,
                              bool xNumbers = true);
+
+    /// The same for curves.
+    static QRectF curveArea(const QSizeF& size, const QFont& font, bool xNumbers);
 
     /// The axes must outlive the frame; at most `mostUp` numbers on the y axis.
     PlotFrame(const QRectF& plotArea, const QFont& font, const PlotAxis& xAxis, const PlotAxis& yAxis, int mostUp);
@@ -41,13 +45,14 @@ struct PlotFrame {
     void paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool xTitle = true) const;
     /// The title above the area, cut to `width`.
     void paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const;
+    double lineHeight() const; // of a text [px]
     double titleWidth(const QString& title, double width) const;
 
     QRectF area;
     QFont textFont;
     QFont numberFont;
-    const PlotAxis& x;
-    const PlotAxis& y;
+    const PlotAxis* x;
+    const PlotAxis* y;
     std::vector<AxisTick> xTicks;
     std::vector<AxisTick> yTicks;
 };

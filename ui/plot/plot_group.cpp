@@ -58,7 +58,7 @@ void openMenu(PlotWidget* plot, PlotGroup* group, const QPoint& at)
     menu->addActions(plot->actions());
     menu->addSeparator();
 
-    addPictureActions(*menu, *plot, [plot](QIODevice& device) { writeCsv(*plot, device); });
+    addPictureActions(*menu, *plot);
     menu->popup(at);
 }
 

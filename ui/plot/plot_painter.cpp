@@ -11,14 +11,64 @@ namespace touchdown {
 
 namespace {
 
-constexpr double legendSample = 20.0;   // of a line [px]
-constexpr double longestLegend = 170.0; // text of an entry [px]
+constexpr int mostUp = 9;           // numbers of an upright axis
+constexpr double paperPixel = 0.25; // to which lines on paper are thinned [px]
+
+/// On paper a plot that stands alone says at its axis what it shows.
+PlotAxis namedAxis(PlotAxis axis, const QString& plotTitle)
+{
+    if (axis.label.title.isEmpty()) axis.label.title = plotTitle;
+    return axis;
+}
 
 } // namespace
 
 PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
-    : plot_(plot), theme_(theme), area_(plot.plotArea()), frame_(area_, plot.font(), plot.xAxis(), plot.yAxis(), 9)
+    : plot_(plot),
+      theme_(theme),
+      paper_(false),
+      width_(plot.width()),
+      curves_(plot.curves()),
+      x_(plot.xAxis()),
+      y_(plot.yAxis()),
+      title_(plot.title()),
+      area_(plot.plotArea()),
+      frame_(area_, plot.font(), x_, y_, mostUp)
 {}
+
+PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const PaperSheet& sheet)
+    : plot_(plot),
+      theme_(theme),
+      paper_(true),
+      width_(sheet.size.width()),
+      printed_(paperCurves(plot.curves(), sheet.colours)),
+      curves_(printed_),
+      x_(plot.xAxis()),
+      y_(namedAxis(plot.yAxis(), plot.title())),
+      title_(plot.yAxis().label.title.isEmpty() ? QString() : plot.title()),
+      area_(PlotFrame::curveArea(sheet.size, sheet.font, true)),
+      frame_(area_, sheet.font, x_, y_, mostUp)
+{
+    constexpr double gap = PlotFrame::gap;
+    const double row = frame_.lineHeight();
+    const double top = gap + (title_.isEmpty() ? 0.0 : row);
+    paperLegend_ = legendInRows(curves_, plot.title(), {area_.left(), top}, area_.width(), frame_.textFont);
+    area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap, area_.bottom() - 1.0));
+    frame_ = PlotFrame(area_, sheet.font, x_, y_, mostUp);
+}
+
+double PlotPainter::heightOfTitle() const
+{
+    return QFontMetricsF(frame_.textFont).horizontalAdvance(y_.text()) - frame_.lineHeight() + 1.0;
+}
+
+std::vector<QPointF> PlotPainter::pathOf(const PlotCurve& curve) const
+{
+    if (!paper_) return plot_.curvePath(curve);
+    const QSizeF fine = area_.size() / paperPixel;
+    const std::vector<QPointF> path = plot_.curvePath(curve, fine);
+    return curve.xData == nullptr ? withoutStraightPoints(path, fine) : path;
+}
 
 void PlotPainter::paintBehind(QPainter& painter) const
 {
@@ -27,11 +77,11 @@ void PlotPainter::paintBehind(QPainter& painter) const
     minor.setAlphaF(0.45F);
     // Filled, as smooth lines cost ten times as much.
     for (const AxisTick& tick : frame_.xTicks) {
-        const double x = alignedPixel(frame_.across(plot_.xAxis().position(tick.value))) - 0.5;
+        const double x = alignedPixel(frame_.across(x_.position(tick.value))) - 0.5;
         painter.fillRect(QRectF(x, area_.top(), 1.0, area_.height()), tick.major ? theme_.grid : minor);
     }
     for (const AxisTick& tick : frame_.yTicks) {
-        const double y = alignedPixel(frame_.up(plot_.yAxis().position(tick.value))) - 0.5;
+        const double y = alignedPixel(frame_.up(y_.position(tick.value))) - 0.5;
         painter.fillRect(QRectF(area_.left(), y, area_.width(), 1.0), tick.major ? theme_.grid : minor);
     }
     paintReferenceLines(painter);
@@ -46,8 +96,8 @@ void PlotPainter::paintAbove(QPainter& painter) const
     const double bottom = alignedPixel(area_.bottom());
     painter.drawLine(QPointF(left, area_.top()), QPointF(left, bottom));
     painter.drawLine(QPointF(left, bottom), QPointF(area_.right(), bottom));
-    frame_.paintNumbers(painter, theme_, plot_.width(), plot_.xNumbersVisible());
-    frame_.paintAxisTitles(painter, theme_, plot_.xNumbersVisible());
+    frame_.paintNumbers(painter, theme_, width_, (paper_ || plot_.xNumbersVisible()));
+    frame_.paintAxisTitles(painter, theme_, (paper_ || plot_.xNumbersVisible()));
     paintHeader(painter);
     paintReferenceLabels(painter);
     paintEventMarks(painter);
@@ -58,76 +108,45 @@ void PlotPainter::paintAbove(QPainter& painter) const
 
 Legend PlotPainter::legend() const
 {
+    if (paper_) return paperLegend_;
     constexpr double gap = PlotFrame::gap;
-    const QFontMetricsF metrics(frame_.textFont);
-    const QRectF row(area_.left(), gap, area_.width(), metrics.height());
-    const double room = row.width() - frame_.titleWidth(plot_.title(), row.width()) - 3.0 * gap;
-
-    const auto textOf = [](const PlotCurve& curve) { return curve.legend.isEmpty() ? curve.name : curve.legend; };
-    std::vector<const PlotCurve*> named;
-    const auto take = [&](const PlotCurve& curve) {
-        const auto same = [&](const PlotCurve* other) {
-            return textOf(*other) == textOf(curve) && other->style == curve.style;
-        };
-        if (curve.visible && curve.inLegend && !textOf(curve).isEmpty() && textOf(curve) != plot_.title() &&
-            std::ranges::none_of(named, same))
-            named.push_back(&curve);
-    };
-    // Runs stand with the newest first, as the oldest may have no room. A raised curve keeps its place, or it would
-    // move away under the pointer.
-    const bool runs = std::ranges::any_of(plot_.curves(), [](const PlotCurve& curve) { return !curve.leads; });
-    for (const PlotCurve& curve : plot_.curves())
-        if (!runs || !curve.legend.isEmpty()) take(curve);
-    for (auto curve = plot_.curves().rbegin(); curve != plot_.curves().rend(); ++curve)
-        if (runs && curve->legend.isEmpty()) take(*curve);
-
-    const double moreWidth = metrics.horizontalAdvance(QStringLiteral("+00"));
-    Legend legend;
-    double used = 0.0;
-    for (std::size_t i = 0; i < named.size(); ++i) {
-        const QString text = metrics.elidedText(textOf(*named[i]), Qt::ElideRight, longestLegend);
-        const double width = legendSample + gap + metrics.horizontalAdvance(text) + 2.0 * gap;
-        if (used + width + (i + 1 < named.size() ? moreWidth : 0.0) > room) break;
-        legend.entries.push_back({named[i], text, QRectF(used, row.top(), width, row.height())});
-        used += width;
-    }
-    legend.more = named.size() - legend.entries.size();
-    const double left = row.right() - used - (legend.more > 0 ? moreWidth : -2.0 * gap);
-    for (LegendEntry& entry : legend.entries) entry.box.translate(left, 0.0);
-    return legend;
+    const double used = frame_.titleWidth(title_, area_.width()) + 3.0 * gap;
+    return legendInRow(curves_, title_, {area_.left() + used, gap, area_.width() - used, frame_.lineHeight()},
+                       frame_.textFont);
 }
 
 void PlotPainter::paintHeader(QPainter& painter) const
 {
     constexpr double gap = PlotFrame::gap;
-    frame_.paintTitle(painter, theme_, plot_.title(), area_.width());
+    const Legend legend = this->legend();
+    frame_.paintTitle(painter, theme_, title_, area_.width());
     painter.setFont(frame_.textFont);
-    const Legend shown = legend();
-    const QRectF row(area_.left(), gap, area_.width(), QFontMetricsF(frame_.textFont).height());
-    const bool wide = plot_.hasPaleCurves();
-    for (const auto& [curve, text, box] : shown.entries) {
-        const double y = box.center().y();
+    const double line = frame_.lineHeight();
+    const bool wide = !paper_ && plot_.hasPaleCurves();
+    for (const auto& [curve, text, box] : legend.entries) {
+        const double y = box.top() + 0.5 * line;
         painter.setPen(pathPen(*curve, {}, area_.size(), theme_, wide));
-        painter.drawLine(QPointF(box.left(), y), QPointF(box.left() + legendSample, y));
+        painter.drawLine(QPointF(box.left(), y), QPointF(box.left() + Legend::sample, y));
         painter.setPen(curve->pale || !wide ? theme_.mutedText : theme_.text);
-        painter.drawText(box.adjusted(legendSample + gap, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
+        painter.drawText(box.adjusted(Legend::sample + gap, 0.0, 0.0, 0.0),
+                         Qt::AlignLeft | Qt::AlignTop | (box.height() > line ? Qt::TextWrapAnywhere : 0), text);
     }
-    if (shown.more > 0 && !plot_.curves().empty()) {
-        const double left = shown.entries.empty() ? area_.left() : shown.entries.back().box.right();
-        painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(left, row.top(), area_.right() - left, row.height()), Qt::AlignRight | Qt::AlignVCenter,
-                         QStringLiteral("+%1").arg(shown.more));
-    }
+    if (legend.more == 0 || curves_.empty()) return;
+    const double left = legend.entries.empty() ? area_.left() : legend.entries.back().box.right();
+    painter.setPen(theme_.mutedText);
+    painter.drawText(QRectF(left, gap, area_.right() - left, line), Qt::AlignRight | Qt::AlignVCenter,
+                     QStringLiteral("+%1").arg(legend.more));
 }
 
 void PlotPainter::paintCurves(QPainter& painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
-    const auto paths = plot_.curvePaths();
-    for (std::size_t i = 0; i < paths.size(); ++i) {
-        if (paths[i].empty()) continue;
-        painter.setPen(pathPen(plot_.curves()[i], paths[i], area_.size(), theme_, plot_.hasPaleCurves()));
-        drawPath(painter, paths[i], area_);
+    const bool wide = !paper_ && plot_.hasPaleCurves();
+    for (const PlotCurve& curve : curves_) {
+        const std::vector<QPointF> path = pathOf(curve);
+        if (path.empty()) continue;
+        painter.setPen(pathPen(curve, path, area_.size(), theme_, wide));
+        drawPath(painter, path, area_);
     }
 }
 
@@ -139,8 +158,8 @@ void PlotPainter::paintCursors(QPainter& painter) const
         const auto at = plot_.plotCursor(which);
         if (!at) continue;
         if (!plot_.isPhasePortrait()) {
-            if (!plot_.xAxis().range().contains(*at)) continue;
-            const double x = alignedPixel(frame_.across(plot_.xAxis().position(*at)));
+            if (!x_.range().contains(*at)) continue;
+            const double x = alignedPixel(frame_.across(x_.position(*at)));
             QPen pen(theme_.cursor, 1.0);
             if (which == 1) pen.setDashPattern({3.0, 3.0});
             painter.setPen(pen);
@@ -154,12 +173,12 @@ void PlotPainter::paintCursors(QPainter& painter) const
             painter.setPen(theme_.background);
             painter.drawText(tag, Qt::AlignCenter, QString::number(which + 1));
         }
-        for (const PlotCurve& curve : plot_.curves()) {
+        for (const PlotCurve& curve : curves_) {
             if (!curve.visible || curve.pale || curve.data == nullptr) continue;
             const auto y = curve.data->valueAt(*at);
             const auto x = curve.xData != nullptr ? curve.xData->valueAt(*at) : at;
             if (!x || !y) continue;
-            const QPointF centre(frame_.across(plot_.xAxis().position(*x)), frame_.up(plot_.yAxis().position(*y)));
+            const QPointF centre(frame_.across(x_.position(*x)), frame_.up(y_.position(*y)));
             if (!area_.contains(centre)) continue;
             painter.setPen(QPen(theme_.background, 1.5));
             painter.setBrush(theme_.colour(curve.style));
@@ -189,7 +208,7 @@ void PlotPainter::paintShadedAreas(QPainter& painter) const
     for (const ShadedArea& shaded : plot_.shadedAreas()) {
         QPolygonF outline;
         for (const auto& [x, y] : shaded.outline)
-            outline << QPointF(frame_.across(plot_.xAxis().position(x)), frame_.up(plot_.yAxis().position(y)));
+            outline << QPointF(frame_.across(x_.position(x)), frame_.up(y_.position(y)));
         QColor fill = theme_.colour(shaded.style);
         fill.setAlphaF(0.18F);
         painter.setBrush(fill);
@@ -205,7 +224,7 @@ void PlotPainter::paintShadedAreas(QPainter& painter) const
 
 bool PlotPainter::isSeen(const ReferenceLine& line) const
 {
-    return (line.upright ? plot_.xAxis() : plot_.yAxis()).range().contains(line.value);
+    return (line.upright ? x_ : y_).range().contains(line.value);
 }
 
 void PlotPainter::paintReferenceLines(QPainter& painter) const
@@ -215,8 +234,8 @@ void PlotPainter::paintReferenceLines(QPainter& painter) const
     painter.setPen(pen);
     for (const ReferenceLine& line : plot_.referenceLines()) {
         if (!isSeen(line)) continue;
-        const double y = alignedPixel(frame_.up(plot_.yAxis().position(line.value)));
-        const double x = alignedPixel(frame_.across(plot_.xAxis().position(line.value)));
+        const double y = alignedPixel(frame_.up(y_.position(line.value)));
+        const double x = alignedPixel(frame_.across(x_.position(line.value)));
         if (line.upright)
             painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
         else
@@ -234,14 +253,14 @@ void PlotPainter::paintReferenceLabels(QPainter& painter) const
         QRectF box(0.0, 0.0, metrics.horizontalAdvance(line.label) + 4.0, metrics.height());
         if (line.upright) {
             // Beside its line at the bottom, where no peak has its label, above the labels of its neighbours.
-            const double x = frame_.across(plot_.xAxis().position(line.value));
+            const double x = frame_.across(x_.position(line.value));
             box.moveBottomLeft({x + 3.0, area_.bottom() - 2.0});
             if (box.right() > area_.right()) box.moveRight(x - 3.0);
             for (const QRectF& other : taken)
                 if (box.intersects(other)) box.moveBottom(other.top() - 1.0);
             if (box.top() < area_.top()) continue;
         } else {
-            const double y = frame_.up(plot_.yAxis().position(line.value));
+            const double y = frame_.up(y_.position(line.value));
             box.moveBottomRight({area_.right() - 4.0, y - 1.0});
             if (box.top() < area_.top()) box.moveTop(y + 2.0);
             for (const QRectF& other : taken)
@@ -257,8 +276,8 @@ void PlotPainter::paintEventMarks(QPainter& painter) const
     painter.setPen(QPen(theme_.referenceLine, 1.0));
     double last = -1e9;
     for (const EventMark& mark : plot_.eventMarks()) {
-        if (plot_.isPhasePortrait() || !plot_.xAxis().range().contains(mark.time)) continue;
-        const double x = alignedPixel(frame_.across(plot_.xAxis().position(mark.time)));
+        if (plot_.isPhasePortrait() || !x_.range().contains(mark.time)) continue;
+        const double x = alignedPixel(frame_.across(x_.position(mark.time)));
         if (x == last) continue; // thousands of bounces fall onto one column
         last = x;
         painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.top() + 6.0));
@@ -268,10 +287,12 @@ void PlotPainter::paintEventMarks(QPainter& painter) const
 void PlotPainter::paintArrows(QPainter& painter) const
 {
     painter.setPen(Qt::NoPen);
-    for (std::size_t i = 0; i < std::min(plot_.curves().size(), plot_.phasePaths().size()); ++i) {
-        if (!plot_.curves()[i].arrows || plot_.curves()[i].pale) continue;
-        painter.setBrush(theme_.colour(plot_.curves()[i].style));
-        for (const PathArrow& arrow : pathArrows(plot_.phasePaths()[i], area_.size())) {
+    const std::vector<std::vector<QPointF>>& drawn = plot_.phasePaths(); // on the screen
+    for (std::size_t i = 0; i < curves_.size(); ++i) {
+        const PlotCurve& curve = curves_[i];
+        if (!curve.arrows || curve.pale || curve.xData == nullptr || (!paper_ && i >= drawn.size())) continue;
+        painter.setBrush(theme_.colour(curve.style));
+        for (const PathArrow& arrow : pathArrows(paper_ ? pathOf(curve) : drawn[i], area_.size())) {
             const QPointF along(arrow.along.x(), -arrow.along.y());
             const QPointF side(-along.y(), along.x());
             const QPointF tip = QPointF(frame_.across(arrow.tip.x()), frame_.up(arrow.tip.y())) + 4.5 * along;
@@ -284,14 +305,14 @@ void PlotPainter::paintArrows(QPainter& painter) const
 void PlotPainter::paintDots(QPainter& painter) const
 {
     painter.setPen(Qt::NoPen);
-    for (const PlotCurve& curve : plot_.curves()) {
+    for (const PlotCurve& curve : curves_) {
         if (!curve.dots || !curve.visible || curve.data == nullptr) continue;
         painter.setBrush(theme_.colour(curve.style));
-        const PlotRange& seen = plot_.xAxis().range();
+        const PlotRange& seen = x_.range();
         const auto [begin, end] = curve.data->samplesWithin(seen.low, seen.high);
         for (std::size_t i = begin; i < end; ++i) {
-            const QPointF at(frame_.across(plot_.xAxis().position(curve.data->time(i))),
-                             frame_.up(plot_.yAxis().position(curve.data->value(i))));
+            const QPointF at(frame_.across(x_.position(curve.data->time(i))),
+                             frame_.up(y_.position(curve.data->value(i))));
             if (at.y() >= area_.top() && at.y() <= area_.bottom()) painter.drawEllipse(at, 3.0, 3.0);
         }
     }
@@ -308,7 +329,7 @@ void PlotPainter::paintPointMarks(QPainter& painter) const
     std::vector<QRectF> taken;
     painter.setPen(Qt::NoPen);
     for (const PointMark& mark : plot_.pointMarks()) {
-        const QPointF at(frame_.across(plot_.xAxis().position(mark.x)), frame_.up(plot_.yAxis().position(mark.y)));
+        const QPointF at(frame_.across(x_.position(mark.x)), frame_.up(y_.position(mark.y)));
         if (!area_.contains(at)) continue;
         const QPointF tip = at - QPointF(0.0, 3.0);
         painter.setBrush(theme_.colour(mark.style));

@@ -3,25 +3,29 @@
 // Everything of a plot but its curves: paper, grid, axes, legend, marks, cursors. The same on the screen and on paper.
 #pragma once
 
+#include "ui/plot/paper_curves.h"
 #include "ui/plot/plot_frame.h"
+#include "ui/plot/plot_legend.h"
 #include "ui/plot/plot_widget.h"
 
 namespace touchdown {
 
-struct LegendEntry {
-    const PlotCurve* curve;
-    QString text; // shortened where it is long
-    QRectF box;   // [px]
-};
-struct Legend {
-    std::vector<LegendEntry> entries; // from left to right
-    std::size_t more = 0;             // that have no room
+/// A place in a figure on paper.
+struct PaperSheet {
+    QSizeF size; // [px]
+    QFont font;  // its size in pixels
+    PaperColours colours = PaperColours::Coloured;
 };
 
 class PlotPainter {
 public:
-    /// Both must outlive the painter.
+    /// As on the screen. Both must outlive the painter.
     PlotPainter(const PlotWidget& plot, const PlotTheme& theme);
+    /// Laid out anew for paper: both axes have their titles, what the plot is called stands at the axis where that has
+    /// no name of its own, the legend has as many rows as it needs, no curve is pale and no two look alike.
+    PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const PaperSheet& sheet);
+    PlotPainter(const PlotPainter&) = delete;
+    PlotPainter& operator=(const PlotPainter&) = delete;
 
     void paintBehind(QPainter& painter) const;
     void paintAbove(QPainter& painter) const;
@@ -29,8 +33,12 @@ public:
     void paintCurves(QPainter& painter) const;
     void paintCursors(QPainter& painter) const;
     void paintSelection(QPainter& painter, const QRectF& box) const;
-    /// Beside the title; the newest run first.
+    /// On the screen beside the title.
     Legend legend() const;
+    /// Where the curves are [px].
+    const QRectF& area() const { return area_; }
+    /// The height of the area in which the title of the upright axis has room [px].
+    double heightOfTitle() const;
 
 private:
     void paintHeader(QPainter& painter) const;
@@ -44,10 +52,20 @@ private:
     void paintPointMarks(QPainter& painter) const;
     void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const;
 
+    std::vector<QPointF> pathOf(const PlotCurve& curve) const;
+
     const PlotWidget& plot_;
     const PlotTheme& theme_;
+    const bool paper_;
+    const double width_; // of widget or sheet [px]
+    const std::vector<PlotCurve> printed_;
+    const std::vector<PlotCurve>& curves_;
+    const PlotAxis x_;
+    const PlotAxis y_;
+    const QString title_; // above the area
     QRectF area_;
     PlotFrame frame_;
+    Legend paperLegend_;
 };
 
 } // namespace touchdown

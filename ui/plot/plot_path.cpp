@@ -185,11 +185,10 @@ QPen penThereAndBack(const std::vector<QPointF>& path, const QSizeF& pixels, QPe
 QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSizeF& pixels, const PlotTheme& theme,
              bool wide)
 {
-    if (curve.pale && !theme.printDashes) return palePen(curve.style, theme);
+    if (curve.pale) return palePen(curve.style, theme);
     const bool dashed = pathLength(path, pixels) < longestDashed * pixels.width();
-    const int more = theme.printDashes ? curve.printDash : 0;
-    QPen pen = curvePen({curve.style.colour, curve.style.dash + more}, theme, dashed);
-    if (wide && !theme.printDashes) pen.setWidthF(wideCurve);
+    QPen pen = curvePen(curve.style, theme, dashed);
+    if (wide) pen.setWidthF(wideCurve);
     return curve.xData != nullptr ? penThereAndBack(path, pixels, pen) : pen;
 }
 

@@ -31,7 +31,6 @@ struct PlotTheme {
     QColor cursor;
     QColor selection; // the box that is being dragged
     QList<QColor> curves;
-    bool printDashes = false; // curves differ in their dashes, none is pale: for paper without colours
 
     QColor colour(const CurveStyle& style) const { return curves[style.colour % curves.size()]; }
     /// The same, faint.

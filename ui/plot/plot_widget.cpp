@@ -194,10 +194,11 @@ std::vector<std::vector<QPointF>> PlotWidget::curvePaths() const
     return paths;
 }
 
-std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve) const
+std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve) const { return curvePath(curve, plotArea().size()); }
+
+std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve, const QSizeF& size) const
 {
     if (!curve.visible || curve.data == nullptr) return {};
-    const QSizeF size = plotArea().size();
     if (curve.xData == nullptr) return timePath(*curve.data, x_, y_, static_cast<int>(size.width()));
     return phasePath(*curve.xData, *curve.data, timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL}), x_, y_, size);
 }
@@ -210,7 +211,8 @@ std::vector<QPointF> PlotWidget::drawnPath(const PlotCurve& curve) const
 void PlotWidget::hoverLegend(const QPointF& pixel)
 {
     QString now;
-    for (const LegendEntry& entry : PlotPainter(*this, theme_).legend().entries)
+    const PlotPainter painter(*this, theme_);
+    for (const LegendEntry& entry : painter.legend().entries)
         if (entry.box.contains(pixel)) now = entry.curve->id;
     if (now == hovered_) return;
     hovered_ = now;
@@ -255,12 +257,7 @@ void PlotWidget::userPin(bool pinned)
 
 void PlotWidget::showSelection(std::optional<QRectF> box) { canvas_->setSelection(box); }
 
-QRectF PlotWidget::plotArea() const
-{
-    const double lastNumber = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(QStringLiteral("00.0"));
-    return PlotFrame::areaWithin(size(), font(), QStringLiteral("\u2212000.000"), lastNumber / 2.0 + PlotFrame::gap,
-                                 xNumbersVisible_);
-}
+QRectF PlotWidget::plotArea() const { return PlotFrame::curveArea(size(), font(), xNumbersVisible_); }
 
 QPointF PlotWidget::toPixel(double x, double y) const
 {
@@ -280,6 +277,29 @@ void PlotWidget::paintInto(QPainter& painter, const QRectF& target, const PlotTh
     plot.paintCurves(painter);
     plot.paintAbove(painter);
     painter.restore();
+}
+
+std::function<void(QIODevice&)> PlotWidget::dataWriter() const
+{
+    return [this](QIODevice& device) { writeCsv(*this, device); };
+}
+
+double PlotWidget::heightOnPaper(double width, const QFont& font) const
+{
+    constexpr double shape = 0.55; // of the area of the curves
+    const PlotPainter painter(*this, theme_, {{width, 1e3}, font});
+    return 1e3 - painter.area().height() + std::max(shape * painter.area().width(), painter.heightOfTitle());
+}
+
+void PlotWidget::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
+{
+    if (stale_) refreshNow();
+    const PlotTheme theme = paperTheme(colours);
+    painter.fillRect(QRectF(QPointF(), size), theme.background);
+    const PlotPainter plot(*this, theme, {size, font, colours});
+    plot.paintBehind(painter);
+    plot.paintCurves(painter);
+    plot.paintAbove(painter);
 }
 
 void PlotWidget::changeEvent(QEvent* event)

@@ -119,9 +119,14 @@ public:
     /// The whole plot as vectors and text into `target`, in the colours of `theme`, without cursors. The proportions
     /// of the screen stay.
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    double heightOnPaper(double width, const QFont& font) const override;
+    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
+    std::function<void(QIODevice&)> dataWriter() const override;
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;
     std::vector<QPointF> curvePath(const PlotCurve& curve) const;
+    /// With the details that an area of that size can show [px].
+    std::vector<QPointF> curvePath(const PlotCurve& curve, const QSizeF& size) const;
     /// The same for the screen, with fewer points.
     std::vector<QPointF> drawnPath(const PlotCurve& curve) const;
     /// Those of a phase portrait as they were drawn last, without those of the picture of still curves.

@@ -145,7 +145,8 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
             plot->setAccessibleName(tr("Plot of %1 over time").arg(tr(spec.title)));
             plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
         }
-        plot->setYLabel({{}, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
+        plot->setYLabel(
+            {spec.against ? tr("Force") : QString(), unitText(spec.unit), unitFactor(spec.unit), spec.scale});
         group_->add(plot);
         connect(plot, &PlotWidget::legendHovered, this, &LivePlots::raise);
         layout_->addWidget(plot, spec.against ? 3 : 1);
@@ -296,7 +297,6 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     curve.inLegend = single || !curve.pale;
     if (!run.finished()) curve.end = run.value.run.duration;
     curve.style = RunsModel::style(run);
-    curve.printDash = run.number - 1;
     if (!single) curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, wanted.dash};
     const auto chosen =
         wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));

@@ -203,7 +203,6 @@ void LiveSpectrum::restyle()
         curve.pale = number != speaker;
         curve.leads = number == leader;
         curve.still = whole_.contains(number);
-        curve.printDash = number - 1;
     });
 }
 

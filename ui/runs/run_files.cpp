@@ -77,7 +77,7 @@ void RunFiles::choosePicture()
     askAndSave(&window_, tr("Export the plots"),
                {tr("PNG picture (*.png)"), tr("SVG drawing (*.svg)"), tr("PDF document (*.pdf)")},
                QStringLiteral("touchdown.png"),
-               [this](const QString& file) { return reported(savePicture(page_, file, dashes_), file); });
+               [this](const QString& file) { return reported(savePicture(page_, file), file); });
 }
 
 QString RunFiles::reported(const QString& problem, const QString& file)

@@ -26,8 +26,6 @@ public:
     void chooseSave(int number, bool csv);
     void chooseOpen();
     void choosePicture();
-    /// Whether runs differ in their dashes in exported pictures.
-    void setDashes(bool dashes) { dashes_ = dashes; }
     /// A saved run, static solutions or the report of a study.
     void openResults(const QString& file);
 
@@ -46,7 +44,6 @@ private:
     RunsModel& runs_;
     QWidget& page_;
     QWidget& window_;
-    bool dashes_ = false;
 };
 
 } // namespace touchdown

@@ -4,12 +4,15 @@
 // film and contact, and the surface of the disk.
 #pragma once
 
+#include <optional>
+
 #include <QAction>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 
 #include "core/case/case.h"
+#include "ui/plot/min_max_pyramid.h"
 
 namespace touchdown {
 

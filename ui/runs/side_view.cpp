@@ -11,7 +11,9 @@
 
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_velocity.h"
+#include "ui/plot/laid_out_as.h"
 #include "ui/plot/picture_menu.h"
+#include "ui/plot/plot_frame.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/slider/slider_profile.h"
@@ -129,9 +131,7 @@ void SideView::contextMenuEvent(QContextMenuEvent* event)
 {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    std::function<void(QIODevice&)> writer;
-    if (state_) writer = [this](QIODevice& device) { writeProfile(device); };
-    addPictureActions(*menu, *this, writer);
+    addPictureActions(*menu, *this);
     menu->popup(event->globalPos());
 }
 
@@ -151,8 +151,24 @@ void SideView::paintInto(QPainter& painter, const QRectF& target, const PlotThem
     painter.save();
     painter.translate(target.topLeft());
     painter.scale(target.width() / width(), target.height() / height());
+    painter.setFont(plotTextFont(font()));
     paint(painter, theme);
     painter.restore();
+}
+
+void SideView::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
+{
+    const LaidOutAs laidOut(*this, size, font);
+    painter.setFont(font);
+    paint(painter, paperTheme(colours));
+}
+
+double SideView::heightOnPaper(double width, const QFont& /*font*/) const { return 0.6 * width; }
+
+std::function<void(QIODevice&)> SideView::dataWriter() const
+{
+    if (!state_) return {};
+    return [this](QIODevice& device) { writeProfile(device); };
 }
 
 void SideView::paintEvent(QPaintEvent*)

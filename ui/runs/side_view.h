@@ -53,6 +53,9 @@ public:
 
     QString title() const override { return tr("Side view"); }
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
+    double heightOnPaper(double width, const QFont& font) const override;
+    std::function<void(QIODevice&)> dataWriter() const override;
 
     QSize sizeHint() const override { return {640, 400}; }
     QSize minimumSizeHint() const override { return {240, 160}; }

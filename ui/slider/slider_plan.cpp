@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include "core/formats/units.h"
+#include "ui/plot/laid_out_as.h"
 #include "ui/plot/picture_menu.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/plan_marks.h"
@@ -270,12 +271,39 @@ void SliderPlan::paintInto(QPainter& painter, const QRectF& target, const PlotTh
     painter.restore();
 }
 
+void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
+{
+    const QSignalBlocker quiet(this); // the view on the screen stays
+    const QString reading = std::exchange(reading_, {});
+    const QSizeF before = planArea().size();
+    const double scale = scale_;
+    const SurfacePoint centre = centre_;
+    {
+        const LaidOutAs laidOut(*this, size, font);
+        const QSizeF now = planArea().size();
+        if (fitted_)
+            applyFit();
+        else
+            scale_ *= std::min(now.width() / before.width(), now.height() / before.height());
+        paint(painter, paperTheme(colours));
+    }
+    scale_ = scale;
+    centre_ = centre;
+    reading_ = reading;
+}
+
+double SliderPlan::heightOnPaper(double width, const QFont& font) const
+{
+    const double plan = width - PlotFrame::areaWithin({width, width}, font, QStringLiteral("0.0000"), 0.0).left();
+    return std::clamp(area_.height() / area_.width() * plan, 0.4 * width, 1.2 * width);
+}
+
 void SliderPlan::contextMenuEvent(QContextMenuEvent* event)
 {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &SliderPlan::fit);
-    addPictureActions(*menu, *this, dataWriter());
+    addPictureActions(*menu, *this);
     menu->popup(event->globalPos());
 }
 

@@ -69,6 +69,8 @@ public:
     bool onSlider(const SurfacePoint& point) const;
 
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
+    double heightOnPaper(double width, const QFont& font) const override;
 
     QSize sizeHint() const override { return {640, 460}; }
     QSize minimumSizeHint() const override { return {260, 180}; }
@@ -89,8 +91,6 @@ protected:
     /// Key of the content, in a column of keyWidth().
     virtual void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) = 0;
     virtual double keyWidth() const = 0; // [px]
-    /// What writes the numbers of the content as comma-separated values; nothing: it has none.
-    virtual std::function<void(QIODevice&)> dataWriter() const { return {}; }
     /// To be called when keyWidth() may have changed for another reason than size and font.
     void forgetLayout() { laidOutSize_ = {}; }
 

@@ -70,7 +70,7 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     menu->addSeparator();
     add(tr("Delete"), QStringLiteral("Del"), !selection_.empty(), [this] { removeSelected(); });
     menu->addSeparator();
-    addPictureActions(*menu, *this, dataWriter());
+    addPictureActions(*menu, *this);
     menu->popup(globalPos);
 }
 

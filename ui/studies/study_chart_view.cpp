@@ -82,6 +82,21 @@ void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const Pl
     painter.restore();
 }
 
+void StudyChartView::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
+{
+    StudyChartDrawing(chart_, paperTheme(colours), font, size, zoomed_).paint(painter);
+}
+
+double StudyChartView::heightOnPaper(double width, const QFont& font) const
+{
+    return StudyChartDrawing::goodHeight(chart_, font, width);
+}
+
+std::function<void(QIODevice&)> StudyChartView::dataWriter() const
+{
+    return [this](QIODevice& device) { writeChartCsv(chart_, device); };
+}
+
 QString StudyChartView::reading() const
 {
     return pointed_ ? drawing().panels()[pointed_->panel].reading(pointed_->hit) : QString();
@@ -251,7 +266,7 @@ void StudyChartView::contextMenuEvent(QContextMenuEvent* event)
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &StudyChartView::fit);
     menu->addSeparator();
-    addPictureActions(*menu, *this, [this](QIODevice& device) { writeChartCsv(chart_, device); });
+    addPictureActions(*menu, *this);
     menu->popup(event->globalPos());
 }
 

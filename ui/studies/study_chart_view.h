@@ -34,6 +34,9 @@ public:
     const StudyChartDrawing& drawing() const;
     QString title() const override { return QString::fromStdString(chart_.title); }
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
+    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
+    double heightOnPaper(double width, const QFont& font) const override;
+    std::function<void(QIODevice&)> dataWriter() const override;
     /// Description of the point under the pointer or the keyboard cursor; empty for none.
     QString reading() const;
 

@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include <QDir>
@@ -22,13 +23,31 @@ QString notWritten(const QString& path, const QString& reason)
 
 } // namespace
 
-QString writeWholeFile(const QString& path, const QByteArray& bytes)
+QString writeWholeFile(const QString& path, const QByteArray& bytes) { return writeWholeFiles({{path, bytes}}); }
+
+QString writeWholeFiles(const std::vector<std::pair<QString, QByteArray>>& files)
 {
-    QString reason = QString::fromStdString(writeTextFile(path.toStdString(), bytes.toStdString()));
-    if (reason.isEmpty()) return {};
-    const QLatin1String beginning("cannot be written: ");
-    reason = reason.startsWith(beginning) ? reason.sliced(beginning.size()) : QLatin1String("it ") + reason;
-    return notWritten(path, reason);
+    std::vector<std::unique_ptr<PartFile>> parts;
+    QString now; // the file that is written
+    try {
+        for (const auto& [path, bytes] : files) {
+            now = path;
+            if (const std::string problem = checkOutputFile(path.toStdString()); !problem.empty())
+                return notWritten(path, QString::fromStdString(problem).section(path + QLatin1String(": "), 1));
+            parts.push_back(std::make_unique<PartFile>(path.toStdString()));
+            QString problem = QString::fromStdString(writePart(*parts.back(), bytes.toStdString()));
+            const QLatin1String beginning("cannot be written: ");
+            if (problem.startsWith(beginning)) problem = problem.sliced(beginning.size());
+            if (!problem.isEmpty()) return notWritten(path, problem);
+        }
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            now = files[i].first;
+            parts[i]->show();
+        }
+    } catch (const std::exception& error) {
+        return notWritten(now, QString::fromUtf8(error.what()));
+    }
+    return {};
 }
 
 QString copyWholeFile(const QString& from, const QString& path)

@@ -120,6 +120,7 @@ private:
     void updateTitle();
     void updateRecentMenu();
     void chooseRecording(bool on);
+    void makeFigure();
     void useParametersOf(int number);
     void useSolution(int number);
     void runFromSolution(int number);

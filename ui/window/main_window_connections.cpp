@@ -40,6 +40,7 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/window/apply_question.h"
+#include "ui/window/figure_dialog.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -79,7 +80,7 @@ void MainWindow::connectFiles()
     connect(actions_->exportCsv, &QAction::triggered, this,
             [this] { runFiles_->chooseSave(runs_->panel()->chosen(), true); });
     connect(actions_->exportPage, &QAction::triggered, runFiles_, &RunFiles::choosePicture);
-    connect(actions_->printDashes, &QAction::toggled, runFiles_, &RunFiles::setDashes);
+    connect(actions_->figure, &QAction::triggered, this, &MainWindow::makeFigure);
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
     connect(files_, &CaseFiles::saved, this, [this] {
@@ -245,6 +246,15 @@ void MainWindow::connectHelp()
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
+}
+
+void MainWindow::makeFigure()
+{
+    const QString source = files_->file().isEmpty() ? files_->shortName() : files_->file();
+    auto* dialog = new FigureDialog(*page(), QStringLiteral("%1 %2").arg(int(pages_->page())).arg(source),
+                                    files_->shortName().section(u'.', 0, 0), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void MainWindow::openStudy(const QString& file)

@@ -81,9 +81,8 @@ void WindowActions::buildFile(QMainWindow& window)
     exportCsv = add(menu, tr("Export run as CS&V…"));
     exportPage = add(menu, tr("Export &plots…"), QKeySequence(Qt::CTRL | Qt::Key_E), {},
                      tr("Export all plots as PNG, SVG or PDF"));
-    printDashes = add(menu, tr("&Dashes in exported plots"), {}, {},
-                      tr("Runs differ in their dashes in exported plots and none is pale: for paper without colours"));
-    printDashes->setCheckable(true);
+    figure = add(menu, tr("Fi&gure for a paper…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E), {},
+                 tr("Draw the pictures of this page in the size and the font of a journal, as PDF, SVG or PNG"));
     menu->addSeparator();
     buildSessions(menu->addMenu(tr("Sess&ions")));
     quit = add(menu, tr("&Quit"), QKeySequence::Quit);

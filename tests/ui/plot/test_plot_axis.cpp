@@ -2,6 +2,7 @@
 #include "ui/plot/plot_axis.h"
 
 #include <cmath>
+#include <random>
 
 #include <QLocale>
 #include <QTest>
@@ -30,6 +31,7 @@ private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
     void ticksAreRoundNumbers_data();
     void ticksAreRoundNumbers();
+    void everyAxisHasTwoNumbers();
     void farZoomKeepsNumbersShort();
     void titleHoldsUnitAndPower();
     void readingKeepsFourDigits();
@@ -81,6 +83,24 @@ void TestPlotAxis::ticksAreRoundNumbers()
 
 // 1.25 ms with a window of 1 ns: the numbers would need 7 decimals. They count from a round offset instead, which the
 // title names.
+void TestPlotAxis::everyAxisHasTwoNumbers()
+{
+    std::mt19937 generator(5);
+    std::uniform_real_distribution<double> exponent(-12.0, 12.0), wide(-6.0, 8.0);
+    for (int draw = 0; draw < 4000; ++draw) {
+        PlotAxis axis;
+        const bool logarithmic = draw % 2 == 1;
+        axis.label = {"", "nm", 1e-9, logarithmic ? AxisScale::Logarithmic : AxisScale::Linear};
+        const double low = (draw % 4 == 2 ? -1.0 : 1.0) * std::pow(10.0, exponent(generator));
+        axis.setRange({low, low + std::abs(low) * std::pow(10.0, wide(generator))});
+        for (const int most : {1, 2, 3, 5, 9})
+            QVERIFY2(
+                texts(axis, most).size() >= 2,
+                qPrintable(
+                    QStringLiteral("%1 to %2, at most %3").arg(axis.range().low).arg(axis.range().high).arg(most)));
+    }
+}
+
 void TestPlotAxis::farZoomKeepsNumbersShort()
 {
     PlotAxis axis;

@@ -104,7 +104,7 @@ private slots:
     void aRangeGrowsInHalvesOfTheWay();
     void theLegendNamesTheNewestFirst();
     void theLegendIsUnderThePointer();
-    void printedCurvesHaveDashesIfAsked();
+    void oneCurveIsWideBesidePaleOnes();
 
 private:
     MinMaxPyramid data_;
@@ -532,22 +532,15 @@ void TestPlotWidget::theLegendIsUnderThePointer()
     QCOMPARE(hovered.last()[0].toString(), QString());
 }
 
-void TestPlotWidget::printedCurvesHaveDashesIfAsked()
+void TestPlotWidget::oneCurveIsWideBesidePaleOnes()
 {
     PlotCurve curve{"second", "Run 2", {1, 0}, &data_};
     curve.pale = true;
-    curve.printDash = 1;
     const std::vector<QPointF> path{{0.0, 0.0}, {1.0, 1.0}};
     const QSizeF size(600.0, 200.0);
-    PlotTheme theme = lightPlotTheme();
-    QVERIFY(pathPen(curve, path, size, theme).dashPattern().isEmpty());
+    const PlotTheme theme = lightPlotTheme();
     QCOMPARE(pathPen(curve, path, size, theme).color(), theme.paleColour({1, 0}));
-    theme.printDashes = true;
-    QVERIFY(!pathPen(curve, path, size, theme).dashPattern().isEmpty());
-    QCOMPARE(pathPen(curve, path, size, theme).color(), theme.colour({1, 0}));
-    // Wide beside pale curves.
     curve.pale = false;
-    theme.printDashes = false;
     QVERIFY(pathPen(curve, path, size, theme, true).widthF() > pathPen(curve, path, size, theme).widthF());
 }
 

@@ -519,20 +519,6 @@ void TestMainWindow::exportsThePage()
         QCOMPARE(savePicture(*f.window.page(), file), QString());
         QVERIFY(QFileInfo(file).size() > 1000);
     }
-    // Dashes only if they are asked for, and where there is more than one run.
-    const auto dashed = [&](bool dashes) {
-        const QString file = folder.filePath(QStringLiteral("page.svg"));
-        if (!savePicture(f.window.runView(), file, dashes).isEmpty()) qFatal("no picture");
-        QFile svg(file);
-        if (!svg.open(QIODevice::ReadOnly)) qFatal("no picture");
-        return svg.readAll().count("stroke-dasharray");
-    };
-    const qsizetype ofLines = dashed(false); // reference lines
-    QCOMPARE(dashed(true), ofLines);
-    f.edit("initial.flying_height", QStringLiteral("20"));
-    f.runToEnd();
-    QCOMPARE(dashed(false), ofLines);
-    QVERIFY(dashed(true) > ofLines);
 }
 
 void TestMainWindow::opensHelp()
