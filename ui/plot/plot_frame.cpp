@@ -120,14 +120,24 @@ void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool 
     painter.restore();
 }
 
-void PlotFrame::paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const
+void PlotFrame::paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width,
+                           bool lines) const
 {
     const QFont heavy = titleFont(textFont);
     painter.setFont(heavy);
     painter.setPen(theme.text);
-    painter.drawText(QRectF(area.left(), gap, width, QFontMetricsF(textFont).height()),
-                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
-                     QFontMetricsF(heavy).elidedText(title, Qt::ElideRight, width));
+    const QRectF row(area.left(), gap, width, lineHeight());
+    if (lines)
+        painter.drawText(QRectF(row.topLeft(), QSizeF(width, titleHeight(title, width))), Qt::TextWordWrap, title);
+    else
+        painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip,
+                         QFontMetricsF(heavy).elidedText(title, Qt::ElideRight, width));
+}
+
+double PlotFrame::titleHeight(const QString& title, double width) const
+{
+    if (title.isEmpty()) return 0.0;
+    return QFontMetricsF(titleFont(textFont)).boundingRect({0.0, 0.0, width, 1e5}, Qt::TextWordWrap, title).height();
 }
 
 double PlotFrame::lineHeight() const { return QFontMetricsF(textFont).height(); }

@@ -43,9 +43,11 @@ struct PlotFrame {
     /// `width` of the widget: no number reaches beyond it. The ticks of x remain without `xNumbers`.
     void paintNumbers(QPainter& painter, const PlotTheme& theme, double width, bool xNumbers = true) const;
     void paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool xTitle = true) const;
-    /// The title above the area, cut to `width`.
-    void paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width) const;
-    double lineHeight() const; // of a text [px]
+    /// The title above the area, cut to `width`; on paper in as many lines as it needs.
+    void paintTitle(QPainter& painter, const PlotTheme& theme, const QString& title, double width,
+                    bool lines = false) const;
+    double titleHeight(const QString& title, double width) const; // in lines
+    double lineHeight() const;                                    // of a text [px]
     double titleWidth(const QString& title, double width) const;
 
     QRectF area;

@@ -51,8 +51,9 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
 {
     constexpr double gap = PlotFrame::gap;
     const double row = frame_.lineHeight();
-    const double top = gap + (title_.isEmpty() ? 0.0 : row);
-    paperLegend_ = legendInRows(curves_, plot.title(), {area_.left(), top}, area_.width(), frame_.textFont);
+    const double top = gap + frame_.titleHeight(title_, area_.width());
+    if (curves_.size() > 1) // one alone needs no name
+        paperLegend_ = legendInRows(curves_, plot.title(), {area_.left(), top}, area_.width(), frame_.textFont);
     area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap, area_.bottom() - 1.0));
     frame_ = PlotFrame(area_, sheet.font, x_, y_, mostUp);
 }
@@ -119,7 +120,7 @@ void PlotPainter::paintHeader(QPainter& painter) const
 {
     constexpr double gap = PlotFrame::gap;
     const Legend legend = this->legend();
-    frame_.paintTitle(painter, theme_, title_, area_.width());
+    frame_.paintTitle(painter, theme_, title_, area_.width(), paper_);
     painter.setFont(frame_.textFont);
     const double line = frame_.lineHeight();
     const bool wide = !paper_ && plot_.hasPaleCurves();

@@ -52,10 +52,12 @@ FigureDialog::FigureDialog(QWidget& page, const QString& key, const QString& nam
     QWidget* form = buildForm();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(export_, QDialogButtonBox::ActionRole);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
     export_->setDefault(true);
     connect(export_, &QPushButton::clicked, this, &FigureDialog::chooseFile);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
+    preview_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored); // its picture follows it, not it the picture
     auto* right = new QVBoxLayout;
     right->addWidget(preview_, 1);
     right->addWidget(remark_);
@@ -67,6 +69,7 @@ FigureDialog::FigureDialog(QWidget& page, const QString& key, const QString& nam
     all->addWidget(buttons);
 
     restore();
+    resize(860, 620);
     changed();
 }
 
@@ -75,6 +78,8 @@ void FigureDialog::buildPanels(QWidget& page)
     panels_->setAccessibleName(tr("Panels of the figure"));
     panels_->setToolTip(tr("Tick what the figure shows; drag to change the order"));
     panels_->setDragDropMode(QAbstractItemView::InternalMove);
+    panels_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    panels_->setTextElideMode(Qt::ElideRight);
     for (QWidget* part : visibleParts(page)) {
         auto* item = new QListWidgetItem(dynamic_cast<PagePart*>(part)->title(), panels_);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled);
@@ -114,6 +119,7 @@ QWidget* FigureDialog::buildForm()
         return box;
     };
     width_ = new QComboBox;
+    width_->setAccessibleName(tr("Width"));
     width_->addItem(tr("One column, 85 mm"), FigureFormat::oneColumn);
     width_->addItem(tr("Two columns, 170 mm"), FigureFormat::twoColumns);
     width_->addItem(tr("Another width"), ownWidth);
@@ -157,7 +163,7 @@ QWidget* FigureDialog::buildForm()
     auto* rows = new QFormLayout(form);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addRow(tr("&Panels"), panels_);
-    rows->addRow(tr("&Width"), widths);
+    rows->addRow(tr("Width"), widths);
     rows->addRow({}, heights);
     rows->addRow(tr("Panels in a &row"), columns_);
     rows->addRow(tr("&Font"), family_);
