@@ -4,6 +4,8 @@
 #include <set>
 
 #include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
 #include <QImage>
 #include <QLayout>
 #include <QLineEdit>
@@ -11,6 +13,7 @@
 #include <QProcess>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 
@@ -44,6 +47,7 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
+#include "ui/window/figure_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 
@@ -103,6 +107,7 @@ private slots:
     void stopsByAClick();
     void showsAndWritesAStudy();
     void zoomsAndReadsAPlot();
+    void comparesTwoRunsAndPrintsAFigure();
     void growsForAProjector();
     void fitsASmallScreen();
 
@@ -275,6 +280,58 @@ void TestXvfbWorkbench::zoomsAndReadsAPlot()
     QVERIFY(!window_->actions().follow->isChecked());
     click(button(window_->actions().fit));
     QTRY_COMPARE(plot->xAxis().range().high, 2e-3); // all of the run
+}
+
+/// A researcher's path: two runs, their spectra read at two frequencies, a figure with two panels. Six clicks.
+void TestXvfbWorkbench::comparesTwoRunsAndPrintsAFigure()
+{
+    const QTemporaryDir folder;
+    const auto runTo = [this](int count) {
+        click(button(window_->actions().run));
+        QTRY_COMPARE(window_->runs().count(), count);
+        QTRY_VERIFY(window_->runs().record(count - 1).finished());
+    };
+    runTo(1);
+    click(flyingHeight());
+    QTRY_VERIFY(flyingHeight()->hasFocus());
+    press("ctrl+a");
+    type(QStringLiteral("8"));
+    press("Return");
+    QTRY_COMPARE(window_->edits().value().springs.flyingHeight, 8e-9);
+    runTo(2);
+
+    const PlotWidget* spectrum = window_->runView().spectrum()->view()->plot();
+    const PlotGroup* group = window_->runView().spectrum()->view()->group();
+    QTRY_COMPARE(spectrum->curves().size(), std::size_t(2));
+    const QRect area = spectrum->plotArea().toRect();
+    click(spectrum, area.topLeft() + QPoint(area.width() / 3, area.height() / 2));
+    QTRY_VERIFY(group->cursor(0).has_value());
+    xdotool({QStringLiteral("keydown"), QStringLiteral("shift")});
+    click(spectrum, area.topLeft() + QPoint(2 * area.width() / 3, area.height() / 2));
+    xdotool({QStringLiteral("keyup"), QStringLiteral("shift")});
+    QTRY_VERIFY(group->cursor(1).has_value());
+    QCOMPARE(group->readings().size(), std::size_t(2)); // one for each run
+
+    press("ctrl+shift+e");
+    FigureDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = window_->findChild<FigureDialog*>()) != nullptr);
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    click(dialog->exportButton());
+    QFileDialog* files = nullptr;
+    QTRY_VERIFY((files = dialog->findChild<QFileDialog*>()) != nullptr);
+    QVERIFY(QTest::qWaitForWindowActive(files));
+    auto* name = files->findChild<QLineEdit*>();
+    QTRY_VERIFY(name->hasFocus());
+    press("ctrl+a");
+    type(folder.filePath(QStringLiteral("figure.pdf")));
+    QTRY_COMPARE(name->text(), folder.filePath(QStringLiteral("figure.pdf")));
+    press("Return");
+    QTRY_VERIFY2(dialog->remark().startsWith(QStringLiteral("Written")), qPrintable(dialog->remark()));
+    QFile pdf(folder.filePath(QStringLiteral("figure.pdf")));
+    QVERIFY(pdf.open(QIODevice::ReadOnly));
+    QVERIFY(pdf.readAll().startsWith("%PDF"));
+    QCOMPARE(QDir(folder.path()).entryList({QStringLiteral("*.csv")}),
+             (QStringList{QStringLiteral("figure-a.csv"), QStringLiteral("figure-b.csv")}));
 }
 
 void TestXvfbWorkbench::growsForAProjector()
