@@ -1,12 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/side_view.h"
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
+#include <QFile>
+#include <QFontInfo>
+#include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/plot/paper_figure.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
@@ -36,6 +43,7 @@ private slots:
     void aContactHasNone();
     void paintsBothThemes_data();
     void paintsBothThemes();
+    void textOfAPictureHasItsSize();
 
 private:
     void add(const Case& c) { runs_->add(std::make_unique<RunRecord>(1, c, "", quantities)); }
@@ -168,6 +176,32 @@ void TestSideView::paintsBothThemes()
     for (int y = 0; y < image.height(); y += 3)
         for (int x = 0; x < image.width(); x += 3) coloured += image.pixelColor(x, y).saturation() > 60;
     QVERIFY2(coloured > 500, qPrintable(QString::number(coloured)));
+}
+
+/// As on the screen; on paper as the figure says.
+void TestSideView::textOfAPictureHasItsSize()
+{
+    add(sampleFilmCase());
+    view_->showRun(1);
+    runs_->append(1, falling(), {});
+    view_->dataArrived(1);
+    const QTemporaryDir folder;
+    const auto largest = [](const QString& path) {
+        QFile file(path);
+        if (!file.open(QIODevice::ReadOnly)) qFatal("no picture");
+        static const QRegularExpression size("<text[^>]*font-size=\"([0-9.]+)\"");
+        double most = 0.0;
+        for (auto match = size.globalMatch(QString::fromUtf8(file.readAll())); match.hasNext();)
+            most = std::max(most, match.next().captured(1).toDouble());
+        return most;
+    };
+    QCOMPARE(savePicture(*view_, folder.filePath("screen.svg")), QString());
+    QCOMPARE(largest(folder.filePath("screen.svg")), 1.0 * QFontInfo(view_->font()).pixelSize());
+    const PaperFigure figure({view_.get()}, {});
+    QCOMPARE(figure.save(folder.filePath("paper.svg")), QString());
+    const double point = figure.picture().size.width() / (85.0 / 25.4 * 72.0); // [px]
+    QVERIFY(std::abs(largest(folder.filePath("paper.svg")) / point - 8.0) < 0.01);
+    QCOMPARE(view_->size(), QSize(800, 500));
 }
 
 TOUCHDOWN_TEST(TestSideView)
