@@ -10,6 +10,7 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QScreen>
 #include <QTimer>
 
 #include "app/terminal/console.h"
@@ -20,6 +21,7 @@
 #include "core/results/reader_program.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/start_card.h"
 
 namespace {
 
@@ -183,9 +185,15 @@ int main(int argc, char** argv)
     const bool staticState = arguments.staticState && document.value.model == ModelKind::Film;
     if (pictures)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
+    window.resize(window.size().boundedTo(window.screen()->availableSize()));
     window.show();
     window.beginSession(arguments.file.isEmpty() && !arguments.fresh);
     if (isRun) window.openResults(arguments.file);
+    const bool plainStart = arguments.file.isEmpty() || (arguments.run && arguments.file == defaultCase);
+    if (plainStart && !arguments.fresh && StartCard::wanted()) {
+        QTimer::singleShot(0, &window, &MainWindow::greet);
+        return QApplication::exec();
+    }
     if (arguments.run && document.valid())
         QTimer::singleShot(0, &window, [&] { staticState ? window.solveStaticState() : window.startRun(); });
     return QApplication::exec();

@@ -333,6 +333,12 @@ const MinMaxPyramid* LivePlots::dataFor(const RunRecord& run, const std::string&
     return made.get();
 }
 
+void LivePlots::setStage(const std::optional<QStringList>& names)
+{
+    stage_ = names;
+    updateVisibility();
+}
+
 void LivePlots::updateVisibility()
 {
     const bool anyShown = runs_.newestShown() != nullptr;
@@ -346,7 +352,8 @@ void LivePlots::updateVisibility()
         for (int row = 0; row < runs_.count(); ++row)
             for (const Spec::Curve& curve : specs()[s].curves)
                 recorded = recorded || (runs_.record(row).shown && runs_.record(row).pyramid(curve.quantity));
-        const bool visible = recorded && entry.wanted->isChecked();
+        const bool wanted = stage_ ? stage_->contains(entry.name) : entry.wanted->isChecked();
+        const bool visible = recorded && wanted;
         entry.plot->setVisible(visible);
         if (visible && !specs()[s].against) lowest = entry.plot;
     }

@@ -10,11 +10,13 @@
 #pragma once
 
 #include <QAction>
+#include <QStringList>
 #include <QVBoxLayout>
 #include <QWidget>
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -49,6 +51,8 @@ public:
     PlotWidget* plot(const QString& name) const { return entry(name).plot; }
     /// The case that is edited. Before its first run, the plots of the quantities that it will record are shown.
     void setCase(const Case& c);
+    /// Shows these plots alone, whatever the user chose; nothing: as the user chose.
+    void setStage(const std::optional<QStringList>& names);
 
     /// Samples of this run have arrived.
     void dataArrived(int number);
@@ -80,6 +84,7 @@ private:
     ModelKind model_ = ModelKind::Springs;                 // of the case
     std::vector<std::string> ready_;                       // quantities that the case would record
     std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
+    std::optional<QStringList> stage_;
     std::vector<Entry> entries_;
     std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
     int speaker_ = -1;                   // number of the run that was wide when curves were last made

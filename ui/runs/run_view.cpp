@@ -23,6 +23,17 @@ namespace {
 
 constexpr double firstPart = 0.3e-3; // of the default case [s]: it is at rest after a sixth of its 2 ms
 
+QWidget* withReplay(QWidget* view, QWidget* replay)
+{
+    auto* page = new QWidget(view->parentWidget());
+    auto* layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(view, 1);
+    layout->addWidget(replay);
+    return page;
+}
+
 } // namespace
 
 RunView::RunView(RunsModel& runs, QWidget* parent)
@@ -30,29 +41,29 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
       plots_(new LivePlots(runs, this)),
       spectrum_(new LiveSpectrum(runs, this)),
       side_(new SideView(runs, this)),
+      sideAbove_(new SideView(runs, this)),
       replay_(new ReplayBar([this] { return replayed(); }, this)),
+      replayAbove_(new ReplayBar([this] { return replayed(); }, this)),
+      above_(withReplay(sideAbove_, replayAbove_)),
       maps_(new RunMaps(runs, this)),
       disk_(new DiskSurfaceView(this)),
       splitter_(new QSplitter(Qt::Vertical, this)),
       tabs_(new QTabBar(this)),
       pages_(new QStackedWidget(this)),
-      spectrumWanted_(new QAction(tr("Power spectrum"), this))
+      spectrumWanted_(new QAction(tr("Power spectrum"), this)),
+      sideWanted_(new QAction(tr("Side view above the plots"), this))
 {
+    splitter_->addWidget(above_);
     splitter_->addWidget(plots_);
     splitter_->addWidget(spectrum_);
-    splitter_->setStretchFactor(0, 2);
-    splitter_->setStretchFactor(1, 1);
-    splitter_->setSizes({560, 280});
+    splitter_->setStretchFactor(0, 1);
+    splitter_->setStretchFactor(1, 2);
+    splitter_->setStretchFactor(2, 1);
+    splitter_->setSizes({400, 560, 280});
     splitter_->setChildrenCollapsible(true);
-    splitter_->setCollapsible(0, false);
-    auto* sidePage = new QWidget(this);
-    auto* sideLayout = new QVBoxLayout(sidePage);
-    sideLayout->setContentsMargins(0, 0, 0, 0);
-    sideLayout->setSpacing(0);
-    sideLayout->addWidget(side_, 1);
-    sideLayout->addWidget(replay_);
-    for (QWidget* page :
-         {static_cast<QWidget*>(splitter_), sidePage, static_cast<QWidget*>(maps_), static_cast<QWidget*>(disk_)})
+    splitter_->setCollapsible(1, false);
+    for (QWidget* page : {static_cast<QWidget*>(splitter_), withReplay(side_, replay_), static_cast<QWidget*>(maps_),
+                          static_cast<QWidget*>(disk_)})
         pages_->addWidget(page);
 
     for (const QString& name : {tr("Plots"), tr("Side view"), tr("Maps"), tr("Disk surface")}) tabs_->addTab(name);
@@ -62,6 +73,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     tabs_->setDocumentMode(true);
     spectrumWanted_->setCheckable(true);
     spectrumWanted_->setChecked(true);
+    sideWanted_->setCheckable(true);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -69,15 +81,17 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     layout->addWidget(tabs_);
     layout->addWidget(pages_, 1);
     connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
-    connect(spectrumWanted_, &QAction::toggled, this, &RunView::showSpectrum);
+    for (const QAction* wanted : {spectrumWanted_, sideWanted_})
+        connect(wanted, &QAction::toggled, this, &RunView::showParts);
     // The cursor of the plots follows the time of the maps.
     connect(maps_, &RunMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
     connect(plots_->group(), &PlotGroup::cursorMoved, side_, [this](int which) {
         if (which != 0) return;
-        side_->showTime(plots_->group()->cursor(0));
-        replay_->showTime(plots_->group()->cursor(0));
+        for (SideView* side : sides()) side->showTime(plots_->group()->cursor(0));
+        for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
     });
-    connect(replay_, &ReplayBar::timeChosen, this, [this](double time) { plots_->group()->setCursor(0, time); });
+    for (const ReplayBar* replay : {replay_, replayAbove_})
+        connect(replay, &ReplayBar::timeChosen, this, [this](double time) { plots_->group()->setCursor(0, time); });
     setCase({});
 }
 
@@ -96,7 +110,7 @@ void RunView::setCase(const Case& c)
     if (!tabs_->isTabVisible(tabs_->currentIndex())) setPage(Page::Plots);
     plots_->setCase(c);
     disk_->setCase(c);
-    showSpectrum();
+    showParts();
 }
 
 /// The part of the shown run that the plots show.
@@ -115,7 +129,20 @@ void RunView::opened(const QString& sample, const Case& c)
     plots_->group()->setFirstRange(first ? std::optional(PlotRange{0.0, firstPart}) : std::nullopt);
 }
 
-void RunView::showSpectrum() { spectrum_->setVisible(spectrumWanted_->isChecked() && model_ != ModelKind::Contact); }
+void RunView::setStage(const std::optional<PlotStage>& stage)
+{
+    if (stage == stage_) return;
+    stage_ = stage;
+    plots_->setStage(stage ? std::optional(stage->plots) : std::nullopt);
+    showParts();
+}
+
+void RunView::showParts()
+{
+    const bool slider = model_ != ModelKind::Contact;
+    spectrum_->setVisible(slider && (stage_ ? stage_->spectrum : spectrumWanted_->isChecked()));
+    above_->setVisible(slider && (stage_ ? stage_->side : sideWanted_->isChecked()));
+}
 
 void RunView::fit()
 {

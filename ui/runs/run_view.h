@@ -4,11 +4,13 @@
 // film and contact, and the surface of the disk.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include <QAction>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QStringList>
 #include <QTabBar>
 
 #include "core/case/case.h"
@@ -23,6 +25,14 @@ class RunMaps;
 class RunsModel;
 class ReplayBar;
 class SideView;
+
+/// What a demonstration shows of the plots, until it ends; what the user chose comes back then.
+struct PlotStage {
+    QStringList plots; // names, as LivePlots has them
+    bool side = false; // the side view above them
+    bool spectrum = false;
+    bool operator==(const PlotStage&) const = default;
+};
 
 class RunView : public QWidget {
     Q_OBJECT
@@ -42,10 +52,15 @@ public:
     /// A case was opened, with its name among the sample cases or none. The plots of the default case begin with the
     /// part of the run in which it bounces.
     void opened(const QString& sample, const Case& c);
+    void setStage(const std::optional<PlotStage>& stage);
+    const std::optional<PlotStage>& stage() const { return stage_; }
 
     LivePlots* plots() const { return plots_; }
     LiveSpectrum* spectrum() const { return spectrum_; }
     SideView* side() const { return side_; }
+    /// The same above the plots, in which a run and its numbers are seen together.
+    SideView* sideAbove() const { return sideAbove_; }
+    std::array<SideView*, 2> sides() const { return {side_, sideAbove_}; }
     ReplayBar* replay() const { return replay_; }
     RunMaps* maps() const { return maps_; }
     DiskSurfaceView* disk() const { return disk_; }
@@ -53,23 +68,29 @@ public:
     QTabBar* tabs() const { return tabs_; }
     /// Whether the spectrum is wanted; a slow approach has none worth seeing.
     QAction* spectrumWanted() const { return spectrumWanted_; }
+    QAction* sideWanted() const { return sideWanted_; }
 
 private:
-    void showSpectrum();
+    void showParts();
     std::optional<PlotRange> replayed() const;
 
     ModelKind model_ = ModelKind::Springs;
     double openedDuration_ = 0.0; // of the default case, while its first part is shown [s]
     LivePlots* plots_;
     LiveSpectrum* spectrum_;
+    std::optional<PlotStage> stage_;
     SideView* side_;
+    SideView* sideAbove_;
     ReplayBar* replay_;
+    ReplayBar* replayAbove_;
+    QWidget* above_; // the side view and its replay above the plots
     RunMaps* maps_;
     DiskSurfaceView* disk_;
     QSplitter* splitter_;
     QTabBar* tabs_;
     QStackedWidget* pages_;
     QAction* spectrumWanted_;
+    QAction* sideWanted_;
 };
 
 } // namespace touchdown

@@ -34,7 +34,7 @@ RunWindow::RunWindow(QWidget* parent)
     connect(view_->spectrum()->view(), &SpectrumView::curvesChanged, values_, &CursorTable::scheduleUpdate);
     connect(panel_, &RecordPanel::recordChosen, view_->maps(), &RunMaps::showRun);
     connect(panel_, &RecordPanel::recordHovered, &runs_, &RunsModel::raise);
-    connect(panel_, &RecordPanel::recordChosen, view_->side(), &SideView::showRun);
+    for (SideView* side : view_->sides()) connect(panel_, &RecordPanel::recordChosen, side, &SideView::showRun);
 }
 
 RunWindow::~RunWindow()
@@ -70,7 +70,7 @@ void RunWindow::onDelivered(const RunDelivery& delivery)
     runs_.append(number_, delivery.samples, delivery.events, delivery.fields);
     view_->plots()->dataArrived(number_);
     view_->spectrum()->dataArrived(number_);
-    view_->side()->dataArrived(number_);
+    for (SideView* side : view_->sides()) side->dataArrived(number_);
     if (!delivery.fields.empty()) view_->maps()->dataArrived(number_);
 }
 

@@ -13,10 +13,11 @@ namespace touchdown {
 
 namespace {
 
-constexpr double overhang = 0.08;    // at the front, of the distance between the outermost points
-constexpr int coils = 7;             // of a drawn spring
-constexpr double coilWidth = 9.0;    // [px]
-constexpr double padReachInDe = 3.0; // heights of the pad's picture, in take-off heights
+constexpr double overhang = 0.08;                  // at the front, of the distance between the outermost points
+constexpr int coils = 7;                           // of a drawn spring
+constexpr double coilWidth = 9.0;                  // [px]
+constexpr double padMiddle = 0.78, padHalf = 0.15; // of the width of the pad's picture
+constexpr double padReachInDe = 3.0;               // heights of the pad's picture, in take-off heights
 
 void paintCoils(QPainter& painter, const QPointF& foot, const QPointF& head)
 {
@@ -68,21 +69,22 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
 {
     if (!contact_) return;
     const double line = painter.fontMetrics().height();
-    const QRectF frame(area.right() - 0.34 * area.width() - 8.0, area.top() + 8.0, 0.34 * area.width(),
-                       0.46 * area.height());
+    const QSizeF size(0.34 * area.width(), std::min(area.height() - 16.0, std::max(0.46 * area.height(), 8.0 * line)));
+    const QRectF frame(QPointF(area.right() - size.width() - 8.0, area.top() + 8.0), size);
     painter.fillRect(frame, theme.plotArea);
     const QRectF inner = frame.adjusted(0.0, 1.3 * line, 0.0, 0.0);
     const ProfileDrawing near{inner, 1.0, {-0.15 * reach_, reach_}};
     painter.save();
     painter.setClipRect(inner);
     near.paintDisk(painter, theme);
+    double left = inner.left() + 6.0; // beside each other: on a small picture the levels are close
     const auto level = [&](double height, const QString& name) {
         const double y = near.toPixel(0.0, height).y();
         painter.setPen(QPen(theme.mutedText, 1.0, Qt::DashLine));
         painter.drawLine(QPointF(inner.left(), y), QPointF(inner.right(), y));
         painter.setPen(theme.mutedText);
-        painter.drawText(QRectF(inner.left() + 6.0, y - line, inner.width() - 12.0, line),
-                         Qt::AlignLeft | Qt::AlignBottom, name);
+        painter.drawText(QRectF(left, y - line, inner.width(), line), Qt::AlignLeft | Qt::AlignBottom, name);
+        left += painter.fontMetrics().horizontalAdvance(name) + 10.0;
     };
     level(contact_->touchDown, QStringLiteral("dₛ ") + lengthText(contact_->touchDown, 3));
     level(contact_->takeOff, QStringLiteral("dₑ ") + lengthText(contact_->takeOff, 3));
@@ -90,9 +92,10 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
     painter.setPen(QPen(body, 1.5));
     body.setAlphaF(0.4F);
     painter.setBrush(body);
-    const QPointF bottom = near.toPixel(0.62, separation);
-    painter.drawRect(QRectF(QPointF(near.toPixel(0.45, 0.0).x(), inner.top() - 10.0),
-                            QPointF(near.toPixel(0.79, 0.0).x(), std::max(bottom.y(), inner.top() - 9.0))));
+    const QPointF bottom = near.toPixel(padMiddle, separation);
+    painter.drawRect(
+        QRectF(QPointF(near.toPixel(padMiddle - padHalf, 0.0).x(), inner.top() - 10.0),
+               QPointF(near.toPixel(padMiddle + padHalf, 0.0).x(), std::max(bottom.y(), inner.top() - 9.0))));
     painter.restore();
     painter.setBrush(Qt::NoBrush);
     painter.setPen(theme.axis);

@@ -35,6 +35,7 @@
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/closing_question.h"
+#include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -51,13 +52,15 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
       runs_(new RunWindow(this)),
       film_(new FilmWindow(steady, actions_->solve, this)),
       studies_(new StudyWindow(std::move(studies), this)),
-      messages_(new MessageStrip(this))
+      messages_(new MessageStrip(this)),
+      startCard_(new StartCard(actions_->figures, actions_->recent, this))
 {
     setObjectName(QStringLiteral("workbench"));
     setWindowIcon(programIcon());
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
-    pages_ = new WindowPages({*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_});
+    pages_ = new WindowPages(
+        {*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_, *startCard_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
     closing_ = new ClosingQuestion(sessionParts(), *this);
@@ -129,6 +132,7 @@ void MainWindow::solveStaticState(bool atGivenAttitude)
 void MainWindow::startRun()
 {
     if (!readyToRun()) return;
+    controller().setPace(actions_->pace->currentData().toDouble());
     runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
 }
 

@@ -28,6 +28,7 @@ class RunView;
 class RunWindow;
 class RunsModel;
 class Session;
+class StartCard;
 class SessionFolder;
 class SolutionFiles;
 class StudyWindow;
@@ -55,6 +56,8 @@ public:
     void openLastCase();
     /// From now on the work is kept against a crash. `offer`: asks whether to restore a session that broke off.
     void beginSession(bool offer);
+    /// Shows a newcomer the default case in slow motion, and where to go from there.
+    void greet();
     /// Runs the case in time.
     void startRun();
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
@@ -85,6 +88,7 @@ public:
     RunWindow& runWindow() { return *runs_; }
     RunView& runView();
     MessageStrip& messages() { return *messages_; }
+    StartCard& startCard() { return *startCard_; }
     AboutCasePane& aboutCase() { return *aboutCase_; }
     FilmWindow& film() { return *film_; }
     StudyWindow& studies() { return *studies_; }
@@ -143,6 +147,7 @@ private:
     FilmWindow* film_;
     StudyWindow* studies_;
     MessageStrip* messages_;
+    StartCard* startCard_;
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
     LessonPane* lesson_ = nullptr;

@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QMessageBox>
 
+#include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/study.h"
 #include "core/studies/study/study_file_reader.h"
@@ -41,11 +42,15 @@
 #include "ui/style/readable.h"
 #include "ui/window/apply_question.h"
 #include "ui/window/figure_dialog.h"
+#include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr double greetedPart = 0.3e-3; // of the default case that a newcomer sees in slow motion [s]
+constexpr double greetedPace = 3e-5;   // [simulated seconds per second]
 
 /// How a completed study is shown: what it checks may not hold.
 MessageStrip::Kind kindOf(const StudyReport& report)
@@ -224,6 +229,7 @@ void MainWindow::connectView()
     updateHistory();
     for (const LivePlots::Entry& entry : runs_->view()->plots()->plots()) actions_->plots->addAction(entry.wanted);
     actions_->plots->addAction(runs_->view()->spectrumWanted());
+    actions_->plots->addAction(runs_->view()->sideWanted());
 
     connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
@@ -233,7 +239,20 @@ void MainWindow::connectView()
 void MainWindow::connectHelp()
 {
     connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
+    connect(actions_->firstSteps, &QAction::triggered, this, [this] { files_->whenSettled([this] { greet(); }); });
     connect(actions_->lesson, &QAction::triggered, this, &MainWindow::showLesson);
+    connect(startCard_, &StartCard::lessonRequested, this, [this] {
+        startCard_->close();
+        showLesson();
+    });
+    connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
+    connect(startCard_, &StartCard::closed, this, [this] { runView().setStage({}); });
+    connect(files_, &CaseFiles::opened, startCard_, &StartCard::close);
+    // Slow where it bounces.
+    connect(&controller(), &RunController::delivered, this, [this](const RunDelivery& delivery) {
+        if (runView().stage() && delivery.time > greetedPart)
+            controller().setPace(actions_->pace->currentData().toDouble());
+    });
     connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
     connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
     connect(actions_->aboutQt, &QAction::triggered, this, [this] {
@@ -246,6 +265,17 @@ void MainWindow::connectHelp()
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
+}
+
+void MainWindow::greet()
+{
+    files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+    setPage(Page::Run);
+    runView().setPage(RunView::Page::Plots);
+    runView().setStage(PlotStage{{QStringLiteral("spacing")}, true, false});
+    startCard_->open();
+    startRun();
+    controller().setPace(greetedPace);
 }
 
 void MainWindow::makeFigure()

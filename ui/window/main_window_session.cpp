@@ -131,12 +131,13 @@ void MainWindow::saveArrangement()
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
-    settings.setValue(QStringLiteral("window/splitter"), runs_->view()->splitter()->saveState());
+    settings.setValue(QStringLiteral("window/parts"), runs_->view()->splitter()->saveState());
     if (const QAction* theme = actions_->theme->checkedAction())
         settings.setValue(QStringLiteral("window/theme"), theme->data());
     if (const QAction* size = actions_->fontSize->checkedAction())
         settings.setValue(QStringLiteral("window/font"), size->data());
     settings.setValue(QStringLiteral("runs/overlay"), runs_->panel()->overlay());
+    settings.setValue(QStringLiteral("runs/side"), runs_->view()->sideWanted()->isChecked());
     settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
     settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
 }
@@ -146,7 +147,7 @@ void MainWindow::restoreArrangement()
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
-    runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/splitter")).toByteArray());
+    runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/parts")).toByteArray());
     const auto check = [](QActionGroup* group, const QVariant& value) {
         for (QAction* action : group->actions())
             if (action->data().toString() == value.toString()) action->setChecked(true);
@@ -154,6 +155,7 @@ void MainWindow::restoreArrangement()
     check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
     check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
     runs_->panel()->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
+    runs_->view()->sideWanted()->setChecked(settings.value(QStringLiteral("runs/side"), false).toBool());
     actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());
     pages_->showPanesOfPage();
     look();

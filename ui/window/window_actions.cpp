@@ -57,11 +57,14 @@ void WindowActions::buildFile(QMainWindow& window)
     newCase = add(menu, tr("&New case"), QKeySequence::New);
     open = add(menu, tr("&Open…"), QKeySequence::Open, QStringLiteral("open"), tr("Open a case file or a saved run"));
     samples = menu->addMenu(tr("Open sample &case"));
+    figures = new QMenu(&window);
     for (const SampleCase& sample : sampleCases()) {
         const QString name = QString::fromStdString(sample.name);
         const CaseDocument document = parseCase(sample.text, sample.name);
         QAction* action = samples->addAction(QString::fromStdString(document.value.title));
         action->setData(name);
+        if (name.startsWith(QLatin1String("fig")) || name.startsWith(QLatin1String("table")))
+            figures->addAction(action);
         connect(action, &QAction::triggered, this, [this, name] { emit sampleChosen(name); });
     }
     recent = menu->addMenu(tr("Open &recent"));
@@ -178,7 +181,9 @@ void WindowActions::buildHelp(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&Help"));
     help = add(menu, tr("&Contents: how to use it, the equations"), QKeySequence::HelpContents);
-    lesson = add(menu, tr("&Lesson in six steps"));
+    firstSteps =
+        add(menu, tr("&First steps"), {}, {}, tr("The default case in slow motion, and where to go from there"));
+    lesson = add(menu, tr("&Lesson in six steps"), QKeySequence(Qt::Key_F2));
     shortcuts = add(menu, tr("&Shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_F1));
     menu->addSeparator();
     aboutProgram = add(menu, tr("&About Touchdown"));

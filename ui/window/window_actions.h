@@ -30,8 +30,9 @@ public:
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
     QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
-    QAction *help, *lesson, *shortcuts, *aboutProgram, *aboutQt;
+    QAction *help, *firstSteps, *lesson, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
+    QMenu* figures;             // those of the samples that are figures and tables of the paper
     QMenu* sessions;            // earlier ones that can be restored
     QAction* reopen;            // whether the next start opens the last case
     QActionGroup* sessionSpace; // data: bytes that sessions may take on the disk

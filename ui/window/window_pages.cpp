@@ -21,6 +21,7 @@
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
+#include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -61,6 +62,7 @@ void WindowPages::buildCentre()
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(&parts_.start);
     layout->addWidget(tabs_);
     layout->addWidget(pages_, 1);
     layout->addWidget(&parts_.messages);

@@ -20,6 +20,7 @@ class CasePanel;
 class FilmWindow;
 class MessageStrip;
 class RunWindow;
+class StartCard;
 class StudyWindow;
 class WindowActions;
 
@@ -37,6 +38,7 @@ public:
         CasePanel& casePanel;
         AboutCasePane& aboutCase;
         MessageStrip& messages;
+        StartCard& start;
     };
     /// Builds centre, panes and foot of the window.
     explicit WindowPages(const Parts& parts);
