@@ -134,7 +134,7 @@ public:
     const PlotTheme& theme() const { return theme_; }
 
     QSize sizeHint() const override { return {640, 220}; }
-    QSize minimumSizeHint() const override { return {240, 96}; }
+    QSize minimumSizeHint() const override { return {240, 64}; }
 
 signals:
     /// The user changed the view, which is already shown.

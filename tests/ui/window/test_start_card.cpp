@@ -92,6 +92,18 @@ private slots:
         QVERIFY(ended.wait(20000));
     }
 
+    /// The smallest usual screen, with a title bar.
+    void fitsASmallScreen()
+    {
+        for (const bool greeted : {false, true}) {
+            if (greeted) window_->greet();
+            QCoreApplication::processEvents();
+            const QSize least = window_->minimumSizeHint();
+            QVERIFY2(least.width() <= 1280 && least.height() <= 700,
+                     qPrintable(QStringLiteral("%1 x %2").arg(least.width()).arg(least.height())));
+        }
+    }
+
     void slowPartEnds()
     {
         window_->greet();
