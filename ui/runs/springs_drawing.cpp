@@ -86,8 +86,12 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
         painter.drawText(QRectF(left, y - line, inner.width(), line), Qt::AlignLeft | Qt::AlignBottom, name);
         left += painter.fontMetrics().horizontalAdvance(name) + 10.0;
     };
-    level(contact_->touchDown, QStringLiteral("dₛ ") + lengthText(contact_->touchDown, 3));
-    level(contact_->takeOff, QStringLiteral("dₑ ") + lengthText(contact_->takeOff, 3));
+    const QString down = QStringLiteral("dₛ ") + lengthText(contact_->touchDown, 3);
+    const QString up = QStringLiteral("dₑ ") + lengthText(contact_->takeOff, 3);
+    const double wanted = painter.fontMetrics().horizontalAdvance(down + up) + 20.0;
+    const bool room = wanted < (padMiddle - padHalf) * inner.width();
+    level(contact_->touchDown, room ? down : QStringLiteral("dₛ"));
+    level(contact_->takeOff, room ? up : QStringLiteral("dₑ"));
     QColor body = pressed ? theme.curves[1] : theme.curves[0];
     painter.setPen(QPen(body, 1.5));
     body.setAlphaF(0.4F);
