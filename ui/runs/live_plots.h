@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which
-// quantities go in which plot.
+// The plots of the runs: those on one time axis under each other, and beside them phase portraits, a quantity against
+// another one. Which quantities stand in which plot: ui/runs/plot_spec.h. The user adds curves and plots, in menus or
+// by dragging a quantity from a list.
 //
 // One run speaks, the others whisper: the newest run, or the one under the pointer in a legend or in the list, is wide
 // and above the others, which are thin and pale. The automatic ranges are those of the newest run. A plot with one
@@ -10,6 +11,8 @@
 #pragma once
 
 #include <QAction>
+#include <QHBoxLayout>
+#include <QMenu>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -21,6 +24,7 @@
 
 #include "core/case/case.h"
 #include "ui/plot/plot_curve.h"
+#include "ui/runs/plot_spec.h"
 
 namespace touchdown {
 
@@ -47,6 +51,7 @@ public:
     const std::vector<Entry>& plots() const { return entries_; }
     const Entry& entry(const QString& name) const;
     PlotWidget* plot(const QString& name) const { return entry(name).plot; }
+    const PlotSpec& spec(const QString& name) const;
     /// The case that is edited. Before its first run, the plots of the quantities that it will record are shown.
     void setCase(const Case& c);
 
@@ -55,13 +60,21 @@ public:
     /// The run has ended: its last events, and its difference to the baseline.
     void runFinished(int number);
 
+    /// Those of the shown runs and of the case, each name once.
+    std::vector<Quantity> quantities() const;
+    /// What stands across a plot whose axes can be chosen, and what stands up; none: the time, what there is.
+    void setAxes(const QString& plot, const std::optional<Quantity>& across, const std::optional<Quantity>& up);
+
 signals:
     /// Curves were added or removed.
     void curvesChanged();
 
 private:
-    struct Spec;
-    static const std::vector<Spec>& specs();
+    void makePlot(std::size_t spec);
+    void placePlot(std::size_t spec);
+    void labelAxes(std::size_t spec);
+    void addMenus(const QString& plot);
+    std::size_t indexOf(const QString& name) const;
 
     void removeRun(int number);
     void rebuild();
@@ -76,11 +89,13 @@ private:
 
     RunsModel& runs_;
     PlotGroup* group_;
-    QVBoxLayout* layout_;
-    ModelKind model_ = ModelKind::Springs;                 // of the case
-    std::vector<std::string> ready_;                       // quantities that the case would record
-    std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
-    std::vector<Entry> entries_;
+    QHBoxLayout* columns_;
+    QVBoxLayout *overTime_, *portraits_; // side by side
+    std::vector<PlotSpec> specs_;
+    ModelKind model_ = ModelKind::Springs;                          // of the case
+    std::vector<Quantity> ready_;                                   // that the case would record
+    std::map<std::pair<ModelKind, QString>, bool> chosen_;          // whether a plot is wanted, as the user said
+    std::vector<Entry> entries_;                                    // one for each of `specs_`
     std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
     int speaker_ = -1;                   // number of the run that was wide when curves were last made
     int leader_ = -1;                    // of the newest one shown

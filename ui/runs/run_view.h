@@ -10,6 +10,7 @@
 #include <QTabBar>
 
 #include "core/case/case.h"
+#include "ui/plot/min_max_pyramid.h"
 
 namespace touchdown {
 
