@@ -10,6 +10,7 @@
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
+#include "ui/runs/drop_hint.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
@@ -53,7 +54,8 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
       columns_(new QHBoxLayout(this)),
       overTime_(new QVBoxLayout),
       portraits_(new QVBoxLayout),
-      specs_(standardPlots())
+      specs_(standardPlots()),
+      hint_(new DropHint(this))
 {
     columns_->setContentsMargins(0, 0, 0, 0);
     columns_->setSpacing(0);
@@ -61,6 +63,7 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     columns_->addLayout(portraits_);
     for (QVBoxLayout* column : {overTime_, portraits_}) column->setSpacing(0);
     for (std::size_t s = 0; s < specs_.size(); ++s) makePlot(s);
+    setAcceptDrops(true);
     setCase({});
 
     connect(&runs_, &RunsModel::added, this, [this] {
@@ -156,14 +159,23 @@ void LivePlots::setCase(const Case& c)
 {
     model_ = c.model;
     ready_ = recordedQuantities(c);
+    rollIsHeld_ = c.degreesOfFreedom == 2;
+    updateWanted();
+    updateVisibility();
+    emit quantitiesChanged();
+}
+
+/// As the user chose for this model, or as it is at first.
+void LivePlots::updateWanted()
+{
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         // A contact run shows forces against the separation, a flying slider shows them over time.
         bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs_[s].atFirst;
-        if (entries_[s].name == QLatin1String("roll") && c.degreesOfFreedom == 2) atFirst = false; // it is held
+        if (specs_[s].choosable) atFirst = specs_[s].atFirst;
+        if (entries_[s].name == QLatin1String("roll") && rollIsHeld_) atFirst = false;
         const auto chosen = chosen_.find({model_, entries_[s].name});
         entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : atFirst);
     }
-    updateVisibility();
 }
 
 void LivePlots::dataArrived(int number)
@@ -208,6 +220,7 @@ void LivePlots::rebuild()
     updateMarks();
     updateVisibility();
     emit curvesChanged();
+    emit quantitiesChanged();
     group_->dataChanged();
 }
 

@@ -12,7 +12,9 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QJsonObject>
 #include <QMenu>
+#include <QMimeData>
 #include <QVBoxLayout>
 #include <QWidget>
 
@@ -28,6 +30,7 @@
 
 namespace touchdown {
 
+class DropHint;
 class PlotGroup;
 class PlotWidget;
 class RunsModel;
@@ -62,14 +65,47 @@ public:
 
     /// Those of the shown runs and of the case, each name once.
     std::vector<Quantity> quantities() const;
+    /// A plot of the user's own, with this quantity over time; its name.
+    QString addPlot(const Quantity& up);
+    void removePlot(const QString& own);
+    /// Another curve in a plot. A sentence that says why not; empty: it is there.
+    QString addCurve(const QString& plot, const Quantity& quantity);
+    /// One that the user added.
+    void removeCurve(const QString& plot, const std::string& quantity);
     /// What stands across a plot whose axes can be chosen, and what stands up; none: the time, what there is.
     void setAxes(const QString& plot, const std::optional<Quantity>& across, const std::optional<Quantity>& up);
+
+    /// For the settings: the user's own plots and curves, which plots are shown, what stands on their axes.
+    QJsonObject arrangement() const;
+    /// At the start, before plots were added.
+    void restore(const QJsonObject& arrangement);
 
 signals:
     /// Curves were added or removed.
     void curvesChanged();
+    /// There are more or fewer plots().
+    void plotsChanged();
+    /// quantities() may have changed.
+    void quantitiesChanged();
+    /// Why a quantity that was dropped cannot stand where it was.
+    void refused(const QString& reason);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
+    struct Drop {
+        std::optional<Quantity> quantity; // that is dragged
+        QString plot;                     // in which it would stand; empty: a plot of its own
+        QRect target;
+        QString text;
+        QString refusal;
+    };
+    Drop dropAt(const QPoint& at, const QMimeData& dragged) const;
+
     void makePlot(std::size_t spec);
     void placePlot(std::size_t spec);
     void labelAxes(std::size_t spec);
@@ -85,6 +121,7 @@ private:
     const MinMaxPyramid* dataFor(const RunRecord& run, const std::string& quantity);
     void updateMarks();
     std::vector<PointMark> eventPoints(const RunRecord& run) const;
+    void updateWanted();
     void updateVisibility();
 
     RunsModel& runs_;
@@ -93,6 +130,7 @@ private:
     QVBoxLayout *overTime_, *portraits_; // side by side
     std::vector<PlotSpec> specs_;
     ModelKind model_ = ModelKind::Springs;                          // of the case
+    bool rollIsHeld_ = true;                                        // in it
     std::vector<Quantity> ready_;                                   // that the case would record
     std::map<std::pair<ModelKind, QString>, bool> chosen_;          // whether a plot is wanted, as the user said
     std::vector<Entry> entries_;                                    // one for each of `specs_`
@@ -102,6 +140,7 @@ private:
     std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made
     std::map<std::string, bool> wanted_; // by plot and quantity: what the user chose in the menus of the plots
     std::size_t marksShown_ = 0;
+    DropHint* hint_;
 };
 
 } // namespace touchdown

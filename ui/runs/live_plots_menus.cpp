@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the user changes about the plots: the quantities on their axes.
+// What the user changes about the plots: which there are, their curves, the quantities on their axes.
 #include "ui/runs/live_plots.h"
 
 #include <algorithm>
@@ -63,9 +63,78 @@ void LivePlots::setAxes(const QString& name, const std::optional<Quantity>& acro
     group_->forgetHistory(); // its steps are of other axes
 }
 
+QString LivePlots::addPlot(const Quantity& up)
+{
+    int number = 1;
+    const auto name = [&number] { return QStringLiteral("own %1").arg(number); };
+    while (std::ranges::find(entries_, name(), &Entry::name) != entries_.end()) ++number;
+    specs_.push_back(ownPlot(name(), up, std::nullopt));
+    makePlot(specs_.size() - 1);
+    updateWanted();
+    rebuild();
+    emit plotsChanged();
+    return name();
+}
+
+void LivePlots::removePlot(const QString& own)
+{
+    const std::size_t s = indexOf(own);
+    Q_ASSERT(specs_[s].own);
+    const auto place = static_cast<std::ptrdiff_t>(s);
+    PlotWidget* plot = entries_[s].plot;
+    group_->remove(plot);
+    plot->hide();
+    plot->deleteLater(); // its own menu may be asking
+    entries_[s].wanted->deleteLater();
+    entries_.erase(entries_.begin() + place);
+    specs_.erase(specs_.begin() + place);
+    std::erase_if(chosen_, [&own](const auto& item) { return item.first.second == own; });
+    std::erase_if(wanted_,
+                  [prefix = own.toStdString() + '/'](const auto& item) { return item.first.starts_with(prefix); });
+    group_->forgetHistory();
+    updateVisibility();
+    emit plotsChanged();
+    emit curvesChanged();
+}
+
+QString LivePlots::addCurve(const QString& name, const Quantity& quantity)
+{
+    const std::size_t s = indexOf(name);
+    const QString refusal = specs_[s].refusal(quantity);
+    if (!refusal.isEmpty()) return refusal;
+    noteHiddenCurves();
+    specs_[s].add(quantity);
+    labelAxes(s);
+    rebuild();
+    return {};
+}
+
+void LivePlots::removeCurve(const QString& name, const std::string& quantity)
+{
+    const std::size_t s = indexOf(name);
+    noteHiddenCurves();
+    specs_[s].remove(quantity);
+    labelAxes(s);
+    rebuild();
+}
+
 void LivePlots::addMenus(const QString& name)
 {
     PlotWidget* plot = this->plot(name);
+    addMenu(plot, tr("A&dd a curve"), [this, name, plot](QMenu& menu) {
+        for (const Quantity& quantity : quantities())
+            if (spec(name).refusal(quantity).isEmpty())
+                menu.addAction(QString::fromStdString(quantity.longName), plot,
+                               [this, name, quantity] { addCurve(name, quantity); });
+        if (menu.isEmpty()) menu.addAction(tr("No other quantity has this unit"))->setEnabled(false);
+    });
+    addMenu(plot, tr("Re&move a curve"), [this, name, plot](QMenu& menu) {
+        for (const PlotSpec::Curve& curve : spec(name).curves)
+            if (curve.added && spec(name).curves.size() > 1)
+                menu.addAction(curve.name, plot,
+                               [this, name, quantity = curve.quantity] { removeCurve(name, quantity); });
+        if (menu.isEmpty()) menu.addAction(tr("None was added"))->setEnabled(false);
+    });
     if (!spec(name).choosable) return;
     addMenu(plot, tr("&Across"), [this, name, plot](QMenu& menu) {
         const std::optional<Quantity> now = spec(name).across;
@@ -79,6 +148,42 @@ void LivePlots::addMenus(const QString& name)
             addChoice(menu, QString::fromStdString(quantity.longName), spec(name).has(quantity.name), plot,
                       [this, name, quantity] { setAxes(name, spec(name).across, quantity); });
     });
+    if (!spec(name).own) return;
+    auto* remove = new QAction(tr("Remove this &plot"), plot);
+    connect(remove, &QAction::triggered, this, [this, name] { removePlot(name); });
+    plot->addAction(remove);
+}
+
+QJsonObject LivePlots::arrangement() const
+{
+    QJsonArray chosen;
+    for (const auto& [key, on] : chosen_)
+        chosen.append(QJsonObject{{"model", static_cast<int>(key.first)}, {"plot", key.second}, {"shown", on}});
+    return {{"plots", changedPlots(specs_)}, {"chosen", chosen}};
+}
+
+void LivePlots::restore(const QJsonObject& arrangement)
+{
+    const std::vector<PlotSpec> specs = plotsWith(arrangement[QStringLiteral("plots")].toArray());
+    for (std::size_t s = 0; s < specs.size(); ++s) {
+        if (s < specs_.size()) {
+            specs_[s] = specs[s];
+            labelAxes(s);
+            placePlot(s);
+        } else {
+            specs_.push_back(specs[s]);
+            makePlot(s);
+        }
+    }
+    for (const QJsonValue& each : arrangement[QStringLiteral("chosen")].toArray()) {
+        const int model = each[QStringLiteral("model")].toInt(-1);
+        if (model >= 0 && model <= static_cast<int>(ModelKind::Contact))
+            chosen_[{static_cast<ModelKind>(model), each[QStringLiteral("plot")].toString()}] =
+                each[QStringLiteral("shown")].toBool();
+    }
+    updateWanted();
+    rebuild();
+    emit plotsChanged();
 }
 
 } // namespace touchdown

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QAction>
+#include <QMenu>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -17,6 +18,7 @@ namespace touchdown {
 class DiskSurfaceView;
 class LivePlots;
 class LiveSpectrum;
+class QuantityList;
 class RunMaps;
 class RunsModel;
 class ReplayBar;
@@ -51,6 +53,11 @@ public:
     QTabBar* tabs() const { return tabs_; }
     /// Whether the spectrum is wanted; a slow approach has none worth seeing.
     QAction* spectrumWanted() const { return spectrumWanted_; }
+    /// Whether the list of quantities stands beside the plots.
+    QAction* quantitiesWanted() const { return quantitiesWanted_; }
+    QuantityList* quantities() const { return quantities_; }
+    /// Offers the plots, new ones, the spectrum and the list of quantities.
+    void fillPlotsMenu(QMenu& menu);
 
 private:
     void showSpectrum();
@@ -67,7 +74,8 @@ private:
     QSplitter* splitter_;
     QTabBar* tabs_;
     QStackedWidget* pages_;
-    QAction* spectrumWanted_;
+    QAction *spectrumWanted_, *quantitiesWanted_;
+    QuantityList* quantities_;
 };
 
 } // namespace touchdown

@@ -336,10 +336,10 @@ void TestLivePlots::anyQuantityStandsAgainstAny()
         emit axis->aboutToShow();
         return axis->actions();
     };
-    QCOMPARE(offered(0).size(), static_cast<qsizetype>(quantities.size()) + 1); // or the time
-    QCOMPARE(offered(1).size(), static_cast<qsizetype>(quantities.size()));
-    for (const QAction* action : offered(0)) QCOMPARE(action->isChecked(), action->text() == QStringLiteral("Pitch"));
-    offered(0).front()->trigger();
+    QCOMPARE(offered(2).size(), static_cast<qsizetype>(quantities.size()) + 1); // or the time
+    QCOMPARE(offered(3).size(), static_cast<qsizetype>(quantities.size()));
+    for (const QAction* action : offered(2)) QCOMPARE(action->isChecked(), action->text() == QStringLiteral("Pitch"));
+    offered(2).front()->trigger();
     QVERIFY(!plot->isPhasePortrait() && plot->curves()[0].xData == nullptr);
     QCOMPARE(plot->xAxis().range(), plots_->plot(QStringLiteral("spacing"))->xAxis().range());
 }
