@@ -21,6 +21,7 @@
 #include "core/case_files/case_text.h"
 #include "core/formats/units.h"
 #include "core/results/steady_writer.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_quantities.h"
 
 namespace touchdown {
@@ -116,9 +117,17 @@ std::string pairText(const std::string& first, double a, const std::string& seco
     return first + ' ' + displayedInFull(clean(a), unit) + ", " + second + ' ' + displayedInFull(clean(b), unit);
 }
 
-std::string forcesText(const SteadyResult& r)
+/// "2107.3 kPa above ambient", as the maps of the window show it.
+std::string pressureText(double absolute, double ambient)
+{
+    const double above = absolute - ambient;
+    return displayedInFull(std::abs(above), "kPa") + (above < 0.0 ? " below ambient" : " above ambient");
+}
+
+std::string forcesText(const Case& c, const SteadyResult& r)
 {
     const FilmForces& f = r.forces;
+    const double ambient = airOf(c.air).pressure;
     std::string text = reportRow("net force", withError(f.net, r.discretisationError.load, "gf"));
     text += reportRow("  above ambient", displayedInFull(f.positive, "gf") + " at " + placeText(f.centreOfPositive));
     if (f.negative < 0.0)
@@ -127,8 +136,8 @@ std::string forcesText(const SteadyResult& r)
     text += reportRow("pressure torques", pairText("pitch", f.pitchTorque, "roll", f.rollTorque, "uN m"));
     text += reportRow("shear force", pairText("x", f.shearX, "y", f.shearY, "mN"));
     text += reportRow("shear torques", pairText("pitch", r.shearPitchTorque, "roll", r.shearRollTorque, "uN m"));
-    text += reportRow("highest pressure", displayedInFull(f.maximumPressure, "kPa") + " at " + placeText(f.maximumAt));
-    text += reportRow("lowest pressure", displayedInFull(f.minimumPressure, "kPa") + " at " + placeText(f.minimumAt));
+    text += reportRow("highest pressure", pressureText(f.maximumPressure, ambient) + " at " + placeText(f.maximumAt));
+    text += reportRow("lowest pressure", pressureText(f.minimumPressure, ambient) + " at " + placeText(f.minimumAt));
     return text;
 }
 
@@ -164,7 +173,7 @@ std::string oneText(const Case& c, const SteadyResult& r)
     text += reportRow("roll", withError(r.attitude.roll, r.discretisationError.roll, "urad"));
     text += reportRow("minimum spacing", withError(r.minimumSpacing, r.discretisationError.minimumSpacing, "nm"));
     text += reportRow("", "at " + placeText(r.minimumAt));
-    text += forcesText(r);
+    text += forcesText(c, r);
     const auto& points = c.surface.pointsOfInterest;
     for (std::size_t i = 0; i < std::min(points.size(), r.interestSpacing.size()); ++i)
         text += reportRow("spacing of point " + std::to_string(i + 1),

@@ -14,7 +14,7 @@
 //       points_of_interest    x, y, spacing [m], row by row
 //       fields/x, y           centres of the cells: the dimension scales of the fields
 //       fields/x_lines, y_lines   borders of the cells
-//       fields/pressure, gap, recess   on (y, x)
+//       fields/pressure, gap, recess   on (y, x); pressures are absolute
 //   /series/<quantity>        of several states: radius, skew, speed and the numbers above, one element for each state
 #pragma once
 

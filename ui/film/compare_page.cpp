@@ -10,6 +10,7 @@
 #include <QTextDocument>
 
 #include "core/formats/units.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "ui/case/parameter_text.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/style/quantity_format.h"
@@ -25,7 +26,7 @@ constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
 struct ComparedNumber {
     QString name;
     std::string unit; // shown
-    std::function<double(const SteadyResult&)> value;
+    std::function<double(const SteadyResult&, const Case&)> value;
     std::function<double(const SteadyResult&)> error = [](const SteadyResult&) { return noNumber; };
 };
 
@@ -33,19 +34,21 @@ std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionReco
 {
     using Result = const SteadyResult&;
     std::vector<ComparedNumber> numbers{
-        {tr("Minimum spacing"), "nm", [](Result r) { return r.minimumSpacing; },
+        {tr("Minimum spacing"), "nm", [](Result r, const Case&) { return r.minimumSpacing; },
          [](Result r) { return r.discretisationError.minimumSpacing; }},
-        {tr("Trailing edge height"), "nm", [](Result r) { return r.attitude.height; }},
-        {tr("Pitch"), "urad", [](Result r) { return r.attitude.pitch; },
+        {tr("Trailing edge height"), "nm", [](Result r, const Case&) { return r.attitude.height; }},
+        {tr("Pitch"), "urad", [](Result r, const Case&) { return r.attitude.pitch; },
          [](Result r) { return r.discretisationError.pitch; }},
-        {tr("Roll"), "urad", [](Result r) { return r.attitude.roll; },
+        {tr("Roll"), "urad", [](Result r, const Case&) { return r.attitude.roll; },
          [](Result r) { return r.discretisationError.roll; }},
-        {tr("Net force"), "mN", [](Result r) { return r.forces.net; },
+        {tr("Net force"), "mN", [](Result r, const Case&) { return r.forces.net; },
          [](Result r) { return r.discretisationError.load; }},
-        {tr("Force above ambient"), "mN", [](Result r) { return r.forces.positive; }},
-        {tr("Force below ambient"), "mN", [](Result r) { return r.forces.negative; }},
-        {tr("Peak pressure"), "kPa", [](Result r) { return r.forces.maximumPressure; }},
-        {tr("Smallest pressure"), "kPa", [](Result r) { return r.forces.minimumPressure; }},
+        {tr("Force above ambient"), "mN", [](Result r, const Case&) { return r.forces.positive; }},
+        {tr("Force below ambient"), "mN", [](Result r, const Case&) { return r.forces.negative; }},
+        {tr("Peak pressure above ambient"), "kPa",
+         [](Result r, const Case& c) { return r.forces.maximumPressure - airOf(c.air).pressure; }},
+        {tr("Smallest pressure above ambient"), "kPa",
+         [](Result r, const Case& c) { return r.forces.minimumPressure - airOf(c.air).pressure; }},
     };
     std::size_t points = 0;
     bool stiffness = false;
@@ -54,10 +57,12 @@ std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionReco
         stiffness = stiffness || each->result.stiffness;
     }
     for (std::size_t i = 0; i < points; ++i)
-        numbers.push_back({tr("Spacing at P%1").arg(i + 1), "nm",
-                           [i](Result r) { return i < r.interestSpacing.size() ? r.interestSpacing[i] : noNumber; }});
+        numbers.push_back({tr("Spacing at P%1").arg(i + 1), "nm", [i](Result r, const Case&) {
+                               return i < r.interestSpacing.size() ? r.interestSpacing[i] : noNumber;
+                           }});
     const auto diagonal = [&numbers](const QString& name, const char* unit, int i) {
-        numbers.push_back({name, unit, [i](Result r) { return r.stiffness ? (*r.stiffness)(i, i) : noNumber; }});
+        numbers.push_back(
+            {name, unit, [i](Result r, const Case&) { return r.stiffness ? (*r.stiffness)(i, i) : noNumber; }});
     };
     if (stiffness) {
         diagonal(tr("Vertical stiffness"), "N/m", 0);
@@ -99,9 +104,9 @@ SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& soluti
     }
     for (const ComparedNumber& number : comparedNumbers(solutions)) {
         ComparedRow row{number.name, {}, {}};
-        const double reference = number.value(base.result);
+        const double reference = number.value(base.result, base.value);
         for (const SolutionRecord* each : solutions) {
-            const double value = number.value(each->result);
+            const double value = number.value(each->result, each->value);
             const bool known = std::isfinite(value);
             row.values << (known ? withError(value, number.error(each->result), number.unit, locale) : QString());
             row.differences << (each == &base || !known || !std::isfinite(reference)

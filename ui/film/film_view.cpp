@@ -70,7 +70,13 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     using Colours = MapKind::Colours;
     using Logarithm = MapKind::Logarithm;
     maps_->setKinds(
-        {{tr("Pressure above ambient"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},
+        {{tr("Pressure above ambient"),
+          {"kPa", "atm", "MPa"},
+          Colours::Signed,
+          Logarithm::Offered,
+          nearAmbient,
+          true,
+          aboveAmbientSymbol()},
          {tr("Gap"), {"nm", "um"}, Colours::BrightLow, Logarithm::AtFirst},
          {tr("Recess"), {"nm", "um"}, Colours::Recess}, // on the pads it is zero: no logarithm
          {tr("Difference of pressures"), {"kPa", "atm", "MPa"}, Colours::Signed, Logarithm::Offered, nearAmbient, true},

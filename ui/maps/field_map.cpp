@@ -28,12 +28,14 @@ int cellIndex(const std::vector<double>& lines, double at)
     return static_cast<int>(above - lines.begin()) - 1;
 }
 
-QString fieldText(double value, const FieldLook& look)
+QString fieldText(double value, const FieldLook& look) { return fieldNumber(value, look) + QChar(0x00A0) + look.unit; }
+
+QString fieldNumber(double value, const FieldLook& look)
 {
     const double shown = value / look.factor;
     const double size = std::abs(shown);
     const int decimals = size > 0.0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3) : 0;
-    return typeset(shown, decimals) + QChar(0x00A0) + look.unit;
+    return typeset(shown, decimals);
 }
 
 void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
@@ -78,9 +80,10 @@ void FieldMap::setRails(std::vector<Rail> rails)
     update();
 }
 
-void FieldMap::setSectionPoint(const std::optional<SurfacePoint>& point)
+void FieldMap::setCursors(const std::optional<SurfacePoint>& first, const std::optional<SurfacePoint>& second)
 {
-    sectionPoint_ = point;
+    first_ = first;
+    second_ = second;
     update();
 }
 
@@ -108,17 +111,42 @@ void FieldMap::paintContent(QPainter& painter, const PlotTheme& theme)
     paintCells(painter);
     paintGrid(painter);
     paintRails(painter, theme);
-    if (sectionPoint_) {
-        const QPointF at = toPixel(*sectionPoint_);
-        const QPointF low = toPixel({area().left(), area().top()});
-        const QPointF high = toPixel({area().right(), area().bottom()});
-        for (const QPen& pen : {QPen(theme.background, 2.4), QPen(theme.text, 1.0)}) {
-            painter.setPen(pen);
-            painter.drawLine(QPointF(low.x(), at.y()), QPointF(high.x(), at.y()));
-            painter.drawLine(QPointF(at.x(), low.y()), QPointF(at.x(), high.y()));
-        }
-    }
+    paintCursors(painter, theme);
     paintExtremes(painter, theme);
+}
+
+/// The lines of the sections, and with cursor 2 the way to it and the number of each.
+void FieldMap::paintCursors(QPainter& painter, const PlotTheme& theme) const
+{
+    if (!first_) return;
+    const QPointF at = toPixel(*first_);
+    const QPointF low = toPixel({area().left(), area().top()});
+    const QPointF high = toPixel({area().right(), area().bottom()});
+    QPen way(theme.text, 1.0, Qt::DashLine);
+    for (const QPen& pen : {QPen(theme.background, 2.4), QPen(theme.text, 1.0)}) {
+        painter.setPen(pen);
+        painter.drawLine(QPointF(low.x(), at.y()), QPointF(high.x(), at.y()));
+        painter.drawLine(QPointF(at.x(), low.y()), QPointF(at.x(), high.y()));
+        if (!second_) continue;
+        const QPointF there = toPixel(*second_);
+        painter.setPen(pen.widthF() > 1.0 ? pen : way);
+        painter.drawLine(at, there);
+        painter.setPen(pen);
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(there, 5.0, 5.0);
+    }
+    if (!second_) return;
+    painter.setFont(plotNumberFont(font()));
+    const double side = QFontMetricsF(painter.font()).height();
+    for (const auto& [point, number] : {std::pair(at, 1), std::pair(toPixel(*second_), 2)}) {
+        const QRectF tag(point + QPointF(5.0, -5.0 - side), QSizeF(side, side));
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(theme.cursor);
+        painter.drawRoundedRect(tag, 3.0, 3.0);
+        painter.setPen(theme.background);
+        painter.drawText(tag, Qt::AlignCenter, QString::number(number));
+    }
+    painter.setBrush(Qt::NoBrush);
 }
 
 void FieldMap::paintCells(QPainter& painter) const

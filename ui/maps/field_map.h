@@ -17,6 +17,7 @@ struct FieldLook {
     QString unit;        // the display unit, "kPa"
     double factor = 1.0; // of the display unit in SI
     ColourScale scale;
+    QString symbol{}; // on the axes of sections
     QString remark{}; // behind the title: ", beyond the scale up to 54 kPa"
 };
 
@@ -40,8 +41,8 @@ public:
     /// Their outlines are drawn over the field.
     void setRails(std::vector<Rail> rails);
 
-    /// Where the sections cross; nothing: no sections.
-    void setSectionPoint(const std::optional<SurfacePoint>& point);
+    /// Cursor 1, where the sections cross, and cursor 2; nothing: it is not there.
+    void setCursors(const std::optional<SurfacePoint>& first, const std::optional<SurfacePoint>& second);
 
     /// The centre of each cell [m] and its value, in the display unit.
     std::function<void(QIODevice&)> dataWriter() const override;
@@ -54,6 +55,7 @@ protected:
 
 private:
     void paintCells(QPainter& painter) const;
+    void paintCursors(QPainter& painter, const PlotTheme& theme) const;
     void paintExtremes(QPainter& painter, const PlotTheme& theme) const;
     std::vector<ScaleTick> keyTicks() const;
 
@@ -63,13 +65,14 @@ private:
     std::vector<Rail> rails_;
     FieldLook look_;
     std::optional<std::size_t> smallest_, largest_; // cells; nothing where several cells have that value
-    std::optional<SurfacePoint> sectionPoint_;
+    std::optional<SurfacePoint> first_, second_;
 };
 
 /// The cell between ascending lines that holds a place; -1: none.
 int cellIndex(const std::vector<double>& lines, double at);
 
-/// A number of a field as the maps print it: "12.34 kPa".
+/// A number of a field as the maps print it: "12.34 kPa"; and without its unit.
 QString fieldText(double value, const FieldLook& look);
+QString fieldNumber(double value, const FieldLook& look);
 
 } // namespace touchdown

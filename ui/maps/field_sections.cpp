@@ -34,15 +34,18 @@ FieldSections::FieldSections(QWidget* parent) : QWidget(parent)
     alongX()->setTitle(tr("Along x"));
     alongY()->setTitle(tr("Along y"));
     connect(alongX(), &PlotWidget::cursorMoved, this, [this](int which, bool valid, double x) {
-        if (which == 0 && valid) emit xChosen(x);
+        if (valid) emit xChosen(which, x);
+        if (!valid && which == 1) emit secondRemoved();
     });
     connect(alongY(), &PlotWidget::cursorMoved, this, [this](int which, bool valid, double y) {
-        if (which == 0 && valid) emit yChosen(y);
+        if (valid) emit yChosen(which, y);
+        if (!valid && which == 1) emit secondRemoved();
     });
 }
 
-void FieldSections::show(const FieldMap& map, const std::optional<SurfacePoint>& point)
+void FieldSections::show(const FieldMap& map, const FieldCursors& cursors)
 {
+    const auto& [point, second] = cursors;
     const auto cell = point ? map.cellAt(*point) : std::nullopt;
     if (!cell) {
         for (const Section& section : sections_) section.plot->clearCurves();
@@ -56,6 +59,11 @@ void FieldSections::show(const FieldMap& map, const std::optional<SurfacePoint>&
     alongY()->setXLabel(map.axisLabel(QStringLiteral("y")));
     alongX()->setPlotCursor(0, point->x);
     alongY()->setPlotCursor(0, point->y);
+    const CellGrid& grid = map.grid();
+    const bool inRow = second && cellIndex(grid.y, second->y) == cellIndex(grid.y, point->y);
+    const bool inColumn = second && cellIndex(grid.x, second->x) == cellIndex(grid.x, point->x);
+    alongX()->setPlotCursor(1, inRow ? std::optional(second->x) : std::nullopt);
+    alongY()->setPlotCursor(1, inColumn ? std::optional(second->y) : std::nullopt);
 }
 
 void FieldSections::setOthers(const QString& name, const CurveStyle& style, std::vector<OtherField> others)
@@ -90,14 +98,19 @@ void FieldSections::fill(int axis, const FieldMap& map, const SurfacePoint& poin
     add(name_, style_, map.grid(), [&map](std::size_t cell) { return map.value(cell); });
 
     const AxisScale scale = look.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear;
-    section.plot->setYLabel({{}, look.unit, look.factor, scale});
+    section.plot->setYLabel({look.symbol, look.unit, look.factor, scale});
     section.plot->clearCurves();
     section.steps.clear();
     for (const SectionCurve& curve : curves) {
         auto& made = section.steps.emplace_back(std::make_unique<MinMaxPyramid>());
         made->append(curve.x, curve.y);
-        section.plot->addCurve({QStringLiteral("section %1").arg(section.steps.size()),
-                                curves.size() > 1 ? curve.name : QString(), curve.style, made.get(), nullptr, true});
+        const bool single = curves.size() == 1;
+        section.plot->addCurve({.id = QStringLiteral("section %1").arg(section.steps.size()),
+                                .name = single ? look.title : tr("%1, %2").arg(look.title, curve.name),
+                                .style = curve.style,
+                                .data = made.get(),
+                                .inLegend = !single,
+                                .legend = single ? QString() : curve.name});
     }
     section.group->dataChanged();
 }

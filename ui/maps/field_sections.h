@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 
+#include "ui/maps/field_cursor_table.h"
 #include "ui/maps/field_map.h"
 #include "ui/plot/plot_group.h"
 
@@ -25,8 +26,9 @@ class FieldSections : public QWidget {
 public:
     explicit FieldSections(QWidget* parent = nullptr);
 
-    /// The sections of `map` through a point; nothing empties the plots.
-    void show(const FieldMap& map, const std::optional<SurfacePoint>& point);
+    /// The sections of `map` through cursor 1; nothing empties the plots. Cursor 2 is shown in a section that passes
+    /// through its cell.
+    void show(const FieldMap& map, const FieldCursors& cursors);
     /// Drawn with the field of the map at the next `show`, which is then called `name` and looks so.
     void setOthers(const QString& name, const CurveStyle& style, std::vector<OtherField> others);
     /// Both axes follow the data again.
@@ -38,9 +40,11 @@ public:
     PlotWidget* alongY() const { return sections_[1].plot; }
 
 signals:
-    /// A cursor in a section was moved to another x, or another y.
-    void xChosen(double x);
-    void yChosen(double y);
+    /// Cursor 0 or 1 in a section was moved to another x, or another y.
+    void xChosen(int which, double x);
+    void yChosen(int which, double y);
+    /// Cursor 1 was taken away.
+    void secondRemoved();
 
 private:
     struct Section {

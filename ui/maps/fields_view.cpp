@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
+#include "ui/maps/field_cursor_table.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
 #include "ui/style/quantity_format.h"
@@ -19,13 +20,20 @@
 
 namespace touchdown {
 
+namespace {
+
+constexpr int leastSections = 130; // [px]: room for the title of the upright axis
+
+} // namespace
+
 FieldsView::FieldsView(QWidget* parent)
     : QWidget(parent),
       controls_(new QWidget(this)),
       unit_(new QComboBox(controls_)),
       logarithmic_(new QCheckBox(tr("&Log"), controls_)),
       map_(new FieldMap(this)),
-      sections_(new FieldSections(this))
+      sections_(new FieldSections(this)),
+      table_(new FieldCursorTable(this))
 {
     auto* row = new QHBoxLayout(controls_);
     row->setContentsMargins(0, 0, 0, 0);
@@ -43,7 +51,14 @@ FieldsView::FieldsView(QWidget* parent)
 
     auto* split = new QSplitter(Qt::Vertical, this);
     split->addWidget(map_);
-    split->addWidget(sections_);
+    auto* below = new QWidget(split);
+    auto* sectionsAndTable = new QVBoxLayout(below);
+    sectionsAndTable->setContentsMargins(0, 0, 0, 0);
+    sectionsAndTable->setSpacing(0);
+    sectionsAndTable->addWidget(sections_, 1);
+    sections_->setMinimumHeight(leastSections);
+    sectionsAndTable->addWidget(table_);
+    split->addWidget(below);
     split->setStretchFactor(0, 3);
     split->setStretchFactor(1, 1);
     split->setSizes({520, 220});
@@ -55,18 +70,24 @@ FieldsView::FieldsView(QWidget* parent)
     layout->addWidget(split, 1);
     map_->setAccessibleDescription(
         map_->accessibleDescription() +
-        tr(" Shift and arrow keys move the sections by a cell, Escape lets them follow the pointer."));
+        tr(" Shift and arrow keys move the sections by a cell, with Ctrl cursor 2. Escape lets the sections follow the "
+           "pointer."));
 
     connect(map_, &SliderPlan::pointed, this, [this](const std::optional<SurfacePoint>& point) {
         if (point && !pinned_ && !map_->empty()) setSectionPoint(*point, false);
     });
     connect(map_, &SliderPlan::chosen, this, [this](const SurfacePoint& point) { setSectionPoint(point, true); });
-    connect(sections_, &FieldSections::xChosen, this, [this](double x) {
-        if (sectionPoint_) setSectionPoint({x, sectionPoint_->y}, true);
+    connect(map_, &SliderPlan::secondChosen, this, &FieldsView::setSecondPoint);
+    const auto move = [this](int which, const SurfacePoint& to) {
+        which == 0 ? setSectionPoint(to, true) : setSecondPoint(to);
+    };
+    connect(sections_, &FieldSections::xChosen, this, [this, move](int which, double x) {
+        if (sectionPoint_) move(which, {x, sectionPoint_->y});
     });
-    connect(sections_, &FieldSections::yChosen, this, [this](double y) {
-        if (sectionPoint_) setSectionPoint({sectionPoint_->x, y}, true);
+    connect(sections_, &FieldSections::yChosen, this, [this, move](int which, double y) {
+        if (sectionPoint_) move(which, {sectionPoint_->x, y});
     });
+    connect(sections_, &FieldSections::secondRemoved, this, [this] { setSecondPoint(std::nullopt); });
 }
 
 void FieldsView::setKinds(std::vector<MapKind> kinds)
@@ -141,18 +162,26 @@ void FieldsView::showField()
     }
     map_->setLook(shown);
     map_->setField(grid_, std::move(values));
-    map_->setSectionPoint(sectionPoint_);
     std::vector<OtherField> others;
     for (const OtherFields& other : others_)
         if (chosen < other.fields.size() && !other.fields[chosen].empty())
             others.push_back({other.name, other.style, other.grid, other.fields[chosen]});
+    shownOthers_ = others;
     sections_->setOthers(name_, style_, std::move(others));
     sections_->setRange(
         fixed ? std::optional(autoscaled(range, {0.0, 0.0},
                                          shown.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear,
                                          shown.factor))
               : std::nullopt);
-    sections_->show(*map_, sectionPoint_);
+    showCursors();
+}
+
+void FieldsView::showCursors()
+{
+    if (secondPoint_ && (!map_->onSlider(*secondPoint_) || !sectionPoint_)) secondPoint_.reset();
+    map_->setCursors(sectionPoint_, secondPoint_);
+    sections_->show(*map_, {sectionPoint_, secondPoint_});
+    table_->show(*map_, {sectionPoint_, secondPoint_}, name_, shownOthers_);
 }
 
 FieldLook FieldsView::look(const MapKind& kind, bool logarithmic, double low, double high) const
@@ -160,6 +189,7 @@ FieldLook FieldsView::look(const MapKind& kind, bool logarithmic, double low, do
     FieldLook look;
     const std::string unit = unit_->currentData().toString().toStdString();
     look.title = kind.title;
+    look.symbol = kind.symbol;
     look.unit = unitText(unit);
     look.factor = unitFactor(unit);
     const ColourMap diverging = isDark(palette()) ? ColourMap::DivergingOnDark : ColourMap::DivergingOnLight;
@@ -196,34 +226,43 @@ void FieldsView::setSectionPoint(const SurfacePoint& point, bool pinned)
 {
     pinned_ = pinned;
     sectionPoint_ = point;
-    map_->setSectionPoint(point);
-    sections_->show(*map_, point);
+    showCursors();
 }
 
-void FieldsView::moveSection(int cellsX, int cellsY)
+void FieldsView::setSecondPoint(const std::optional<SurfacePoint>& point)
 {
-    if (!sectionPoint_ || map_->empty()) return;
-    const auto cell = map_->cellAt(*sectionPoint_);
+    secondPoint_ = point;
+    showCursors();
+}
+
+void FieldsView::moveCursor(bool second, int cellsX, int cellsY)
+{
+    const std::optional<SurfacePoint>& from = second ? secondPoint_ : sectionPoint_;
+    if (!from || map_->empty()) return;
+    const auto cell = map_->cellAt(*from);
     if (!cell) return;
     const CellGrid& grid = map_->grid();
     const int i = std::clamp(static_cast<int>(*cell % static_cast<std::size_t>(grid.nx())) + cellsX, 0, grid.nx() - 1);
     const int j = std::clamp(static_cast<int>(*cell / static_cast<std::size_t>(grid.nx())) + cellsY, 0, grid.ny() - 1);
-    setSectionPoint({grid.centreX(i), grid.centreY(j)}, true);
+    const SurfacePoint to{grid.centreX(i), grid.centreY(j)};
+    second ? setSecondPoint(to) : setSectionPoint(to, true);
 }
 
 void FieldsView::keyPressEvent(QKeyEvent* event)
 {
     const bool shift = event->modifiers().testFlag(Qt::ShiftModifier);
-    if (event->key() == Qt::Key_Escape)
+    const bool second = event->modifiers().testFlag(Qt::ControlModifier);
+    if (event->key() == Qt::Key_Escape) {
         pinned_ = false;
-    else if (shift && event->key() == Qt::Key_Left)
-        moveSection(-1, 0);
+        setSecondPoint(std::nullopt);
+    } else if (shift && event->key() == Qt::Key_Left)
+        moveCursor(second, -1, 0);
     else if (shift && event->key() == Qt::Key_Right)
-        moveSection(1, 0);
+        moveCursor(second, 1, 0);
     else if (shift && event->key() == Qt::Key_Up)
-        moveSection(0, 1);
+        moveCursor(second, 0, 1);
     else if (shift && event->key() == Qt::Key_Down)
-        moveSection(0, -1);
+        moveCursor(second, 0, -1);
     else
         QWidget::keyPressEvent(event);
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Fields on one grid: a map of one of them, and its sections along x and y through a point.
+// Fields on one grid: a map of one of them, its sections along x and y through cursor 1, and a table of the values at
+// cursors 1 and 2.
 //
-// The sections follow the pointer until a click pins them; Escape lets them follow again, Shift + arrows move them by a
-// cell.
+// Cursor 1 and the sections follow the pointer until a click pins them. Shift + click, on the map or in a section, sets
+// cursor 2. Shift + arrows move cursor 1 by a cell, Ctrl + Shift + arrows cursor 2. Escape takes cursor 2 away and lets
+// cursor 1 follow again.
 #pragma once
 
 #include <optional>
@@ -21,9 +23,11 @@
 
 namespace touchdown {
 
+class FieldCursorTable;
 class FieldMap;
 class FieldSections;
 struct FieldLook;
+struct OtherField;
 
 /// A field that can be shown, and how.
 struct MapKind {
@@ -41,6 +45,7 @@ struct MapKind {
     Logarithm logarithm = Logarithm::None; // none where a value is zero or less, except about zero
     double near = 0.0;                     // a value that a logarithm about zero does not tell from zero [SI]
     bool aboutZero = false;                // zero in the middle even where one sign is missing
+    QString symbol{};                      // on the axes of the sections: "p − p₀" for a pressure above ambient
 };
 
 class FieldsView : public QWidget {
@@ -71,10 +76,14 @@ public:
     void proposeSectionPoint(const std::optional<SurfacePoint>& point);
     std::optional<SurfacePoint> sectionPoint() const { return sectionPoint_; }
     bool pinned() const { return pinned_; }
+    /// Cursor 2; nothing takes it away.
+    void setSecondPoint(const std::optional<SurfacePoint>& point);
+    std::optional<SurfacePoint> secondPoint() const { return secondPoint_; }
     void fit();
 
     FieldMap* map() const { return map_; }
     FieldSections* sections() const { return sections_; }
+    FieldCursorTable* cursors() const { return table_; }
     QComboBox* unit() const { return unit_; }
     QCheckBox* logarithmic() const { return logarithmic_; }
     /// Unit and scale, for the row in which the field is chosen.
@@ -87,7 +96,8 @@ protected:
 private:
     void showKind();
     void showField();
-    void moveSection(int cellsX, int cellsY);
+    void showCursors();
+    void moveCursor(bool second, int cellsX, int cellsY);
     FieldLook look(const MapKind& kind, bool logarithmic, double low, double high) const;
 
     std::vector<MapKind> kinds_;
@@ -98,14 +108,16 @@ private:
     QString name_;
     CurveStyle style_{0, 0};
     std::vector<OtherFields> others_;
+    std::vector<OtherField> shownOthers_; // of the field that is shown
     int field_ = 0;
-    std::optional<SurfacePoint> sectionPoint_;
+    std::optional<SurfacePoint> sectionPoint_, secondPoint_;
     bool pinned_ = false;
     QWidget* controls_;
     QComboBox* unit_;
     QCheckBox* logarithmic_;
     FieldMap* map_;
     FieldSections* sections_;
+    FieldCursorTable* table_;
 };
 
 } // namespace touchdown

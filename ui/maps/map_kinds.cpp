@@ -23,7 +23,8 @@ MapKind kindOf(const Quantity& quantity, bool film)
                 Colours::Signed,
                 Logarithm::Offered,
                 nearAmbient,
-                true};
+                true,
+                aboveAmbientSymbol()};
     const QString title = QString::fromStdString(quantity.longName);
     std::vector<std::string> units{quantity.displayUnit};
     const auto offer = [&units](const char* unit) {

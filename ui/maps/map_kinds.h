@@ -15,6 +15,9 @@ namespace touchdown {
 /// A logarithmic scale shows a smaller difference from the ambient pressure as zero [Pa].
 inline constexpr double nearAmbient = 1e3;
 
+/// Of a pressure above ambient, p0.
+inline QString aboveAmbientSymbol() { return QStringLiteral("p \u2212 p\u2080"); }
+
 /// One field of one set.
 struct RunField {
     std::size_t set = 0;

@@ -4,6 +4,7 @@
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QLineSeries>
+#include <QPainter>
 #include <QResizeEvent>
 #include <QValueAxis>
 
@@ -48,8 +49,11 @@ PlotCanvas::PlotCanvas(PlotWidget* plot)
     scene_->addItem(chart_);
 }
 
-void PlotCanvas::setLines(const std::vector<Line>& lines)
+void PlotCanvas::setLines(const std::vector<Line>& all)
 {
+    phaseLines_ = {};
+    if (plot_.isPhasePortrait()) drawPhaseLines(all);
+    const std::vector<Line> lines = plot_.isPhasePortrait() ? std::vector<Line>() : all;
     while (series_.size() < lines.size()) {
         auto* series = new QLineSeries;
         chart_->addSeries(series);
@@ -78,6 +82,21 @@ void PlotCanvas::setLines(const std::vector<Line>& lines)
     }
 }
 
+void PlotCanvas::drawPhaseLines(const std::vector<Line>& lines)
+{
+    const QRectF area(QPointF(), plot_.plotArea().size());
+    const double sharp = devicePixelRatioF();
+    phaseLines_ = QImage((area.size() * sharp).toSize(), QImage::Format_ARGB32_Premultiplied);
+    phaseLines_.setDevicePixelRatio(sharp);
+    phaseLines_.fill(Qt::transparent);
+    QPainter painter(&phaseLines_);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& [curve, path] : lines) {
+        painter.setPen(pathPen(*curve, path, area.size(), plot_.theme(), plot_.hasPaleCurves()));
+        drawPath(painter, path, area);
+    }
+}
+
 void PlotCanvas::setPlotArea(const QRectF& area) { chart_->setPlotArea(area); }
 
 void PlotCanvas::setSelection(std::optional<QRectF> box)
@@ -99,6 +118,7 @@ void PlotCanvas::drawBackground(QPainter* painter, const QRectF& rect)
     painter->fillRect(rect, plot_.theme().background);
     PlotPainter(plot_, plot_.theme()).paintBehind(*painter);
     plot_.stillPicture().paint(*painter, plot_.plotArea());
+    if (!phaseLines_.isNull()) painter->drawImage(plot_.plotArea().topLeft(), phaseLines_);
 }
 
 void PlotCanvas::drawForeground(QPainter* painter, const QRectF& /*rect*/)

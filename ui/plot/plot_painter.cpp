@@ -167,26 +167,34 @@ void PlotPainter::paintCursors(QPainter& painter) const
             painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
             // 1 left and 2 right of the line, so that close cursors hide neither each other's number nor the title.
             const double side = QFontMetricsF(frame_.numberFont).height();
-            const QRectF tag(which == 0 ? x - side - 2.0 : x + 2.0, area_.top() + 8.0, side, side);
-            painter.setPen(Qt::NoPen);
-            painter.setBrush(theme_.cursor);
-            painter.drawRoundedRect(tag, 3.0, 3.0);
-            painter.setPen(theme_.background);
-            painter.drawText(tag, Qt::AlignCenter, QString::number(which + 1));
+            paintCursorTag(painter, which, {which == 0 ? x - side - 2.0 : x + 2.0, area_.top() + 8.0 + side});
         }
         for (const PlotCurve& curve : curves_) {
-            if (!curve.visible || curve.pale || curve.data == nullptr) continue;
+            // Without a line at the cursor, the dot alone shows where a pale curve is.
+            if (!curve.visible || (curve.pale && !plot_.isPhasePortrait()) || curve.data == nullptr) continue;
             const auto y = curve.data->valueAt(*at);
             const auto x = curve.xData != nullptr ? curve.xData->valueAt(*at) : at;
             if (!x || !y) continue;
             const QPointF centre(frame_.across(x_.position(*x)), frame_.up(y_.position(*y)));
             if (!area_.contains(centre)) continue;
             painter.setPen(QPen(theme_.background, 1.5));
-            painter.setBrush(theme_.colour(curve.style));
+            painter.setBrush(curve.pale ? theme_.paleColour(curve.style) : theme_.colour(curve.style));
             painter.drawEllipse(centre, 4.0, 4.0);
+            if (plot_.isPhasePortrait() && !curve.pale) paintCursorTag(painter, which, centre + QPointF(6.0, -6.0));
         }
         painter.setBrush(Qt::NoBrush);
     }
+}
+
+void PlotPainter::paintCursorTag(QPainter& painter, int which, const QPointF& bottomLeft) const
+{
+    const double side = QFontMetricsF(frame_.numberFont).height();
+    const QRectF tag(bottomLeft - QPointF(0.0, side), QSizeF(side, side));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_.cursor);
+    painter.drawRoundedRect(tag, 3.0, 3.0);
+    painter.setPen(theme_.background);
+    painter.drawText(tag, Qt::AlignCenter, QString::number(which + 1));
 }
 
 void PlotPainter::paintSelection(QPainter& painter, const QRectF& box) const

@@ -49,6 +49,7 @@ private:
     void paintEventMarks(QPainter& painter) const;
     void paintArrows(QPainter& painter) const;
     void paintDots(QPainter& painter) const;
+    void paintCursorTag(QPainter& painter, int which, const QPointF& bottomLeft) const;
     void paintPointMarks(QPainter& painter) const;
     void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const;
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numeric>
 
 namespace touchdown {
@@ -11,6 +13,8 @@ namespace {
 
 constexpr PlotRange nearArea{-0.5, 1.5};
 constexpr double wideCurve = 2.0;     // [px]
+constexpr qsizetype mostAtOnce = 32;  // points of a line that are drawn in one go
+constexpr double longestWide = 50.0;  // a longer line is one pixel wide: ten times as fast [widths of the plot area]
 constexpr double longestDashed = 8.0; // a longer line is drawn solid [widths of the plot area]
 
 /// Inside the band low <= coordinate <= high the line stays what it is; what lies outside moves onto the border of
@@ -83,6 +87,48 @@ void shortenFolds(std::vector<QPointF>& path, double pixel)
     }
 }
 
+constexpr QPointF liftedPen{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+bool isLifted(const QPointF& point) { return std::isnan(point.x()); }
+
+/// The pixels of the area through which lines have passed.
+class CoveredPixels {
+public:
+    CoveredPixels(const QSizeF& pixels, std::size_t mostFollowed)
+        : width_(std::max(1, static_cast<int>(std::ceil(pixels.width())))),
+          height_(std::max(1, static_cast<int>(std::ceil(pixels.height())))),
+          left_(mostFollowed),
+          covered_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0)
+    {}
+
+    /// Passes from `a` to `b`, both inside the area (0 to 1); whether a pixel there is new.
+    bool cover(const QPointF& a, const QPointF& b)
+    {
+        const QPointF from(a.x() * width_, a.y() * height_);
+        const QPointF step = QPointF(b.x() * width_, b.y() * height_) - from;
+        const double length = std::ceil(std::max(std::abs(step.x()), std::abs(step.y())));
+        const std::size_t count = left_ > 0 ? std::max<std::size_t>(1, static_cast<std::size_t>(length)) : 1;
+        const auto pixel = [&](std::size_t k) -> std::uint8_t& {
+            const QPointF at = from + static_cast<double>(k) / static_cast<double>(count) * step;
+            const int column = std::clamp(static_cast<int>(at.x()), 0, width_ - 1);
+            const int row = std::clamp(static_cast<int>(at.y()), 0, height_ - 1);
+            return covered_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                            static_cast<std::size_t>(column)];
+        };
+        std::size_t k = 0;
+        while (k <= count && pixel(k) != 0) ++k;
+        const bool isNew = k <= count;
+        for (; k <= count; ++k) pixel(k) = 1;
+        left_ -= std::min(left_, count);
+        return isNew;
+    }
+
+private:
+    int width_, height_;
+    std::size_t left_; // pixels to be followed
+    std::vector<std::uint8_t> covered_;
+};
+
 } // namespace
 
 std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels)
@@ -94,32 +140,49 @@ std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, cons
 }
 
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
-                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels)
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels, std::size_t mostWhole)
 {
-    constexpr std::size_t mostRead = 400'000;
-    constexpr std::size_t mostDrawn = 20'000;
+    constexpr double apart = 0.7; // [px]
 
     const auto [begin, end] = yData.samplesWithin(window.low, window.high);
-    const std::size_t stride = 1 + (end - begin) / mostRead;
     std::vector<QPointF> path;
-    // On multiples of the stride, so that a growing history does not choose other samples each time.
-    for (std::size_t i = (begin + stride - 1) / stride * stride; i < end; i += stride) {
+    QPointF last(-1e9, -1e9);
+    for (std::size_t i = begin; i < end; ++i) {
         const double time = yData.time(i);
         const bool together = i < xData.size() && xData.time(i) == time;
         const std::optional<double> across = together ? xData.value(i) : xData.valueAt(time);
-        if (across) path.emplace_back(x.position(*across), y.position(yData.value(i)));
+        if (!across) continue;
+        const QPointF point(x.position(*across), y.position(yData.value(i)));
+        const double dx = (point.x() - last.x()) * pixels.width();
+        const double dy = (point.y() - last.y()) * pixels.height();
+        if (dx * dx + dy * dy < apart * apart) continue;
+        path.push_back(point);
+        last = point;
     }
-    for (double apart = 0.7; apart == 0.7 || (path.size() > mostDrawn && apart < 6.0); apart *= 1.5) { // [px]
-        QPointF last(-1e9, -1e9);
-        std::erase_if(path, [&](const QPointF& point) {
-            const double dx = (point.x() - last.x()) * pixels.width();
-            const double dy = (point.y() - last.y()) * pixels.height();
-            if (dx * dx + dy * dy < apart * apart) return true;
-            last = point;
-            return false;
-        });
+    path = cutNearArea(path);
+    return path.size() > mostWhole ? withoutCovered(path, pixels) : path;
+}
+
+std::vector<QPointF> withoutCovered(const std::vector<QPointF>& path, const QSizeF& pixels, std::size_t mostFollowed)
+{
+    CoveredPixels covered(pixels, mostFollowed);
+    std::vector<QPointF> kept;
+    bool follows = false;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+        const auto [first, second] = partInside(path[i - 1], path[i]);
+        const QPointF step = path[i] - path[i - 1];
+        if (first > second || !covered.cover(path[i - 1] + first * step, path[i - 1] + second * step)) {
+            follows = false;
+            continue;
+        }
+        if (!follows) {
+            if (!kept.empty()) kept.push_back(liftedPen);
+            kept.push_back(path[i - 1]);
+        }
+        kept.push_back(path[i]);
+        follows = true;
     }
-    return cutNearArea(path);
+    return kept;
 }
 
 std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path)
@@ -127,7 +190,8 @@ std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path)
     std::vector<QPolygonF> pieces;
     bool continues = false;
     for (std::size_t i = 1; i < path.size(); ++i) {
-        const auto [first, second] = partInside(path[i - 1], path[i]);
+        const bool lifted = isLifted(path[i - 1]) || isLifted(path[i]);
+        const auto [first, second] = lifted ? std::pair(1.0, 0.0) : partInside(path[i - 1], path[i]);
         if (first > second) {
             continues = false;
             continue;
@@ -186,9 +250,11 @@ QPen pathPen(const PlotCurve& curve, const std::vector<QPointF>& path, const QSi
              bool wide)
 {
     if (curve.pale) return palePen(curve.style, theme);
-    const bool dashed = pathLength(path, pixels) < longestDashed * pixels.width();
+    const double length = pathLength(path, pixels);
+    const bool dashed = length < longestDashed * pixels.width();
     QPen pen = curvePen(curve.style, theme, dashed);
     if (wide) pen.setWidthF(wideCurve);
+    if (curve.xData != nullptr && length > longestWide * pixels.width()) pen.setWidthF(1.0);
     return curve.xData != nullptr ? penThereAndBack(path, pixels, pen) : pen;
 }
 
@@ -228,7 +294,10 @@ void drawPath(QPainter& painter, const std::vector<QPointF>& path, const QRectF&
     for (QPolygonF piece : insideArea(path)) {
         for (QPointF& point : piece)
             point = {area.left() + point.x() * area.width(), area.bottom() - point.y() * area.height()};
-        painter.drawPolyline(piece);
+        // A line that crosses itself costs by the square of its length; dashes need the whole of it.
+        const qsizetype most = painter.pen().style() == Qt::SolidLine ? mostAtOnce : piece.size();
+        for (qsizetype first = 0; first + 1 < piece.size(); first += most - 1)
+            painter.drawPolyline(piece.constData() + first, static_cast<int>(std::min(most, piece.size() - first)));
     }
 }
 
@@ -236,6 +305,7 @@ double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels)
 {
     double length = 0.0;
     for (std::size_t i = 1; i < path.size(); ++i) {
+        if (isLifted(path[i - 1]) || isLifted(path[i])) continue;
         const QPointF step = path[i] - path[i - 1];
         length += std::hypot(step.x() * pixels.width(), step.y() * pixels.height());
     }

@@ -16,11 +16,22 @@ namespace touchdown {
 /// A curve over x, thinned to the pixels and cut a little outside the area, so that no coordinate is too large to draw.
 std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels);
 
-/// `yData` against `xData` within a window of time; points too close to be distinguished are omitted.
+/// `yData` against `xData` within a window of time, from every sample held; points closer than 0.7 pixels to the last
+/// one are omitted. A path of more than `mostWhole` points is drawn in parts: see withoutCovered().
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
-                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels);
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels,
+                               std::size_t mostWhole = 20'000);
 
-/// The parts of a line inside the area, cut at its border: for pictures whose format cannot clip.
+/// The lines of `path` inside the area, in the order of time, that pass at least one pixel through which no line before
+/// them passes: the same pixels are drawn, and there are at most as many lines as pixels. Between lines that do not
+/// follow each other stands a point that is not a number: the pen is lifted there. Lines are followed pixel by pixel
+/// over `mostFollowed` pixels in total; beyond that only the pixels of their ends count, so that the cost is bounded
+/// and still each sample's pixel is drawn.
+std::vector<QPointF> withoutCovered(const std::vector<QPointF>& path, const QSizeF& pixels,
+                                    std::size_t mostFollowed = 10'000'000);
+
+/// The parts of a line inside the area, cut at its border: for pictures whose format cannot clip. A point that is not a
+/// number separates two parts.
 std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path);
 
 /// Where the way of a line is shown, and the direction there in pixels (y upwards, length 1): a few places along what
@@ -47,7 +58,7 @@ std::vector<QPointF> withoutStraightPoints(const std::vector<QPointF>& path, con
 /// The parts of `path` inside `area` [px].
 void drawPath(QPainter& painter, const std::vector<QPointF>& path, const QRectF& area);
 
-/// The length of a line [px].
+/// The length of a line without its gaps [px].
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels);
 
 } // namespace touchdown

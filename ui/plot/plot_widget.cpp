@@ -184,7 +184,14 @@ void PlotWidget::refreshNow()
 
 bool PlotWidget::isPhasePortrait() const
 {
-    return std::ranges::any_of(curves_, [](const PlotCurve& curve) { return curve.xData != nullptr; });
+    return phase_ || std::ranges::any_of(curves_, [](const PlotCurve& curve) { return curve.xData != nullptr; });
+}
+
+void PlotWidget::setPhasePortrait(bool phase)
+{
+    phase_ = phase;
+    timeWindow_.reset();
+    setView({});
 }
 
 std::vector<std::vector<QPointF>> PlotWidget::curvePaths() const

@@ -96,7 +96,10 @@ public:
     /// The part of the history that a phase portrait shows; everything when nothing.
     void setTimeWindow(std::optional<PlotRange> window);
     const std::optional<PlotRange>& timeWindow() const { return timeWindow_; }
+    /// Whether a quantity stands across instead of the time: as set, or as a curve says.
     bool isPhasePortrait() const;
+    /// From the beginning, before the first curve comes. Its view begins anew.
+    void setPhasePortrait(bool phase);
     /// What the automatic x range of a phase portrait leaves out, as a fall from afar: it ends at `most` where there
     /// are data below.
     void setMostX(std::optional<double> most);
@@ -193,6 +196,7 @@ private:
     QTimer refreshTimer_;
     bool stale_ = true;
     bool everything_ = false;
+    bool phase_ = false;
     bool tightY_ = true;          // the next automatic y range takes no account of the present one
     double refreshSeconds_ = 0.0; // the last refresh took
     long long refreshes_ = 0;

@@ -10,6 +10,7 @@
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
+#include "ui/runs/drop_hint.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
@@ -46,118 +47,23 @@ std::unique_ptr<MinMaxPyramid> difference(const MinMaxPyramid& run, const MinMax
 
 } // namespace
 
-struct LivePlots::Spec {
-    struct Curve {
-        const char* quantity;
-        const char* name; // in the legend of a plot with several
-        bool visible = true;
-        int colour = -1; // -1: as it comes in the list
-        int dash = 0;    // added to the dash of the run
-    };
-    const char* name;
-    const char* title;
-    const char* unit; // displayed
-    std::vector<Curve> curves;
-    const char* against = nullptr; // a quantity instead of the time
-    bool atFirst = true;           // shown for a flying slider until the user changes it
-    AxisScale scale = AxisScale::Linear;
-};
-
-const std::vector<LivePlots::Spec>& LivePlots::specs()
-{
-    static const std::vector<Spec> list{
-        {"force_separation",
-         QT_TR_NOOP("Force against separation"),
-         "mN",
-         {{"contact_force", QT_TR_NOOP("Contact")},
-          {"adhesion_force", QT_TR_NOOP("Adhesion")},
-          {"net_contact_force", QT_TR_NOOP("Net")},
-          {"fitted_contact_force", QT_TR_NOOP("Fitted"), true, 6, 1},
-          {"fitted_adhesion_force", QT_TR_NOOP("Fitted"), true, 6, 1}},
-         "minimum_spacing",
-         false},
-        {"spacing", QT_TR_NOOP("Minimum spacing"), "nm", {{"minimum_spacing", QT_TR_NOOP("Minimum spacing")}}},
-        {"pitch", QT_TR_NOOP("Pitch"), "urad", {{"pitch", QT_TR_NOOP("Pitch")}}},
-        {"roll", QT_TR_NOOP("Roll"), "urad", {{"roll", QT_TR_NOOP("Roll")}}},
-        {"energy",
-         QT_TR_NOOP("Energy"),
-         "pJ",
-         {{"kinetic_energy", QT_TR_NOOP("Kinetic")},
-          {"air_spring_energy", QT_TR_NOOP("Air springs")},
-          {"suspension_energy", QT_TR_NOOP("Suspension")},
-          {"contact_energy", QT_TR_NOOP("Contact")},
-          {"film_energy", QT_TR_NOOP("Air film"), true, 1}, // no case has both kinds of air
-          {"energy", QT_TR_NOOP("Total without contact"), true, 6}}},
-        {"forces",
-         QT_TR_NOOP("Contact forces"),
-         "mN",
-         {{"contact_force", QT_TR_NOOP("Contact")},
-          {"adhesion_force", QT_TR_NOOP("Adhesion")},
-          {"net_contact_force", QT_TR_NOOP("Net")},
-          {"friction_force", QT_TR_NOOP("Friction"), false}}},
-        {"air_bearing",
-         QT_TR_NOOP("Air bearing force"),
-         "mN",
-         {{"air_bearing_force", QT_TR_NOOP("Air bearing")}},
-         nullptr,
-         false},
-        {"velocity",
-         QT_TR_NOOP("Vertical velocity"),
-         "mm/s",
-         {{"vertical_velocity", QT_TR_NOOP("Vertical velocity")}},
-         nullptr,
-         false},
-        {"angular_velocity",
-         QT_TR_NOOP("Angular velocities"),
-         "rad/s",
-         {{"pitch_velocity", QT_TR_NOOP("Pitch")}, {"roll_velocity", QT_TR_NOOP("Roll")}},
-         nullptr,
-         false},
-        {"area", QT_TR_NOOP("Contact area"), "um^2", {{"contact_area", QT_TR_NOOP("Contact area")}}, nullptr, false},
-        {"pressure",
-         QT_TR_NOOP("Peak contact pressure"),
-         "MPa",
-         {{"peak_contact_pressure", QT_TR_NOOP("Peak contact pressure")}},
-         nullptr,
-         false},
-        {"step",
-         QT_TR_NOOP("Time step"),
-         "ns",
-         {{"time_step", QT_TR_NOOP("Time step")}},
-         nullptr,
-         false,
-         AxisScale::Logarithmic},
-    };
-    return list;
-}
-
 LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
-    : QWidget(parent), runs_(runs), group_(new PlotGroup(this)), layout_(new QVBoxLayout(this))
+    : QWidget(parent),
+      runs_(runs),
+      group_(new PlotGroup(this)),
+      columns_(new QHBoxLayout(this)),
+      overTime_(new QVBoxLayout),
+      portraits_(new QVBoxLayout),
+      specs_(standardPlots()),
+      hint_(new DropHint(this))
 {
-    layout_->setContentsMargins(0, 0, 0, 0);
-    layout_->setSpacing(0);
-    for (const Spec& spec : specs()) {
-        auto* plot = new PlotWidget(this);
-        plot->setTitle(tr(spec.title));
-        if (spec.against) {
-            plot->setXLabel({tr("Separation"), QStringLiteral("nm"), unitFactor("nm"), AxisScale::Linear});
-        } else {
-            plot->setAccessibleName(tr("Plot of %1 over time").arg(tr(spec.title)));
-            plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
-        }
-        plot->setYLabel(
-            {spec.against ? tr("Force") : QString(), unitText(spec.unit), unitFactor(spec.unit), spec.scale});
-        group_->add(plot);
-        connect(plot, &PlotWidget::legendHovered, this, &LivePlots::raise);
-        layout_->addWidget(plot, spec.against ? 3 : 1);
-        auto* wanted = new QAction(tr(spec.title), this);
-        wanted->setCheckable(true);
-        connect(wanted, &QAction::triggered, this, [this, name = QString::fromLatin1(spec.name)](bool on) {
-            chosen_[{model_, name}] = on;
-        });
-        connect(wanted, &QAction::toggled, this, &LivePlots::updateVisibility);
-        entries_.push_back({QString::fromLatin1(spec.name), tr(spec.title), plot, wanted});
-    }
+    columns_->setContentsMargins(0, 0, 0, 0);
+    columns_->setSpacing(0);
+    columns_->addLayout(overTime_);
+    columns_->addLayout(portraits_);
+    for (QVBoxLayout* column : {overTime_, portraits_}) column->setSpacing(0);
+    for (std::size_t s = 0; s < specs_.size(); ++s) makePlot(s);
+    setAcceptDrops(true);
     setCase({});
 
     connect(&runs_, &RunsModel::added, this, [this] {
@@ -173,16 +79,62 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
         noteHiddenCurves();
         for (const Entry& entry : entries_) entry.plot->clearCurves();
         differences_.clear();
-        const int baseline = runs_.baseline();
-        for (std::size_t s = 0; s < specs().size(); ++s) {
-            if (specs()[s].against) continue;
-            const QString& title = entries_[s].title;
-            entries_[s].plot->setTitle(baseline < 0 ? title : tr("%1 minus run %2").arg(title).arg(baseline));
-        }
+        for (std::size_t s = 0; s < specs_.size(); ++s) labelAxes(s);
         rebuild();
         group_->fit();
         group_->followNewest();
     });
+}
+
+/// The plot, in its column, and the entry of the menu that shows it.
+void LivePlots::makePlot(std::size_t s)
+{
+    const PlotSpec& spec = specs_[s];
+    auto* plot = new PlotWidget(this);
+    auto* wanted = new QAction(spec.title, this);
+    entries_.push_back({spec.name, spec.title, plot, wanted});
+    labelAxes(s);
+    placePlot(s);
+    connect(plot, &PlotWidget::legendHovered, this, &LivePlots::raise);
+    wanted->setCheckable(true);
+    connect(wanted, &QAction::triggered, this, [this, name = spec.name](bool on) { chosen_[{model_, name}] = on; });
+    connect(wanted, &QAction::toggled, this, &LivePlots::updateVisibility);
+    addMenus(spec.name);
+}
+
+/// What the plot and its axes are called.
+void LivePlots::labelAxes(std::size_t s)
+{
+    const PlotSpec& spec = specs_[s];
+    PlotWidget* plot = entries_[s].plot;
+    entries_[s].title = spec.title;
+    entries_[s].wanted->setText(spec.title);
+    const bool subtracted = runs_.baseline() >= 0 && !spec.across;
+    plot->setTitle(subtracted ? tr("%1 minus run %2").arg(spec.title).arg(runs_.baseline()) : spec.title);
+    if (spec.across) {
+        const Quantity& across = *spec.across;
+        plot->setAccessibleName(tr("Plot: %1").arg(spec.title));
+        plot->setXLabel({QString::fromStdString(across.longName), unitText(across.displayUnit),
+                         unitFactor(across.displayUnit), AxisScale::Linear});
+    } else {
+        plot->setAccessibleName(tr("Plot of %1 over time").arg(spec.title));
+        plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
+    }
+    // Over time the title says what stands up.
+    const QString up = spec.across && spec.curves.size() == 1 ? spec.curves.front().name : QString();
+    plot->setYLabel({up, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
+}
+
+/// In the column of its kind. The forces of a pad are its first plot, above those over time.
+void LivePlots::placePlot(std::size_t s)
+{
+    const PlotSpec& spec = specs_[s];
+    PlotWidget* plot = entries_[s].plot;
+    for (QVBoxLayout* column : {overTime_, portraits_}) column->removeWidget(plot);
+    (spec.across && spec.choosable ? portraits_ : overTime_)->addWidget(plot, spec.across ? 3 : 1);
+    group_->remove(plot);
+    plot->setPhasePortrait(spec.across.has_value());
+    group_->add(plot);
 }
 
 void LivePlots::raise(const QString& curve)
@@ -192,26 +144,38 @@ void LivePlots::raise(const QString& curve)
     runs_.raise(found.hasMatch() ? found.captured(1).toInt() : -1);
 }
 
-const LivePlots::Entry& LivePlots::entry(const QString& name) const
+const LivePlots::Entry& LivePlots::entry(const QString& name) const { return entries_[indexOf(name)]; }
+
+const PlotSpec& LivePlots::spec(const QString& name) const { return specs_[indexOf(name)]; }
+
+std::size_t LivePlots::indexOf(const QString& name) const
 {
     const auto found = std::ranges::find(entries_, name, &Entry::name);
     Q_ASSERT(found != entries_.end());
-    return *found;
+    return static_cast<std::size_t>(found - entries_.begin());
 }
 
 void LivePlots::setCase(const Case& c)
 {
     model_ = c.model;
-    ready_.clear();
-    for (const Quantity& quantity : recordedQuantities(c)) ready_.push_back(quantity.name);
+    ready_ = recordedQuantities(c);
+    rollIsHeld_ = c.degreesOfFreedom == 2;
+    updateWanted();
+    updateVisibility();
+    emit quantitiesChanged();
+}
+
+/// As the user chose for this model, or as it is at first.
+void LivePlots::updateWanted()
+{
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         // A contact run shows forces against the separation, a flying slider shows them over time.
-        bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs()[s].atFirst;
-        if (entries_[s].name == QLatin1String("roll") && c.degreesOfFreedom == 2) atFirst = false; // it is held
+        bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs_[s].atFirst;
+        if (specs_[s].choosable) atFirst = specs_[s].atFirst;
+        if (entries_[s].name == QLatin1String("roll") && rollIsHeld_) atFirst = false;
         const auto chosen = chosen_.find({model_, entries_[s].name});
         entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : atFirst);
     }
-    updateVisibility();
 }
 
 void LivePlots::dataArrived(int number)
@@ -252,25 +216,26 @@ void LivePlots::rebuild()
     drawn_.clear();
     for (int row = 0; row < runs_.count(); ++row)
         if (runs_.record(row).shown) drawn_.insert(runs_.record(row).number);
-    for (std::size_t s = 0; s < specs().size(); ++s) entries_[s].plot->setCurves(curvesOf(s));
+    for (std::size_t s = 0; s < specs_.size(); ++s) entries_[s].plot->setCurves(curvesOf(s));
     updateMarks();
     updateVisibility();
     emit curvesChanged();
+    emit quantitiesChanged();
     group_->dataChanged();
 }
 
 std::vector<PlotCurve> LivePlots::curvesOf(std::size_t s)
 {
-    const Spec& spec = specs()[s];
+    const PlotSpec& spec = specs_[s];
     std::vector<PlotCurve> curves;
     for (int row = 0; row < runs_.count(); ++row) {
         const RunRecord& run = runs_.record(row);
         for (std::size_t i = 0; i < spec.curves.size(); ++i) {
-            // A curve of force against separation has no difference to a baseline.
-            const std::string quantity = spec.curves[i].quantity;
-            const MinMaxPyramid* up = spec.against ? run.pyramid(quantity) : dataFor(run, quantity);
-            const MinMaxPyramid* across = spec.against ? run.pyramid(spec.against) : nullptr;
-            if (!up || (spec.against && !across)) continue;
+            // A curve against another quantity has no difference to a baseline.
+            const std::string& quantity = spec.curves[i].quantity;
+            const MinMaxPyramid* up = spec.across ? run.pyramid(quantity) : dataFor(run, quantity);
+            const MinMaxPyramid* across = spec.across ? run.pyramid(spec.across->name) : nullptr;
+            if (!up || (spec.across && !across)) continue;
             curves.push_back(curveOf(run, s, i));
             curves.back().data = up;
             curves.back().xData = across;
@@ -281,13 +246,13 @@ std::vector<PlotCurve> LivePlots::curvesOf(std::size_t s)
 
 PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t index) const
 {
-    const Spec::Curve& wanted = specs()[spec].curves[index];
-    const bool single = specs()[spec].curves.size() == 1;
+    const PlotSpec::Curve& wanted = specs_[spec].curves[index];
+    const bool single = specs_[spec].curves.size() == 1;
     PlotCurve curve;
     curve.id = curveId(run, wanted.quantity);
     // The total energy of a film includes that of the contact, the total energy of the springs does not.
-    const bool whole = run.value.model == ModelKind::Film && std::string_view(wanted.quantity) == "energy";
-    const QString name = whole ? tr("Total") : tr(wanted.name);
+    const bool whole = run.value.model == ModelKind::Film && wanted.quantity == "energy";
+    const QString name = whole ? tr("Total") : wanted.name;
     curve.name = name;
     if (runs_.count() > 1) curve.name = single ? run.label : tr("%1, %2").arg(name, run.label);
     if (!single) curve.legend = name;
@@ -298,10 +263,9 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     if (!run.finished()) curve.end = run.value.run.duration;
     curve.style = RunsModel::style(run);
     if (!single) curve.style = {wanted.colour < 0 ? static_cast<int>(index) : wanted.colour, wanted.dash};
-    const auto chosen =
-        wanted_.find(curveKey(QString::fromLatin1(specs()[spec].name), QString::fromLatin1(wanted.quantity)));
+    const auto chosen = wanted_.find(curveKey(specs_[spec].name, QString::fromStdString(wanted.quantity)));
     // Without adhesion the net force is the contact force.
-    const bool same = std::string_view(wanted.quantity) == "net_contact_force" && !run.pyramid("adhesion_force");
+    const bool same = wanted.quantity == "net_contact_force" && !run.pyramid("adhesion_force");
     curve.visible = run.shown && (chosen == wanted_.end() ? wanted.visible && !same : chosen->second);
     curve.arrows = wanted.dash == 0;
     return curve;
@@ -342,23 +306,33 @@ void LivePlots::setStage(const std::optional<QStringList>& names)
 void LivePlots::updateVisibility()
 {
     const bool anyShown = runs_.newestShown() != nullptr;
-    PlotWidget* lowest = nullptr;
-    for (std::size_t s = 0; s < entries_.size(); ++s) {
-        const Entry& entry = entries_[s];
-        bool recorded = false;
-        // Before the first run, the plots of the quantities that the case will record are shown.
-        for (const Spec::Curve& curve : specs()[s].curves)
-            recorded = recorded || (!anyShown && std::ranges::find(ready_, curve.quantity) != ready_.end());
+    // Before the first run, the plots of the quantities that the case will record are shown.
+    const auto isRecorded = [&](const std::string& quantity) {
+        if (!anyShown) return findQuantity(ready_, quantity) >= 0;
         for (int row = 0; row < runs_.count(); ++row)
-            for (const Spec::Curve& curve : specs()[s].curves)
-                recorded = recorded || (runs_.record(row).shown && runs_.record(row).pyramid(curve.quantity));
-        const bool wanted = stage_ ? stage_->contains(entry.name) : entry.wanted->isChecked();
+            if (runs_.record(row).shown && runs_.record(row).pyramid(quantity)) return true;
+        return false;
+    };
+    PlotWidget* lowest = nullptr;
+    bool beside = false;
+    for (std::size_t s = 0; s < entries_.size(); ++s) {
+        const PlotSpec& spec = specs_[s];
+        const bool recorded = (!spec.across || isRecorded(spec.across->name)) &&
+                              std::ranges::any_of(spec.curves, isRecorded, &PlotSpec::Curve::quantity);
+        const bool wanted = stage_ ? stage_->contains(entries_[s].name) : entries_[s].wanted->isChecked();
         const bool visible = recorded && wanted;
-        entry.plot->setVisible(visible);
-        if (visible && !specs()[s].against) lowest = entry.plot;
+        entries_[s].plot->setVisible(visible);
+        if (visible && !spec.across) lowest = entries_[s].plot;
+        beside = beside || (visible && portraits_->indexOf(entries_[s].plot) >= 0);
     }
+    // A layout within another does not notice what is hidden while no page shows it.
+    for (QVBoxLayout* column : {overTime_, portraits_}) column->invalidate();
+    columns_->invalidate();
+    updateGeometry();
+    columns_->setStretch(0, lowest ? 1 : 0);
+    columns_->setStretch(1, beside ? 1 : 0);
     for (std::size_t s = 0; s < entries_.size(); ++s)
-        entries_[s].plot->setXNumbersVisible(entries_[s].plot == lowest || specs()[s].against);
+        entries_[s].plot->setXNumbersVisible(entries_[s].plot == lowest || specs_[s].across);
 }
 
 } // namespace touchdown

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The plots of the runs on one time axis, a plot of the forces against the separation, and the decision which
-// quantities go in which plot.
+// The plots of the runs: those on one time axis under each other, and beside them phase portraits, a quantity against
+// another one. Which quantities stand in which plot: ui/runs/plot_spec.h. The user adds curves and plots, in menus or
+// by dragging a quantity from a list.
 //
 // One run speaks, the others whisper: the newest run, or the one under the pointer in a legend or in the list, is wide
 // and above the others, which are thin and pale. The automatic ranges are those of the newest run. A plot with one
@@ -10,6 +11,10 @@
 #pragma once
 
 #include <QAction>
+#include <QHBoxLayout>
+#include <QJsonObject>
+#include <QMenu>
+#include <QMimeData>
 #include <QStringList>
 #include <QVBoxLayout>
 #include <QWidget>
@@ -23,9 +28,11 @@
 
 #include "core/case/case.h"
 #include "ui/plot/plot_curve.h"
+#include "ui/runs/plot_spec.h"
 
 namespace touchdown {
 
+class DropHint;
 class PlotGroup;
 class PlotWidget;
 class RunsModel;
@@ -49,6 +56,7 @@ public:
     const std::vector<Entry>& plots() const { return entries_; }
     const Entry& entry(const QString& name) const;
     PlotWidget* plot(const QString& name) const { return entry(name).plot; }
+    const PlotSpec& spec(const QString& name) const;
     /// The case that is edited. Before its first run, the plots of the quantities that it will record are shown.
     void setCase(const Case& c);
     /// Shows these plots alone, whatever the user chose; nothing: as the user chose.
@@ -59,13 +67,54 @@ public:
     /// The run has ended: its last events, and its difference to the baseline.
     void runFinished(int number);
 
+    /// Those of the shown runs and of the case, each name once.
+    std::vector<Quantity> quantities() const;
+    /// A plot of the user's own, with this quantity over time; its name.
+    QString addPlot(const Quantity& up);
+    void removePlot(const QString& own);
+    /// Another curve in a plot. A sentence that says why not; empty: it is there.
+    QString addCurve(const QString& plot, const Quantity& quantity);
+    /// One that the user added.
+    void removeCurve(const QString& plot, const std::string& quantity);
+    /// What stands across a plot whose axes can be chosen, and what stands up; none: the time, what there is.
+    void setAxes(const QString& plot, const std::optional<Quantity>& across, const std::optional<Quantity>& up);
+
+    /// For the settings: the user's own plots and curves, which plots are shown, what stands on their axes.
+    QJsonObject arrangement() const;
+    /// At the start, before plots were added.
+    void restore(const QJsonObject& arrangement);
+
 signals:
     /// Curves were added or removed.
     void curvesChanged();
+    /// There are more or fewer plots().
+    void plotsChanged();
+    /// quantities() may have changed.
+    void quantitiesChanged();
+    /// Why a quantity that was dropped cannot stand where it was.
+    void refused(const QString& reason);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dragLeaveEvent(QDragLeaveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
-    struct Spec;
-    static const std::vector<Spec>& specs();
+    struct Drop {
+        std::optional<Quantity> quantity; // that is dragged
+        QString plot;                     // in which it would stand; empty: a plot of its own
+        QRect target;
+        QString text;
+        QString refusal;
+    };
+    Drop dropAt(const QPoint& at, const QMimeData& dragged) const;
+
+    void makePlot(std::size_t spec);
+    void placePlot(std::size_t spec);
+    void labelAxes(std::size_t spec);
+    void addMenus(const QString& plot);
+    std::size_t indexOf(const QString& name) const;
 
     void removeRun(int number);
     void rebuild();
@@ -76,22 +125,27 @@ private:
     const MinMaxPyramid* dataFor(const RunRecord& run, const std::string& quantity);
     void updateMarks();
     std::vector<PointMark> eventPoints(const RunRecord& run) const;
+    void updateWanted();
     void updateVisibility();
 
     RunsModel& runs_;
     PlotGroup* group_;
-    QVBoxLayout* layout_;
-    ModelKind model_ = ModelKind::Springs;                 // of the case
-    std::vector<std::string> ready_;                       // quantities that the case would record
-    std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
-    std::optional<QStringList> stage_;
-    std::vector<Entry> entries_;
+    QHBoxLayout* columns_;
+    QVBoxLayout *overTime_, *portraits_; // side by side
+    std::vector<PlotSpec> specs_;
+    ModelKind model_ = ModelKind::Springs;                          // of the case
+    bool rollIsHeld_ = true;                                        // in it
+    std::vector<Quantity> ready_;                                   // that the case would record
+    std::map<std::pair<ModelKind, QString>, bool> chosen_;          // whether a plot is wanted, as the user said
+    std::optional<QStringList> stage_;                              // the plots shown instead
+    std::vector<Entry> entries_;                                    // one for each of `specs_`
     std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
     int speaker_ = -1;                   // number of the run that was wide when curves were last made
     int leader_ = -1;                    // of the newest one shown
     std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made
     std::map<std::string, bool> wanted_; // by plot and quantity: what the user chose in the menus of the plots
     std::size_t marksShown_ = 0;
+    DropHint* hint_;
 };
 
 } // namespace touchdown

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/formats/units.h"
-#include "core/numerics/interval.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
+#include "ui/runs/cycle_areas.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
@@ -21,62 +21,6 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t mostMarks = 2000; // more are closer than a pixel
-
-using Outline = std::vector<std::pair<double, double>>;
-
-/// The net force on the pad on the way up from d_s to d_e; on the way down there is none.
-Outline forceOnTheWayUp(const OnoYamane& parameters)
-{
-    const OnoYamaneLaw law(parameters);
-    Outline way;
-    for (const ContactRegion region : {ContactRegion::Lifting, ContactRegion::Bridged}) {
-        const Interval holds = law.interval(region);
-        for (const double d : {holds.lower, holds.upper})
-            if (holds.lower < holds.upper)
-                way.emplace_back(d, law.contactForce(region, d) + law.adhesionForce(region, d));
-    }
-    return way;
-}
-
-/// The part of the area that encloses W in which the force pushes (sign 1: it creates energy) or pulls (-1: it takes
-/// energy), and that energy [J].
-std::pair<ShadedArea, double> cyclePart(const Outline& way, double sign)
-{
-    ShadedArea area;
-    area.style.colour = sign > 0.0 ? 1 : 6; // ink, as the marks of events
-    Outline& part = area.outline;
-    for (std::size_t i = 0; i < way.size(); ++i) {
-        const auto [d, force] = way[i];
-        if (i > 0 && way[i - 1].second * force < 0.0) { // it changes its sign
-            const auto [before, forceBefore] = way[i - 1];
-            part.emplace_back(before + forceBefore / (forceBefore - force) * (d - before), 0.0);
-        }
-        part.emplace_back(d, sign * std::max(0.0, sign * force));
-    }
-    double energy = 0.0;
-    for (std::size_t i = 1; i < part.size(); ++i)
-        energy += 0.5 * sign * (part[i].second + part[i - 1].second) * (part[i].first - part[i - 1].first);
-    if (!part.empty()) {
-        part.insert(part.begin(), {part.front().first, 0.0});
-        part.emplace_back(part.back().first, 0.0);
-    }
-    return {std::move(area), energy};
-}
-
-/// The areas that enclose W: one area where the law only takes energy. A part that creates energy is a second area with
-/// a colour and a name of its own.
-std::vector<ShadedArea> cycleAreas(const OnoYamane& parameters)
-{
-    const Outline way = forceOnTheWayUp(parameters);
-    auto [takes, taken] = cyclePart(way, -1.0);
-    auto [creates, created] = cyclePart(way, 1.0);
-    const auto energy = [](double value) { return QString::fromStdString(fewDigits(value, "pJ", 3)); };
-    takes.label = QStringLiteral("W = %1").arg(trueMinus(energy(OnoYamaneLaw(parameters).cycleWork())));
-    if (created <= 0.0) return {takes};
-    creates.label = LivePlots::tr("creates %1").arg(energy(created));
-    takes.label = LivePlots::tr("takes %1, %2").arg(energy(taken), takes.label);
-    return {takes, creates};
-}
 
 } // namespace
 
@@ -111,6 +55,11 @@ void LivePlots::updateMarks()
     forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
     std::vector<ShadedArea> areas;
     if (run && run->value.contact == ContactKind::OnoYamane) areas = cycleAreas(run->value.onoYamane);
+    if (run && run->finished() && run->value.contact == ContactKind::MultiAsperity) {
+        const MinMaxPyramid* separation = run->pyramid("minimum_spacing");
+        const MinMaxPyramid* force = run->pyramid("net_contact_force");
+        if (separation && force) areas = cycleAreas(*separation, *force);
+    }
     forces->setShadedAreas(std::move(areas));
     // A slider falls from heights without contact forces.
     const bool falls = run && run->value.model == ModelKind::Springs && run->value.contact == ContactKind::OnoYamane;

@@ -205,7 +205,7 @@ void RunMaps::takeFields(const RunRecord& run)
     {
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
-        for (const RunField& field : fields_) tabs_->setTabToolTip(tabs_->addTab(field.name), field.longName);
+        for (const RunField& field : fields_) tabs_->setTabToolTip(tabs_->addTab(field.name), field.kind.title);
         tabs_->setCurrentIndex(first == std::ssize(fields_) ? 0 : static_cast<int>(first));
     }
     view_->setKinds(std::move(kinds));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
@@ -13,6 +14,7 @@
 #include "ui/plot/spectrum_view.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
+#include "ui/runs/quantity_list.h"
 #include "ui/runs/replay_bar.h"
 #include "ui/runs/run_maps.h"
 #include "ui/runs/side_view.h"
@@ -51,10 +53,19 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
       tabs_(new QTabBar(this)),
       pages_(new QStackedWidget(this)),
       spectrumWanted_(new QAction(tr("Power spectrum"), this)),
-      sideWanted_(new QAction(tr("Side view above the plots"), this))
+      sideWanted_(new QAction(tr("Side view above the plots"), this)),
+      quantitiesWanted_(new QAction(tr("&List of quantities, to drag into plots"), this)),
+      quantities_(new QuantityList(this))
 {
+    auto* plotsAndList = new QWidget(this);
+    auto* plotsLayout = new QHBoxLayout(plotsAndList);
+    plotsLayout->setContentsMargins(0, 0, 0, 0);
+    plotsLayout->setSpacing(0);
+    plotsLayout->addWidget(plots_, 1);
+    plotsLayout->addWidget(quantities_);
+    quantities_->hide();
     splitter_->addWidget(above_);
-    splitter_->addWidget(plots_);
+    splitter_->addWidget(plotsAndList);
     splitter_->addWidget(spectrum_);
     splitter_->setStretchFactor(0, 1);
     splitter_->setStretchFactor(1, 2);
@@ -74,6 +85,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     spectrumWanted_->setCheckable(true);
     spectrumWanted_->setChecked(true);
     sideWanted_->setCheckable(true);
+    quantitiesWanted_->setCheckable(true);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -83,6 +95,9 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
     for (const QAction* wanted : {spectrumWanted_, sideWanted_})
         connect(wanted, &QAction::toggled, this, &RunView::showParts);
+    connect(quantitiesWanted_, &QAction::toggled, quantities_, &QWidget::setVisible);
+    connect(plots_, &LivePlots::quantitiesChanged, this, [this] { quantities_->setQuantities(plots_->quantities()); });
+    connect(quantities_, &QuantityList::plotWanted, plots_, &LivePlots::addPlot);
     // The cursor of the plots follows the time of the maps.
     connect(maps_, &RunMaps::timeChosen, plots_->group(), [this](double time) { plots_->group()->setCursor(0, time); });
     connect(plots_->group(), &PlotGroup::cursorMoved, side_, [this](int which) {
@@ -142,6 +157,23 @@ void RunView::showParts()
     const bool slider = model_ != ModelKind::Contact;
     spectrum_->setVisible(slider && (stage_ ? stage_->spectrum : spectrumWanted_->isChecked()));
     above_->setVisible(slider && (stage_ ? stage_->side : sideWanted_->isChecked()));
+}
+
+void RunView::fillPlotsMenu(QMenu& menu)
+{
+    menu.clear();
+    for (const LivePlots::Entry& entry : plots_->plots()) menu.addAction(entry.wanted);
+    menu.addAction(spectrumWanted_);
+    menu.addAction(sideWanted_);
+    menu.addSeparator();
+    auto* more = menu.addMenu(tr("&New plot of"));
+    connect(more, &QMenu::aboutToShow, this, [this, more] {
+        more->clear();
+        for (const Quantity& quantity : plots_->quantities())
+            more->addAction(QString::fromStdString(quantity.longName), this,
+                            [this, quantity] { plots_->addPlot(quantity); });
+    });
+    menu.addAction(quantitiesWanted_);
 }
 
 void RunView::fit()

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include <QAction>
+#include <QMenu>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStringList>
@@ -21,6 +22,7 @@ namespace touchdown {
 class DiskSurfaceView;
 class LivePlots;
 class LiveSpectrum;
+class QuantityList;
 class RunMaps;
 class RunsModel;
 class ReplayBar;
@@ -69,6 +71,11 @@ public:
     /// Whether the spectrum is wanted; a slow approach has none worth seeing.
     QAction* spectrumWanted() const { return spectrumWanted_; }
     QAction* sideWanted() const { return sideWanted_; }
+    /// Whether the list of quantities stands beside the plots.
+    QAction* quantitiesWanted() const { return quantitiesWanted_; }
+    QuantityList* quantities() const { return quantities_; }
+    /// Offers the plots, new ones, the spectrum and the list of quantities.
+    void fillPlotsMenu(QMenu& menu);
 
 private:
     void showParts();
@@ -89,8 +96,8 @@ private:
     QSplitter* splitter_;
     QTabBar* tabs_;
     QStackedWidget* pages_;
-    QAction* spectrumWanted_;
-    QAction* sideWanted_;
+    QAction *spectrumWanted_, *sideWanted_, *quantitiesWanted_;
+    QuantityList* quantities_;
 };
 
 } // namespace touchdown

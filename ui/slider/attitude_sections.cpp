@@ -7,6 +7,7 @@
 
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
 
@@ -60,20 +61,22 @@ AttitudeSection interest(const Case& c, const SteadyResult& r, const QLocale& lo
     return section;
 }
 
-AttitudeSection forces(const SteadyResult& r, const QLocale& locale)
+/// Pressures above ambient, as in the maps.
+AttitudeSection forces(const Case& c, const SteadyResult& r, const QLocale& locale)
 {
     const FilmForces& f = r.forces;
     const auto milli = [&](double newtons, double error = 0.0) { return withError(newtons, error, "mN", locale); };
     const auto torque = [&](double value) { return withError(value, 0.0, "uN m", locale); };
-    const auto pressure = [&](double value) { return withError(value, 0.0, "kPa", locale); };
+    const double ambient = airOf(c.air).pressure;
+    const auto pressure = [&](double value) { return withError(value - ambient, 0.0, "kPa", locale); };
     return {tr("Air bearing"),
             {QString(), tr("At x, y [mm]")},
             {{tr("Net force"), milli(f.net, r.discretisationError.load),
               std::isfinite(f.net) ? typeset(f.net / gramForce, 3, locale) + QStringLiteral("\u00A0gf") : QString()},
              {tr("Above ambient"), milli(f.positive), place(f.centreOfPositive, locale)},
              {tr("Below ambient"), milli(f.negative), place(f.centreOfNegative, locale)},
-             {tr("Peak pressure"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
-             {tr("Smallest pressure"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
+             {tr("Peak pressure above ambient"), pressure(f.maximumPressure), place(f.maximumAt, locale)},
+             {tr("Smallest pressure above ambient"), pressure(f.minimumPressure), place(f.minimumAt, locale)},
              {tr("Shear along x"), milli(f.shearX)},
              {tr("Shear along y"), milli(f.shearY)},
              {tr("Pitch torque"), torque(f.pitchTorque)},
@@ -172,7 +175,7 @@ std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult&
 {
     std::vector<AttitudeSection> sections;
     if (!result.pressure.empty()) {
-        sections = {attitude(result, locale),  interest(c, result, locale),   forces(result, locale),
+        sections = {attitude(result, locale),  interest(c, result, locale),   forces(c, result, locale),
                     stiffness(result, locale), sensitivities(result, locale), equilibria(result, locale)};
         std::erase_if(sections, [](const AttitudeSection& section) { return section.rows.empty(); });
     }

@@ -231,7 +231,8 @@ void SliderPlan::mouseReleaseEvent(QMouseEvent* event)
     pressedAt_.reset();
     unsetCursor();
     const SurfacePoint point = toSlider(event->position());
-    if (clicked && planArea().contains(event->position()) && onSlider(point)) emit chosen(point);
+    if (!clicked || !planArea().contains(event->position()) || !onSlider(point)) return;
+    event->modifiers().testFlag(Qt::ShiftModifier) ? secondChosen(point) : chosen(point);
 }
 
 void SliderPlan::mouseDoubleClickEvent(QMouseEvent*)
@@ -244,9 +245,8 @@ void SliderPlan::leaveEvent(QEvent*) { emit pointed(std::nullopt); }
 
 void SliderPlan::keyPressEvent(QKeyEvent* event)
 {
-    // Arrow keys with Shift are handled by the derived class.
     if (event->modifiers().testFlag(Qt::ShiftModifier) && event->key() != Qt::Key_Plus) {
-        event->ignore();
+        event->ignore(); // the derived class has other uses for arrow keys with Shift
         return;
     }
     switch (event->key()) {

@@ -5,8 +5,8 @@
 // flow, a key at the right. Or a piece of another surface, in mm or µm, without these names. Derived classes draw the
 // content.
 //
-// Mouse: wheel zooms about the pointer, drag moves, double click fits, click chooses a point.
-// Keys: arrows move, + and - zoom, Home fits.
+// Mouse: wheel zooms about the pointer, drag moves, double click fits, click chooses a point, Shift + click another
+// one. Keys: arrows move, + and - zoom, Home fits.
 #pragma once
 
 #include <functional>
@@ -79,6 +79,7 @@ signals:
     /// The pointer is over this point of the slider; nothing: it is no longer.
     void pointed(const std::optional<touchdown::SurfacePoint>& point);
     void chosen(const touchdown::SurfacePoint& point);
+    void secondChosen(const touchdown::SurfacePoint& point);
     void viewChanged();
 
 protected:

@@ -37,7 +37,7 @@ QString withPrefix(double value, const QString& unit, const QLocale& locale)
 
 QString unitText(std::string_view unit)
 {
-    static const QRegularExpression micro(QStringLiteral("\\bu(?=(m|rad|s|N|g|Pa|J)\\b)"));
+    static const QRegularExpression micro(QStringLiteral("\\bu(?=(m|rad|s|N|g|Pa|J|W)\\b)"));
     QString text = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
     text.replace(micro, QStringLiteral("µ"));
     text.replace(QLatin1String("^2"), QStringLiteral("²"));

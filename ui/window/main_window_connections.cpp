@@ -227,9 +227,11 @@ void MainWindow::connectView()
     };
     connect(group, &PlotGroup::historyChanged, this, updateHistory);
     updateHistory();
-    for (const LivePlots::Entry& entry : runs_->view()->plots()->plots()) actions_->plots->addAction(entry.wanted);
-    actions_->plots->addAction(runs_->view()->spectrumWanted());
-    actions_->plots->addAction(runs_->view()->sideWanted());
+    const auto fillPlots = [this] { runs_->view()->fillPlotsMenu(*actions_->plots); };
+    connect(runs_->view()->plots(), &LivePlots::plotsChanged, this, fillPlots);
+    fillPlots();
+    connect(runs_->view()->plots(), &LivePlots::refused, this,
+            [this](const QString& reason) { messages_->show(MessageStrip::Kind::Warning, reason); });
 
     connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);

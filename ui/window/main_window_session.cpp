@@ -10,6 +10,8 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QMessageBox>
 #include <QSettings>
 
@@ -18,6 +20,7 @@
 #include "ui/case/case_files.h"
 #include "ui/film/film_window.h"
 #include "ui/lists/record_panel.h"
+#include "ui/runs/live_plots.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
@@ -138,6 +141,8 @@ void MainWindow::saveArrangement()
         settings.setValue(QStringLiteral("window/font"), size->data());
     settings.setValue(QStringLiteral("runs/overlay"), runs_->panel()->overlay());
     settings.setValue(QStringLiteral("runs/side"), runs_->view()->sideWanted()->isChecked());
+    settings.setValue(QStringLiteral("runs/plots"),
+                      QJsonDocument(runs_->view()->plots()->arrangement()).toJson(QJsonDocument::Compact));
     settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
     settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
 }
@@ -154,6 +159,8 @@ void MainWindow::restoreArrangement()
     };
     check(actions_->theme, settings.value(QStringLiteral("window/theme"), QStringLiteral("system")));
     check(actions_->fontSize, settings.value(QStringLiteral("window/font"), 0));
+    const QByteArray plots = settings.value(QStringLiteral("runs/plots")).toByteArray();
+    runs_->view()->plots()->restore(QJsonDocument::fromJson(plots).object());
     runs_->panel()->setOverlay(settings.value(QStringLiteral("runs/overlay"), true).toBool());
     runs_->view()->sideWanted()->setChecked(settings.value(QStringLiteral("runs/side"), false).toBool());
     actions_->pace->setCurrentIndex(settings.value(QStringLiteral("runs/pace"), 0).toInt());

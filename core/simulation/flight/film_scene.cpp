@@ -130,7 +130,7 @@ RecordedFields filmMaps(const Case& c)
     maps.grid = gradedGrid(c.surface, c.slider.length, c.slider.width, std::min(mostCells, c.film.nodes[0] - 1),
                            std::min(mostCells, c.film.nodes[1] - 1));
     maps.quantities = {{"gap", "m", "nm", "Gap to the mean plane of the disk"},
-                       {"air_pressure", "Pa", "kPa", "Pressure of the air"}};
+                       {"air_pressure", "Pa", "kPa", "Pressure of the air, absolute"}};
     return maps;
 }
 

@@ -10,9 +10,11 @@
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/film/compare_page.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
 #include "ui/maps/fields_view.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
@@ -28,6 +30,7 @@ private slots:
     void initTestCase();
     void init();
     void showsPressureAboveAmbient();
+    void aPressureHasOneNumber();
     void showsGapAndRecess();
     void sectionsAreTheCellsOfARowAndAColumn();
     void sectionsAreSteps();
@@ -75,6 +78,31 @@ void TestFilmMaps::showsPressureAboveAmbient()
     for (const std::size_t cell : {std::size_t(0), std::size_t(777), result_.pressure.size() - 1})
         QCOMPARE(view_->map()->value(cell), result_.pressure[cell] - 101325.0);
     QCOMPARE(view_->map()->look().scale.position(0.0), 0.5);
+}
+
+/// The peak on the map, in the table of the attitude and beside other solutions; each says that it is above ambient.
+void TestFilmMaps::aPressureHasOneNumber()
+{
+    const double peak = *std::ranges::max_element(result_.pressure);
+    result_.forces.maximumPressure = peak;
+    const FieldMap* map = view_->map();
+    const QString onTheMap = fieldText(peak - 101325.0, map->look());
+    QCOMPARE(map->look().title, QStringLiteral("Pressure above ambient"));
+    QStringList inTheTable;
+    for (const AttitudeSection& section : attitudeSections(case_, result_))
+        for (const QStringList& row : section.rows)
+            if (row[0] == QStringLiteral("Peak pressure above ambient")) inTheTable = row;
+    QCOMPARE(inTheTable.value(1), onTheMap);
+    SolutionRecord record;
+    record.value = case_;
+    record.result = result_;
+    QString compared;
+    for (const ComparedRow& row : comparisonOf({&record}, -1).rows)
+        if (row.name == QStringLiteral("Peak pressure above ambient")) compared = row.values[0];
+    QCOMPARE(compared, onTheMap);
+    // The axis of the sections says it too, and the head of their numbers.
+    QCOMPARE(view_->sections()->alongX()->yAxis().label.title, QStringLiteral("p \u2212 p\u2080"));
+    QCOMPARE(view_->sections()->alongX()->curves()[0].name, QStringLiteral("Pressure above ambient"));
 }
 
 void TestFilmMaps::showsGapAndRecess()

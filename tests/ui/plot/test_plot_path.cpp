@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <QImage>
+#include <QPainter>
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -34,6 +36,9 @@ private slots:
     void piecesEndAtTheBorder();
     void phasePortraitIsACircle();
     void phasePortraitOfDifferentTimes();
+    void phasePortraitLosesNoSample();
+    void coveredLinesAreLeftOut();
+    void costIsBoundedWhereLinesAreLong();
     void leavesOutWhatIsStraight();
 };
 
@@ -126,6 +131,76 @@ void TestPlotPath::phasePortraitIsACircle()
     const auto [left, right] =
         std::minmax_element(path.begin(), path.end(), [](QPointF a, QPointF b) { return a.x() < b.x(); });
     QVERIFY(left->x() < 0.2501 && right->x() > 0.7499);
+}
+
+// A bounce that is a little different each time fills a disk of 320 px across with a million samples. One sample of its
+// own lies far outside.
+void TestPlotPath::phasePortraitLosesNoSample()
+{
+    constexpr int count = 1'000'000, alone = 777'777;
+    const QSizeF pixels(800.0, 400.0);
+    std::vector<double> times, x, y;
+    for (int i = 0; i < count; ++i) {
+        const double t = 0.31 * i, radius = std::abs(std::sin(1.7e-4 * t));
+        times.push_back(i);
+        x.push_back(i == alone ? 2.3 : radius * std::cos(t));
+        y.push_back(i == alone ? -2.3 : radius * std::sin(t));
+    }
+    MinMaxPyramid across, up;
+    across.append(times, x);
+    up.append(times, y);
+    const PlotAxis axes = axis(-2.5, 2.5);
+    const auto path = phasePath(across, up, {0.0, 1e6}, axes, axes, pixels);
+    QVERIFY2(path.size() < 200'000, qPrintable(QString::number(path.size())));
+    const QPointF spike(axes.position(2.3), axes.position(-2.3));
+    QVERIFY(std::ranges::find(path, spike) != path.end());
+    // Every sample is within a pixel of a line that is drawn.
+    QImage drawn(pixels.toSize(), QImage::Format_ARGB32_Premultiplied);
+    drawn.fill(Qt::white);
+    QPainter painter(&drawn);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::black, 3.0));
+    drawPath(painter, path, QRectF(QPointF(), pixels));
+    painter.end();
+    for (int i = 0; i < count; ++i) {
+        const QPoint at(static_cast<int>(axes.position(x[static_cast<std::size_t>(i)]) * 800.0),
+                        static_cast<int>((1.0 - axes.position(y[static_cast<std::size_t>(i)])) * 400.0));
+        if (drawn.pixelColor(at) == Qt::white) QFAIL(qPrintable(QString::number(i)));
+    }
+}
+
+// There, back on the same pixels, then on: the way back is left out, and the pen is lifted there.
+void TestPlotPath::coveredLinesAreLeftOut()
+{
+    const QSizeF pixels(100.0, 100.0);
+    const std::vector<QPointF> path{{0.105, 0.505}, {0.905, 0.505}, {0.105, 0.505}, {0.105, 0.905}};
+    const std::vector<QPointF> kept = withoutCovered(path, pixels);
+    QCOMPARE(kept.size(), std::size_t(5));
+    QVERIFY(kept[0] == path[0] && kept[1] == path[1] && std::isnan(kept[2].x()));
+    QVERIFY(kept[3] == path[2] && kept[4] == path[3]);
+    const auto pieces = insideArea(kept);
+    QCOMPARE(pieces.size(), std::size_t(2));
+    QCOMPARE(pieces[1].front(), path[2]);
+    QVERIFY(std::abs(pathLength(kept, pixels) - 120.0) < 1e-9);
+    // What lies outside is not drawn.
+    QVERIFY(withoutCovered({{1.1, 0.2}, {1.4, 0.8}}, pixels).empty());
+}
+
+// Once no line may be followed any further, the ends decide: here each is new, and each sample is still drawn.
+void TestPlotPath::costIsBoundedWhereLinesAreLong()
+{
+    const QSizeF pixels(100.0, 100.0);
+    std::vector<QPointF> path;
+    for (int i = 0; i < 200; ++i) path.emplace_back(i % 2 == 0 ? 0.005 : 0.995, 0.005 * i);
+    const auto drawnPixels = [&](std::size_t mostFollowed) {
+        const auto kept = withoutCovered(path, pixels, mostFollowed);
+        return std::ranges::all_of(path, [&](const QPointF& point) {
+            return std::ranges::any_of(kept, [&](const QPointF& other) {
+                return std::hypot(point.x() - other.x(), point.y() - other.y()) <= 0.0101;
+            });
+        });
+    };
+    QVERIFY(drawnPixels(30'000'000) && drawnPixels(50));
 }
 
 void TestPlotPath::phasePortraitOfDifferentTimes()

@@ -4,6 +4,7 @@
 #include "ui/runs/live_plots.h"
 
 #include <memory>
+#include <numbers>
 
 #include <QTest>
 
@@ -38,6 +39,9 @@ private slots:
     void remembersWhatWasChosenForAModel();
     void aBaselineLeavesTheWayAsItIs();
     void aHiddenCurveStaysHiddenInItsPlotAlone();
+    void showsVelocityAgainstHeight();
+    void anyQuantityStandsAgainstAny();
+    void aPortraitKeepsItsAxisBeforeTheFirstRun();
 
 private:
     bool visible(const char* name) const { return plots_->plot(QString::fromLatin1(name))->isVisibleTo(plots_.get()); }
@@ -246,6 +250,110 @@ void TestLivePlots::aHiddenCurveStaysHiddenInItsPlotAlone()
     runs_->add(sampleContactRun(2));
     QVERIFY(!forces()->curves()[5].visible);
     QVERIFY(plots_->plot(QStringLiteral("forces"))->curves()[5].visible);
+}
+
+/// Two runs of the case on springs: the height and the velocity of an oscillation about 100 nm, 10 us a period.
+void addSwinging(RunsModel& runs, int number, double amplitude)
+{
+    const Case c = openCase("fig10a").value;
+    const std::vector<Quantity> quantities = recordedQuantities(c);
+    auto run = std::make_unique<RunRecord>(number, c, "", quantities);
+    SampleBatch batch;
+    batch.columns.assign(quantities.size(), std::vector<double>(201, 0.0));
+    const auto column = [&](const char* name) -> std::vector<double>& {
+        return batch.columns[static_cast<std::size_t>(findQuantity(quantities, name))];
+    };
+    for (std::size_t i = 0; i <= 200; ++i) {
+        const double phase = 0.02 * std::numbers::pi * static_cast<double>(i);
+        batch.time.push_back(1e-7 * static_cast<double>(i));
+        column("height")[i] = 100e-9 + amplitude * std::cos(phase);
+        column("vertical_velocity")[i] = -amplitude * 2e5 * std::numbers::pi * std::sin(phase);
+    }
+    run->append(batch, {});
+    runs.add(std::move(run));
+}
+
+void TestLivePlots::showsVelocityAgainstHeight()
+{
+    plots_->setCase(openCase("fig10a").value);
+    addSwinging(*runs_, 1, 10e-9);
+    addSwinging(*runs_, 2, 20e-9);
+    QVERIFY(!visible("phase"));
+    plots_->entry(QStringLiteral("phase")).wanted->trigger();
+    QVERIFY(visible("phase"));
+    PlotWidget* phase = plots_->plot(QStringLiteral("phase"));
+    QCOMPARE(phase->title(), QStringLiteral("Phase portrait"));
+    QCOMPARE(phase->curves().size(), std::size_t(2));
+    for (int row : {0, 1}) {
+        const PlotCurve& curve = phase->curves()[static_cast<std::size_t>(row)];
+        QVERIFY(curve.data == runs_->record(row).pyramid("vertical_velocity"));
+        QVERIFY(curve.xData == runs_->record(row).pyramid("height"));
+        QCOMPARE(curve.pale, row == 0); // the newest one is wide
+    }
+    QCOMPARE(phase->xAxis().label.unit, QStringLiteral("nm"));
+    // The automatic range is that of the newest run: 80 to 120 nm, and beside the plots over time.
+    const auto range = phase->dataRangeX();
+    QVERIFY(range && std::abs(range->low - 80e-9) < 1e-13 && std::abs(range->high - 120e-9) < 1e-13);
+    plots_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(plots_.get()));
+    const PlotWidget* spacing = plots_->plot(QStringLiteral("spacing"));
+    QVERIFY(phase->x() >= spacing->x() + spacing->width());
+
+    // At 2.5 us, a quarter of a period, the dots are at 100 nm and the largest downward velocity of each run.
+    phase->refreshNow();
+    const QImage before = phase->grab().toImage();
+    plots_->group()->setCursor(0, 2.5e-6);
+    const QImage after = phase->grab().toImage();
+    for (const double amplitude : {10e-9, 20e-9}) {
+        const QPoint at = phase->toPixel(100e-9, -amplitude * 2e5 * std::numbers::pi).toPoint();
+        QVERIFY(after.pixelColor(at - QPoint(0, 2)) != before.pixelColor(at - QPoint(0, 2)));
+    }
+}
+
+void TestLivePlots::anyQuantityStandsAgainstAny()
+{
+    const QString name = QStringLiteral("phase");
+    plots_->setCase(openCase("fig10a").value);
+    addSwinging(*runs_, 1, 10e-9);
+    plots_->entry(name).wanted->trigger();
+    const std::vector<Quantity> quantities = plots_->quantities();
+    const auto quantity = [&](const char* wanted) {
+        return quantities[static_cast<std::size_t>(findQuantity(quantities, wanted))];
+    };
+    QCOMPARE(quantities.size(), recordedQuantities(runs_->record(0).value).size());
+    plots_->setAxes(name, quantity("pitch"), quantity("energy"));
+    const PlotWidget* plot = plots_->plot(name);
+    QVERIFY(plot->curves()[0].data == runs_->record(0).pyramid("energy"));
+    QVERIFY(plot->curves()[0].xData == runs_->record(0).pyramid("pitch"));
+    QCOMPARE(plot->xAxis().label.title, QStringLiteral("Pitch"));
+    QCOMPARE(plot->xAxis().label.factor, 1e-6);
+    QCOMPARE(plot->yAxis().label.factor, 1e-12);
+    QCOMPARE(plot->title(), QStringLiteral("Total energy without that of the contact against pitch"));
+    QCOMPARE(plots_->entry(name).wanted->text(), plot->title());
+    // The menu offers every quantity on both axes, with a mark at the present one.
+    const auto offered = [&](qsizetype menu) {
+        QMenu* axis = plot->actions()[menu]->menu();
+        emit axis->aboutToShow();
+        return axis->actions();
+    };
+    QCOMPARE(offered(2).size(), static_cast<qsizetype>(quantities.size()) + 1); // or the time
+    QCOMPARE(offered(3).size(), static_cast<qsizetype>(quantities.size()));
+    for (const QAction* action : offered(2)) QCOMPARE(action->isChecked(), action->text() == QStringLiteral("Pitch"));
+    offered(2).front()->trigger();
+    QVERIFY(!plot->isPhasePortrait() && plot->curves()[0].xData == nullptr);
+    QCOMPARE(plot->xAxis().range(), plots_->plot(QStringLiteral("spacing"))->xAxis().range());
+}
+
+void TestLivePlots::aPortraitKeepsItsAxisBeforeTheFirstRun()
+{
+    plots_->setCase(openCase("fig10a").value);
+    plots_->entry(QStringLiteral("phase")).wanted->trigger();
+    plots_->group()->setFirstRange(PlotRange{0.0, 1e-5});
+    addSwinging(*runs_, 1, 10e-9);
+    PlotWidget* phase = plots_->plot(QStringLiteral("phase"));
+    phase->refreshNow();
+    QVERIFY(phase->xAxis().range().low > 80e-9 && phase->xAxis().range().high < 120e-9);
+    QCOMPARE(phase->timeWindow(), std::optional(PlotRange{0.0, 1e-5}));
 }
 
 TOUCHDOWN_TEST(TestLivePlots)

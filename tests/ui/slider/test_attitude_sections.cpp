@@ -95,8 +95,10 @@ void TestAttitudeSections::printsForcesWithTheirPlaces()
              (QStringList{"14.70" + nbsp + "±" + nbsp + "0.05" + nbsp + "mN", "1.499" + nbsp + "gf"}));
     QCOMPARE(row(sections, "Air bearing", "Below ambient"),
              (QStringList{minus + "3.500" + nbsp + "mN", "0.500, 0.350"}));
-    // Absolute: 101.325 + 900 kPa.
-    QCOMPARE(row(sections, "Air bearing", "Peak pressure"), (QStringList{"1001" + nbsp + "kPa", "0.800, 0.350"}));
+    // Above ambient, as on the map: 900 kPa and -75 kPa.
+    QCOMPARE(row(sections, "Air bearing", "Peak pressure above ambient"),
+             (QStringList{"900.0" + nbsp + "kPa", "0.800, 0.350"}));
+    QCOMPARE(row(sections, "Air bearing", "Smallest pressure above ambient").front(), minus + "75.00" + nbsp + "kPa");
 }
 
 // 2.5e6 N/m = 2.5 mN/nm; 1200 N/rad = 1.2 mN/urad; -300 N m/m = -0.3 uN m/nm; 0.08 N m/rad = 0.08 uN m/urad.

@@ -477,6 +477,8 @@ void TestMainWindow::restoresTheSession()
         f.window.files().openNow(QStringLiteral("fig12a"));
         f.window.runWindow().panel()->setOverlay(false);
         f.choosePace(1e-4);
+        LivePlots* plots = f.window.runView().plots();
+        plots->addPlot(plots->quantities().front());
         for (QAction* action : f.window.actions().theme->actions())
             if (action->data() == QStringLiteral("dark")) action->trigger();
         f.window.close();
@@ -487,6 +489,9 @@ void TestMainWindow::restoresTheSession()
     QCOMPARE(window.files().sample(), QStringLiteral("fig12a"));
     QVERIFY(!window.runWindow().panel()->overlay());
     QCOMPARE(window.controller().pace(), 1e-4);
+    const LivePlots::Entry& own = window.runView().plots()->plots().back();
+    QCOMPARE(own.name, QStringLiteral("own 1"));
+    QVERIFY(window.actions().plots->actions().contains(own.wanted));
     QVERIFY(isDark(QApplication::palette()));
     applyTheme(Theme::Light);
 }
