@@ -85,21 +85,29 @@ void shortenFolds(std::vector<QPointF>& path, double pixel)
 
 } // namespace
 
-std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels)
+std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels, bool* waits)
 {
-    std::vector<QPointF> path = data.thinned(x.range().low, x.range().high, pixels, x.label.scale);
+    std::vector<QPointF> path = data.thinned(x.range().low, x.range().high, pixels, x.label.scale, waits);
     for (QPointF& point : path) point = {x.position(point.x()), y.position(point.y())};
     if (path.size() > static_cast<std::size_t>(pixels)) shortenFolds(path, 1.0 / pixels);
     return cutNearArea(path);
 }
 
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
-                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels)
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels, bool* waits)
 {
     constexpr std::size_t mostRead = 400'000;
     constexpr std::size_t mostDrawn = 20'000;
 
     const auto [begin, end] = yData.samplesWithin(window.low, window.high);
+    if (waits != nullptr) {
+        const bool times = yData.times()->column().atHand(begin, end);
+        const bool up = yData.values().atHand(begin, end), across = xData.values().atHand(begin, end);
+        if (!times || !up || !across) {
+            *waits = true;
+            return {};
+        }
+    }
     const std::size_t stride = 1 + (end - begin) / mostRead;
     std::vector<QPointF> path;
     // On multiples of the stride, so that a growing history does not choose other samples each time.

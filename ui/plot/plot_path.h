@@ -14,11 +14,14 @@
 namespace touchdown {
 
 /// A curve over x, thinned to the pixels and cut a little outside the area, so that no coordinate is too large to draw.
-std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels);
+/// `waits`: see MinMaxPyramid::thinned.
+std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels,
+                              bool* waits = nullptr);
 
-/// `yData` against `xData` within a window of time; points too close to be distinguished are omitted.
+/// `yData` against `xData` within a window of time; points too close to be distinguished are omitted. `waits`: as
+/// above, but then there are no points.
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
-                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels);
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels, bool* waits = nullptr);
 
 /// The parts of a line inside the area, cut at its border: for pictures whose format cannot clip.
 std::vector<QPolygonF> insideArea(const std::vector<QPointF>& path);

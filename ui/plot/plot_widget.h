@@ -121,7 +121,7 @@ public:
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;
-    std::vector<QPointF> curvePath(const PlotCurve& curve) const;
+    std::vector<QPointF> curvePath(const PlotCurve& curve, bool* waits = nullptr) const;
     /// The same for the screen, with fewer points.
     std::vector<QPointF> drawnPath(const PlotCurve& curve) const;
     /// Those of a phase portrait as they were drawn last, without those of the picture of still curves.
@@ -189,6 +189,7 @@ private:
     bool stale_ = true;
     bool everything_ = false;
     bool tightY_ = true;          // the next automatic y range takes no account of the present one
+    mutable bool waits_ = false;  // a curve is drawn coarsely until its samples are read from the disk
     double refreshSeconds_ = 0.0; // the last refresh took
     long long refreshes_ = 0;
 };
