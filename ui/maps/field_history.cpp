@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/style/unnamed_file.h"
+
 namespace touchdown {
 
 void FieldHistory::add(const FieldSnapshot& snapshot)
@@ -23,16 +25,66 @@ void FieldHistory::add(const FieldSnapshot& snapshot)
     }
     if (arrived++ % stride != 0) return;
     snapshots.push_back(snapshot);
+    onDisk.emplace_back();
     extremes.push_back(std::move(own));
     if (snapshots.size() * values <= capacity) return;
     stride *= 2;
     std::size_t held = 0;
     for (std::size_t i = 0; i < snapshots.size(); i += 2) {
         std::swap(extremes[held], extremes[i]);
+        std::swap(onDisk[held], onDisk[i]);
         std::swap(snapshots[held++], snapshots[i]);
     }
     snapshots.resize(held);
     extremes.resize(held);
+    onDisk.resize(held);
+}
+
+std::span<const double> FieldHistory::values(std::size_t index, std::size_t field) const
+{
+    const std::size_t cells = fields.grid.cells();
+    if (onDisk[index]) return {onDisk[index].get() + field * cells, cells};
+    return snapshots[index].values[field];
+}
+
+FieldSnapshot FieldHistory::snapshot(std::size_t index) const
+{
+    FieldSnapshot whole = snapshots[index];
+    for (std::size_t field = 0; onDisk[index] && field < fields.quantities.size(); ++field) {
+        const std::span<const double> stored = values(index, field);
+        whole.values.emplace_back(stored.begin(), stored.end());
+    }
+    return whole;
+}
+
+void FieldHistory::moveToDisk(double time, std::shared_ptr<const double[]> values)
+{
+    for (std::size_t i = 0; i < snapshots.size(); ++i) {
+        if (snapshots[i].time != time || onDisk[i]) continue;
+        snapshots[i].values = {};
+        onDisk[i] = std::move(values);
+        return;
+    }
+}
+
+void FieldHistory::letGo() const
+{
+    for (const auto& each : onDisk)
+        if (each) touchdown::letGo({each.get(), fields.quantities.size() * fields.grid.cells()});
+}
+
+std::size_t FieldHistory::bytesInMemory() const
+{
+    std::size_t numbers = 0;
+    for (const FieldSnapshot& snapshot : snapshots)
+        for (const std::vector<double>& each : snapshot.values) numbers += each.size();
+    return numbers * sizeof(double);
+}
+
+std::size_t FieldHistory::bytesOnDisk() const
+{
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(onDisk, [](const auto& each) { return !!each; }));
+    return count * fields.quantities.size() * fields.grid.cells() * sizeof(double);
 }
 
 PlotRange FieldHistory::usualRange(std::size_t field) const

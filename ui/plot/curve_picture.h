@@ -22,6 +22,8 @@ public:
     void update(const PlotWidget& plot);
     /// The next update draws all anew: for other data at the same place.
     void forget() { drawn_.clear(), image_ = {}; }
+    /// The next update draws all anew; until then the picture stays.
+    void expire() { view_ = {}; }
     /// At the plot area.
     void paint(QPainter& painter, const QRectF& area) const;
     /// Lines drawn since the beginning: does not grow while nothing changes.

@@ -131,20 +131,29 @@ private:
 
 } // namespace
 
-std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels)
+std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels, bool* waits)
 {
-    std::vector<QPointF> path = data.thinned(x.range().low, x.range().high, pixels, x.label.scale);
+    std::vector<QPointF> path = data.thinned(x.range().low, x.range().high, pixels, x.label.scale, waits);
     for (QPointF& point : path) point = {x.position(point.x()), y.position(point.y())};
     if (path.size() > static_cast<std::size_t>(pixels)) shortenFolds(path, 1.0 / pixels);
     return cutNearArea(path);
 }
 
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
-                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels, std::size_t mostWhole)
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels, bool* waits,
+                               std::size_t mostWhole)
 {
     constexpr double apart = 0.7; // [px]
 
     const auto [begin, end] = yData.samplesWithin(window.low, window.high);
+    if (waits != nullptr) {
+        const bool times = yData.times()->column().atHand(begin, end);
+        const bool up = yData.values().atHand(begin, end), across = xData.values().atHand(begin, end);
+        if (!times || !up || !across) {
+            *waits = true;
+            return {};
+        }
+    }
     std::vector<QPointF> path;
     QPointF last(-1e9, -1e9);
     for (std::size_t i = begin; i < end; ++i) {

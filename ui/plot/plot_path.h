@@ -14,12 +14,15 @@
 namespace touchdown {
 
 /// A curve over x, thinned to the pixels and cut a little outside the area, so that no coordinate is too large to draw.
-std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels);
+/// `waits`: see MinMaxPyramid::thinned.
+std::vector<QPointF> timePath(const MinMaxPyramid& data, const PlotAxis& x, const PlotAxis& y, int pixels,
+                              bool* waits = nullptr);
 
 /// `yData` against `xData` within a window of time, from every sample held; points closer than 0.7 pixels to the last
-/// one are omitted. A path of more than `mostWhole` points is drawn in parts: see withoutCovered().
+/// one are omitted. A path of more than `mostWhole` points is drawn in parts: see withoutCovered(). `waits`: as above,
+/// but then there are no points.
 std::vector<QPointF> phasePath(const MinMaxPyramid& xData, const MinMaxPyramid& yData, const PlotRange& window,
-                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels,
+                               const PlotAxis& x, const PlotAxis& y, const QSizeF& pixels, bool* waits = nullptr,
                                std::size_t mostWhole = 20'000);
 
 /// The lines of `path` inside the area, in the order of time, that pass at least one pixel through which no line before

@@ -163,6 +163,7 @@ void PlotWidget::refreshNow()
     clock.start();
     refreshTimer_.stop();
     stale_ = false;
+    waits_ = false;
     refreshRanges();
     stillPicture_.update(*this);
     phasePaths_.clear();
@@ -172,7 +173,7 @@ void PlotWidget::refreshNow()
     for (const bool pale : {true, false})
         for (std::size_t i = 0; i < curves_.size(); ++i) {
             const PlotCurve& curve = curves_[i];
-            if (curve.pale != pale || (pale && CurvePicture::holds(curve))) continue;
+            if (!curve.visible || curve.pale != pale || (pale && CurvePicture::holds(curve))) continue;
             lines.push_back({&curve, drawnPath(curve)});
             if (curve.xData != nullptr) phasePaths_[i] = lines.back().path;
         }
@@ -180,6 +181,9 @@ void PlotWidget::refreshNow()
     canvas_->repaintAll();
     ++refreshes_;
     refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());
+    if (!waits_) return;
+    stillPicture_.expire();
+    refreshWithin(laterRefresh);
 }
 
 bool PlotWidget::isPhasePortrait() const
@@ -201,18 +205,23 @@ std::vector<std::vector<QPointF>> PlotWidget::curvePaths() const
     return paths;
 }
 
-std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve) const { return curvePath(curve, plotArea().size()); }
+std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve, bool* waits) const
+{
+    return curvePath(curve, plotArea().size(), waits);
+}
 
-std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve, const QSizeF& size) const
+std::vector<QPointF> PlotWidget::curvePath(const PlotCurve& curve, const QSizeF& size, bool* waits) const
 {
     if (!curve.visible || curve.data == nullptr) return {};
-    if (curve.xData == nullptr) return timePath(*curve.data, x_, y_, static_cast<int>(size.width()));
-    return phasePath(*curve.xData, *curve.data, timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL}), x_, y_, size);
+    if (curve.xData == nullptr) return timePath(*curve.data, x_, y_, static_cast<int>(size.width()), waits);
+    return phasePath(*curve.xData, *curve.data, timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL}), x_, y_, size,
+                     waits);
 }
 
 std::vector<QPointF> PlotWidget::drawnPath(const PlotCurve& curve) const
 {
-    return curve.xData == nullptr ? withoutStraightPoints(curvePath(curve), plotArea().size()) : curvePath(curve);
+    return curve.xData == nullptr ? withoutStraightPoints(curvePath(curve, &waits_), plotArea().size())
+                                  : curvePath(curve, &waits_);
 }
 
 void PlotWidget::hoverLegend(const QPointF& pixel)

@@ -127,9 +127,9 @@ public:
     std::function<void(QIODevice&)> dataWriter() const override;
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;
-    std::vector<QPointF> curvePath(const PlotCurve& curve) const;
+    std::vector<QPointF> curvePath(const PlotCurve& curve, bool* waits = nullptr) const;
     /// With the details that an area of that size can show [px].
-    std::vector<QPointF> curvePath(const PlotCurve& curve, const QSizeF& size) const;
+    std::vector<QPointF> curvePath(const PlotCurve& curve, const QSizeF& size, bool* waits = nullptr) const;
     /// The same for the screen, with fewer points.
     std::vector<QPointF> drawnPath(const PlotCurve& curve) const;
     /// Those of a phase portrait as they were drawn last, without those of the picture of still curves.
@@ -198,6 +198,7 @@ private:
     bool everything_ = false;
     bool phase_ = false;
     bool tightY_ = true;          // the next automatic y range takes no account of the present one
+    mutable bool waits_ = false;  // a curve is drawn coarsely until its samples are read from the disk
     double refreshSeconds_ = 0.0; // the last refresh took
     long long refreshes_ = 0;
 };

@@ -40,7 +40,7 @@ std::unique_ptr<MinMaxPyramid> difference(const MinMaxPyramid& run, const MinMax
         times.push_back(run.time(k));
         values.push_back(run.value(k) - *other);
     }
-    auto made = std::make_unique<MinMaxPyramid>(RunRecord::capacity);
+    auto made = std::make_unique<MinMaxPyramid>(run.times());
     made->append(times, values);
     return made;
 }
@@ -217,6 +217,10 @@ void LivePlots::rebuild()
     for (int row = 0; row < runs_.count(); ++row)
         if (runs_.record(row).shown) drawn_.insert(runs_.record(row).number);
     for (std::size_t s = 0; s < specs_.size(); ++s) entries_[s].plot->setCurves(curvesOf(s));
+    std::erase_if(differences_, [this](const auto& item) {
+        return std::ranges::none_of(
+            drawn_, [&item](int number) { return item.first.startsWith(QStringLiteral("run %1/").arg(number)); });
+    });
     updateMarks();
     updateVisibility();
     emit curvesChanged();
@@ -291,7 +295,7 @@ const MinMaxPyramid* LivePlots::dataFor(const RunRecord& run, const std::string&
     if (!own || !baseline) return own;
     if (baseline == &run) return nullptr;
     const MinMaxPyramid* other = baseline->pyramid(quantity);
-    if (!other || !run.finished()) return nullptr;
+    if (!other || !run.finished() || !run.shown) return nullptr;
     std::unique_ptr<MinMaxPyramid>& made = differences_[curveId(run, quantity)];
     if (!made) made = difference(*own, *other);
     return made.get();

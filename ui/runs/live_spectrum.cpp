@@ -165,6 +165,8 @@ void LiveSpectrum::compute(const RunRecord& run)
     for (auto kept = first; kept != last; ++kept)
         if (kept->second.quantity == quantity && kept->second.options == options)
             return show(kept->second.spectrum, kept->second.peaks);
+    if (run.finished() && static_cast<double>(run.sampleCount()) > mostLiveSamples)
+        return computeElsewhere(run, quantity, options);
     // During a long run the spectrum is that of its newest part, at the end that of the whole run.
     const double recent = run.lastTime() - mostLiveSamples * run.value.run.sampleInterval;
     const double start = run.finished() ? run.value.spectrum.start : std::max(run.value.spectrum.start, recent);
@@ -173,10 +175,39 @@ void LiveSpectrum::compute(const RunRecord& run)
     if (spectrum.empty()) return;
     const std::vector<Peak> peaks = findPeaks(spectrum, options.scaling);
     show(spectrum, peaks);
-    if (!run.finished()) return;
+    if (run.finished()) keep(run.number, {quantity, options, std::move(spectrum), peaks});
+}
+
+void LiveSpectrum::keep(int number, Kept kept)
+{
     constexpr std::size_t mostKept = 4; // of a run
-    if (kept_.count(run.number) >= mostKept) kept_.erase(kept_.lower_bound(run.number));
-    kept_.emplace(run.number, Kept{quantity, options, std::move(spectrum), peaks});
+    if (kept_.count(number) >= mostKept) kept_.erase(kept_.lower_bound(number));
+    kept_.emplace(number, std::move(kept));
+}
+
+void LiveSpectrum::computeElsewhere(const RunRecord& run, const std::string& quantity, const WelchOptions& options)
+{
+    const auto same = [quantity, options](const auto& each) {
+        return each.second.quantity == quantity && each.second.options == options;
+    };
+    const auto [first, last] = begun_.equal_range(run.number);
+    if (std::any_of(first, last, same)) return;
+    begun_.emplace(run.number, Kept{quantity, options, {}, {}});
+    auto made = std::make_shared<Kept>(Kept{quantity, options, {}, {}});
+    queue_.post(
+        [made, signal = signalOf(run, quantity, run.value.spectrum.start)] {
+            made->spectrum = spectrumOf(signal, made->options);
+            made->peaks = findPeaks(made->spectrum, made->options.scaling);
+            return QString();
+        },
+        [this, made, same, number = run.number](const QString&) {
+            const auto [from, to] = begun_.equal_range(number);
+            if (const auto begun = std::find_if(from, to, same); begun != to) begun_.erase(begun);
+            ++computed_;
+            if (!runs_.find(number) || made->spectrum.empty()) return;
+            keep(number, std::move(*made));
+            runFinished(number); // shows it, if it is still what is wanted
+        });
 }
 
 /// Until the newest run has a spectrum, the one before it leads.

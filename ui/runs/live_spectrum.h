@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Keeps the spectra of the shown runs up to date: at most four times a second while a run goes, in full when it has
-// ended. The spectrum of a run that has ended is computed once for each quantity and choice of options.
+// ended. The spectrum of a run that has ended is computed once for each quantity and choice of options; that of a long
+// run on another thread.
 #pragma once
 
 #include <QTimer>
@@ -17,6 +18,7 @@
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/quantity.h"
 #include "core/simulation/reference_frequencies.h"
+#include "ui/calculation/task_queue.h"
 
 namespace touchdown {
 
@@ -49,30 +51,35 @@ protected:
     void showEvent(QShowEvent* event) override;
 
 private:
-    void recomputeAll();
-    void computeStale();
-    void compute(const RunRecord& run);
-    void restyle();
-    void updateReferences();
-
-    RunsModel& runs_;
-    SpectrumView* view_;
-    QTimer timer_;
-    QElapsedTimer last_;  // since the last computation
-    std::set<int> stale_; // numbers of runs
-    int leader_ = -1;     // number of the run whose case gives the reference frequencies
     struct Kept {
         std::string quantity;
         WelchOptions options;
         Spectrum spectrum;
         std::vector<Peak> peaks;
     };
-    std::multimap<int, Kept> kept_; // by number of the run, whole runs only
-    std::set<int> whole_;           // numbers of the runs whose last spectrum is shown
+
+    void recomputeAll();
+    void computeStale();
+    void compute(const RunRecord& run);
+    void computeElsewhere(const RunRecord& run, const std::string& quantity, const WelchOptions& options);
+    void keep(int number, Kept kept);
+    void restyle();
+    void updateReferences();
+
+    RunsModel& runs_;
+    SpectrumView* view_;
+    QTimer timer_;
+    QElapsedTimer last_;             // since the last computation
+    std::set<int> stale_;            // numbers of runs
+    int leader_ = -1;                // number of the run whose case gives the reference frequencies
+    std::multimap<int, Kept> kept_;  // by number of the run, whole runs only
+    std::set<int> whole_;            // numbers of the runs whose last spectrum is shown
+    std::multimap<int, Kept> begun_; // on the other thread, without spectra
     long long computed_ = 0;
     std::vector<Quantity> offered_;
     struct FilmModes;
     std::unique_ptr<FilmModes> filmModes_; // nullptr: none are known
+    TaskQueue queue_{this};
 };
 
 } // namespace touchdown

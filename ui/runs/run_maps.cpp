@@ -269,7 +269,8 @@ void RunMaps::showSnapshot()
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         if (fields_[i].set != set_) continue;
         const double zero = fields_[i].aboveAmbient ? ambient : 0.0;
-        values[i] = history->snapshots[index].values[fields_[i].field];
+        const std::span<const double> recorded = history->values(index, fields_[i].field);
+        values[i].assign(recorded.begin(), recorded.end());
         for (double& value : values[i]) value -= zero;
         const PlotRange range = history->usualRange(fields_[i].field);
         ranges[i] = {range.low - zero, range.high - zero};
@@ -280,7 +281,7 @@ void RunMaps::showSnapshot()
     reading_->setToolTip(
         history->stride == 1
             ? QString()
-            : tr("The run recorded more snapshots than are kept in memory. One in %1 is shown.").arg(history->stride));
+            : tr("The run recorded more snapshots than are kept. One in %1 is shown.").arg(history->stride));
 }
 
 QString RunMaps::readingText(const RunRecord& shown, const FieldHistory& history, std::size_t index) const

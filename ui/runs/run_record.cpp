@@ -24,11 +24,10 @@ namespace {
 
 QString incompleteProblem(const RunRecord& record)
 {
-    return tr("Run %1 has %2 samples and %3 snapshots of fields, more than are kept in memory; switch on \"Record to "
-              "file\" before such a run "
-              "to keep them all.")
+    return tr("Run %1 has %2 snapshots of fields, more than are kept; switch on \"Record to file\" before such a run "
+              "to "
+              "keep them all.")
         .arg(record.number)
-        .arg(record.sampleCount())
         .arg(record.snapshotsArrived());
 }
 
@@ -56,10 +55,7 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
     name = QString::fromStdString(c.title);
     value = c;
     for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
-    const auto expected = static_cast<std::size_t>(c.run.duration / c.run.sampleInterval) + 2;
-    // A full pyramid needs some milliseconds to make room. With different capacities they are full at different times.
-    // The first is the smallest, see complete().
-    for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(capacity + i * capacityStep, expected);
+    for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(times);
 }
 
 void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
@@ -67,9 +63,15 @@ void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& ne
 {
     for (std::size_t i = 0; i < std::min(columns.size(), batch.columns.size()); ++i)
         columns[i].append(batch.time, batch.columns[i]);
-    arrived += batch.size();
     events.insert(events.end(), newEvents.begin(), newEvents.end());
     for (const FieldSnapshot& snapshot : newFields) fields[snapshot.set].add(snapshot);
+}
+
+void RunRecord::finish(const Summary& ended)
+{
+    summary = ended;
+    times->shrink();
+    for (MinMaxPyramid& column : columns) column.shrink();
 }
 
 const MinMaxPyramid* RunRecord::pyramid(std::string_view quantity) const
@@ -82,7 +84,7 @@ std::optional<double> RunRecord::last(std::string_view quantity) const
 {
     const MinMaxPyramid* column = pyramid(quantity);
     if (!column || column->empty()) return std::nullopt;
-    return column->value(column->size() - 1);
+    return column->lastValue();
 }
 
 std::optional<EndHeight> endHeight(const RunRecord& run)
@@ -106,19 +108,57 @@ std::size_t RunRecord::snapshotsArrived() const
     return count;
 }
 
-SampleBatch RunRecord::samples() const
+SampleBatch RunRecord::samples(std::size_t part) const
 {
     SampleBatch batch;
-    if (columns.empty()) return batch;
-    const std::size_t count = columns.front().size();
-    batch.time.reserve(count);
-    for (std::size_t k = 0; k < count; ++k) batch.time.push_back(columns.front().time(k));
+    const std::span<const double> at = times->column().piece(part);
+    batch.time.assign(at.begin(), at.end());
     for (const MinMaxPyramid& column : columns) {
         std::vector<double>& values = batch.columns.emplace_back();
-        values.reserve(count);
-        for (std::size_t k = 0; k < count; ++k) values.push_back(column.value(k));
+        if (column.times() == times && column.size() == times->size()) {
+            const std::span<const double> all = column.values().piece(part);
+            values.assign(all.begin(), all.end());
+            continue;
+        }
+        // A damaged file had no number there.
+        for (const double time : at)
+            values.push_back(column.valueAt(time).value_or(column.empty() ? 0.0 : column.lastValue()));
     }
     return batch;
+}
+
+std::vector<SampleColumn*> RunRecord::numbers()
+{
+    std::vector<SampleColumn*> all{&times->column()};
+    for (MinMaxPyramid& column : columns) all.push_back(&column.values());
+    for (MinMaxPyramid& column : columns)
+        if (column.times() != times) all.push_back(&column.times()->column());
+    return all;
+}
+
+std::size_t RunRecord::bytesInMemory() const
+{
+    std::size_t bytes = times->bytesInMemory() + events.capacity() * sizeof(RunEvent);
+    for (const MinMaxPyramid& column : columns)
+        bytes += column.bytesInMemory() + (column.times() == times ? 0 : column.times()->bytesInMemory());
+    for (const FieldHistory& history : fields) bytes += history.bytesInMemory();
+    return bytes;
+}
+
+std::size_t RunRecord::bytesOnDisk() const
+{
+    std::size_t bytes = times->column().bytesOnDisk();
+    for (const MinMaxPyramid& column : columns)
+        bytes += column.values().bytesOnDisk() + (column.times() == times ? 0 : column.times()->column().bytesOnDisk());
+    for (const FieldHistory& history : fields) bytes += history.bytesOnDisk();
+    return bytes;
+}
+
+void RunRecord::letGo() const
+{
+    times->column().letGo();
+    for (const MinMaxPyramid& column : columns) column.values().letGo();
+    for (const FieldHistory& history : fields) history.letGo();
 }
 
 double RunRecord::lastTime() const
@@ -128,7 +168,7 @@ double RunRecord::lastTime() const
 
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem)
 {
-    const StoredRun stored = readResults(std::filesystem::path(file.toStdString()));
+    StoredRun stored = readResults(std::filesystem::path(file.toStdString()));
     if (!stored.problem.empty()) {
         problem = QString::fromStdString(stored.problem);
         return nullptr;
@@ -140,7 +180,12 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     record->name = QString::fromStdString(stored.title);
     record->file = file;
     record->fromFile = true;
-    record->append(stored.samples, {}, stored.fields);
+    // What the record has is freed at once: a long run would be in memory twice.
+    for (std::size_t i = 0; i < stored.samples.columns.size(); ++i) {
+        record->columns[i].append(stored.samples.time, stored.samples.columns[i]);
+        stored.samples.columns[i] = {};
+    }
+    for (FieldSnapshot& snapshot : stored.fields) record->append({}, {}, {std::exchange(snapshot, {})});
     Summary summary;
     summary.status = statusFromName(stored.status);
     summary.message = stored.message;
@@ -156,7 +201,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
 
 QString saveHdf5(const RunRecord& record, const QString& file)
 {
-    const bool held = record.complete() && record.fieldsComplete();
+    const bool held = record.fieldsComplete();
     if (const QString whole = wholeFile(record); !whole.isEmpty() && (record.fromFile || !held))
         return copyWholeFile(whole, file);
     if (!held) return incompleteProblem(record);
@@ -165,9 +210,11 @@ QString saveHdf5(const RunRecord& record, const QString& file)
     for (const FieldHistory& history : record.fields) sets.push_back(history.fields);
     std::string problem =
         writer.open(std::filesystem::path(file.toStdString()), record.value, record.caseText, record.quantities, sets);
-    if (problem.empty()) problem = writer.append(record.samples());
+    for (std::size_t part = 0; part < record.parts() && problem.empty(); ++part)
+        problem = writer.append(record.samples(part));
     for (const FieldHistory& history : record.fields)
-        if (problem.empty()) problem = writer.append({}, history.snapshots);
+        for (std::size_t i = 0; i < history.snapshots.size() && problem.empty(); ++i)
+            problem = writer.append({}, {history.snapshot(i)});
     for (const Quantity& quantity : record.quantities) {
         if (!problem.empty() || quantity.name != "minimum_spacing") continue;
         const Spectrum spectrum =
@@ -181,26 +228,43 @@ QString saveHdf5(const RunRecord& record, const QString& file)
 
 QString saveTimeSeries(const RunRecord& record, const QString& file)
 {
-    if (!record.complete()) return incompleteProblem(record);
     CsvWriter writer;
     std::string problem = writer.open(std::filesystem::path(file.toStdString()), record.quantities);
-    if (problem.empty()) problem = writer.append(record.samples());
+    for (std::size_t part = 0; part < record.parts() && problem.empty(); ++part)
+        problem = writer.append(record.samples(part));
     if (problem.empty()) problem = writer.close();
     return QString::fromStdString(problem);
 }
 
-Spectrum spectrumOf(const RunRecord& record, std::string_view quantity, const WelchOptions& options, double start)
+Signal signalOf(const RunRecord& record, std::string_view quantity, double start)
 {
     const MinMaxPyramid* column = record.pyramid(quantity);
-    if (!column || column->empty() || !record.complete()) return {};
+    if (!column || column->empty()) return {};
     const auto [begin, end] = column->samplesWithin(start, column->lastTime());
     if (end - begin < 8) return {};
+    Signal signal;
     // Samples are evenly spaced except for the last, which may come at the end of a run that broke off.
-    const double interval = column->time(begin + 1) - column->time(begin);
-    std::vector<double> signal;
-    signal.reserve(end - begin);
-    for (std::size_t k = begin; k < end; ++k) signal.push_back(column->value(k));
-    return welch(signal, interval, options);
+    signal.interval = column->time(begin + 1) - column->time(begin);
+    for (std::size_t k = begin; k < end;) {
+        const std::size_t piece = k / SampleColumn::pieceSize;
+        const std::size_t next = std::min(end, (piece + 1) * SampleColumn::pieceSize);
+        signal.parts.push_back(column->values().piece(piece).subspan(k % SampleColumn::pieceSize, next - k));
+        signal.owners.push_back(column->values().owner(piece));
+        k = next;
+    }
+    return signal;
+}
+
+Spectrum spectrumOf(const Signal& signal, const WelchOptions& options)
+{
+    std::vector<double> samples;
+    for (const std::span<const double> part : signal.parts) samples.insert(samples.end(), part.begin(), part.end());
+    return samples.empty() ? Spectrum{} : welch(samples, signal.interval, options);
+}
+
+Spectrum spectrumOf(const RunRecord& record, std::string_view quantity, const WelchOptions& options, double start)
+{
+    return spectrumOf(signalOf(record, quantity, start), options);
 }
 
 } // namespace touchdown

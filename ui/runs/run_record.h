@@ -2,15 +2,16 @@
 //
 // One run as the window holds it: its case, its samples, its events, how it ended.
 //
-// A pyramid holds the samples of a quantity, at most a fixed number; beyond that only the extremes are kept (see
-// `complete`). Pyramids do not move, so that curves may point to them. Snapshots of fields are bounded too (see
-// FieldHistory).
+// A pyramid holds the samples of a quantity. Pyramids do not move, so that curves may point to them. What takes too
+// much memory is on the disk (RunMemory); whoever reads samples does not notice. The number of snapshots of fields is
+// bounded (see FieldHistory).
 #pragma once
 
 #include <cstddef>
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,10 +30,6 @@ struct Spectrum;
 struct WelchOptions;
 
 struct RunRecord : ListedRecord {
-    /// Samples held of each quantity, at least.
-    static constexpr std::size_t capacity = std::size_t(1) << 20;
-    static constexpr std::size_t capacityStep = std::size_t(1) << 14; // between one quantity and the next
-
     /// Values of all fields of all snapshots, shared by the sets: 256 MB.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
@@ -44,28 +41,34 @@ struct RunRecord : ListedRecord {
 
     void append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
                 const std::vector<FieldSnapshot>& newFields = {});
-    void finish(const Summary& ended) { summary = ended; }
+    void finish(const Summary& ended);
     bool finished() const { return summary.has_value(); }
 
     /// nullptr if the run does not record it, or has no sample yet.
     const MinMaxPyramid* pyramid(std::string_view quantity) const;
     /// The last sample; nothing if there is none.
     std::optional<double> last(std::string_view quantity) const;
-    std::size_t sampleCount() const { return arrived; }
-    /// Whether every sample is still held.
-    bool complete() const { return columns.empty() || columns.front().size() == arrived; }
+    std::size_t sampleCount() const { return times->size(); }
     /// Whether every snapshot is still held.
     bool fieldsComplete() const;
     std::size_t snapshotsArrived() const;
-    /// All samples held; only of a complete record.
-    SampleBatch samples() const;
+    /// The samples in parts, one after another, for writers: together they may not fit into memory.
+    std::size_t parts() const { return times->column().pieces(); }
+    SampleBatch samples(std::size_t part) const;
     double lastTime() const; // [s]
+
+    /// All columns of numbers: the times first.
+    std::vector<SampleColumn*> numbers();
+    std::size_t bytesInMemory() const;
+    std::size_t bytesOnDisk() const;
+    /// The process holds pages of what is on the disk no longer.
+    void letGo() const;
 
     QString label; // what changed: "FH(0) 20 nm"; see RunsModel
     std::string caseText;
     std::vector<Quantity> quantities;
+    std::shared_ptr<SampleTimes> times = std::make_shared<SampleTimes>();
     std::deque<MinMaxPyramid> columns; // in the order of `quantities`
-    std::size_t arrived = 0;
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
@@ -89,6 +92,15 @@ QString saveHdf5(const RunRecord& record, const QString& file);
 /// The time series as CSV.
 QString saveTimeSeries(const RunRecord& record, const QString& file);
 
+/// Samples of a quantity, for another thread: they stay as they are whatever happens to the record.
+struct Signal {
+    double interval = 0.0; // between samples [s]
+    std::vector<std::span<const double>> parts;
+    std::vector<std::shared_ptr<const double[]>> owners; // of the parts
+};
+/// From `start` [s] on; without parts while there is too little for a spectrum.
+Signal signalOf(const RunRecord& record, std::string_view quantity, double start);
+Spectrum spectrumOf(const Signal& signal, const WelchOptions& options);
 /// The power spectrum of a quantity over what the record holds, from `start` on; empty while there is too little.
 Spectrum spectrumOf(const RunRecord& record, std::string_view quantity, const WelchOptions& options, double start);
 

@@ -40,6 +40,7 @@ RunWindow::RunWindow(QWidget* parent)
 RunWindow::~RunWindow()
 {
     runs_.disconnect();
+    memory_.disconnect();
     controller_.disconnect();
 }
 
@@ -72,6 +73,7 @@ void RunWindow::onDelivered(const RunDelivery& delivery)
     view_->spectrum()->dataArrived(number_);
     for (SideView* side : view_->sides()) side->dataArrived(number_);
     if (!delivery.fields.empty()) view_->maps()->dataArrived(number_);
+    memory_.schedule();
 }
 
 void RunWindow::onFinished(const Summary& summary)
@@ -82,6 +84,7 @@ void RunWindow::onFinished(const Summary& summary)
     view_->plots()->runFinished(number);
     view_->spectrum()->runFinished(number);
     view_->maps()->dataArrived(number);
+    memory_.schedule();
     progress_->conclude(name(summary.status), tr("%1 simulated · %L2 steps · solver %3")
                                                   .arg(timeText(summary.endTime))
                                                   .arg(summary.steps)

@@ -7,6 +7,7 @@
 #include <QObject>
 
 #include "ui/runs/run_controller.h"
+#include "ui/runs/run_memory.h"
 #include "ui/runs/runs_model.h"
 
 namespace touchdown {
@@ -25,6 +26,7 @@ public:
 
     RunsModel& runs() { return runs_; }
     RunController& controller() { return controller_; }
+    RunMemory& memory() { return memory_; }
     RunView* view() const { return view_; }
     RecordPanel* panel() const { return panel_; }
     CursorTable* values() const { return values_; }
@@ -47,6 +49,7 @@ private:
 
     RunsModel runs_;
     RunController controller_;
+    RunMemory memory_{runs_};
     RunView* view_;
     RecordPanel* panel_;
     CursorTable* values_;

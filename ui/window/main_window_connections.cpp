@@ -128,6 +128,13 @@ void MainWindow::connectRuns()
         messages_->clear();
     });
     connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
+    RunMemory* memory = &runs_->memory();
+    for (QAction* action : actions_->runMemory->actions())
+        if (action->data().toLongLong() == RunMemory::setting()) action->setChecked(true);
+    connect(actions_->runMemory, &QActionGroup::triggered, memory,
+            [memory](const QAction* action) { memory->setBudget(action->data().toLongLong()); });
+    connect(memory, &RunMemory::failed, this,
+            [this](const QString& problem) { messages_->show(MessageStrip::Kind::Warning, problem); });
     connect(messages_, &MessageStrip::actionRequested, this, [this] {
         if (casePanel_->showFirstProblem()) return;
         setPage(Page::StaticState); // the surface has no field in the panel

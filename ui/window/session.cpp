@@ -179,10 +179,14 @@ void Session::beginStream(RunRecord& run)
         },
         [this](const QString& problem) { report(problem); });
     RunDelivery before;
-    stream_->whole = run.complete() && run.fieldsComplete();
-    if (run.complete()) before.samples = run.samples();
+    stream_->whole = run.fieldsComplete();
+    for (std::size_t part = 0; part < run.parts(); ++part) {
+        before.samples = run.samples(part);
+        onDelivered(before);
+    }
+    before.samples = {};
     for (const FieldHistory& history : run.fields)
-        before.fields.insert(before.fields.end(), history.snapshots.begin(), history.snapshots.end());
+        for (std::size_t i = 0; i < history.snapshots.size(); ++i) before.fields.push_back(history.snapshot(i));
     onDelivered(before);
 }
 

@@ -11,9 +11,9 @@
 #include <QObject>
 #include <QTimer>
 
+#include "ui/calculation/task_queue.h"
 #include "ui/window/session_folder.h"
 #include "ui/window/session_state.h"
-#include "ui/window/session_writer.h"
 
 namespace touchdown {
 
@@ -99,8 +99,8 @@ private:
     bool restoring_ = false; // results that are added are in the folder already
     bool overBudget_ = false;
     bool reported_ = false;
-    SessionWriter results_{this};
-    SessionWriter states_{this}; // a large result does not hold up the state
+    TaskQueue results_{this};
+    TaskQueue states_{this}; // a large result does not hold up the state
 };
 
 } // namespace touchdown

@@ -148,6 +148,13 @@ void WindowActions::buildRun(QMainWindow& window)
     menu->addSeparator();
     record = add(menu, tr("Record to &file…"), {}, {}, tr("Write the next runs to an HDF5 file during the run"));
     record->setCheckable(true);
+    runMemory = choices(menu->addMenu(tr("&Memory for runs")), {{0, tr("A &quarter of the machine")},
+                                                                {qint64(500) << 20, tr("&500 MB")},
+                                                                {qint64(1) << 30, tr("&1 GB")},
+                                                                {qint64(2) << 30, tr("&2 GB")},
+                                                                {qint64(4) << 30, tr("&4 GB")},
+                                                                {qint64(8) << 30, tr("&8 GB")},
+                                                                {qint64(16) << 30, tr("1&6 GB")}});
 }
 
 void WindowActions::buildView(QMainWindow& window)

@@ -35,6 +35,7 @@ public:
     QMenu* figures;             // those of the samples that are figures and tables of the paper
     QMenu* sessions;            // earlier ones that can be restored
     QAction* reopen;            // whether the next start opens the last case
+    QActionGroup* runMemory;    // data: bytes that runs may take; 0: a quarter of the machine
     QActionGroup* sessionSpace; // data: bytes that sessions may take on the disk
     QActionGroup* theme;        // data: the name of the theme
     QActionGroup* fontSize;     // data: points added to the system's own

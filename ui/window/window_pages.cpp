@@ -30,14 +30,24 @@ WindowPages::WindowPages(const Parts& parts)
     : QObject(&parts.window),
       parts_(parts),
       tabs_(new QTabBar(&parts.window)),
-      pages_(new QStackedWidget(&parts.window))
+      pages_(new QStackedWidget(&parts.window)),
+      memory_(new QLabel(&parts.window))
 {
     buildCentre();
     buildPanes();
     parts_.window.statusBar()->addWidget(parts_.runs.progress(), 1);
     parts_.window.statusBar()->addWidget(parts_.film.progress(), 1);
     parts_.window.statusBar()->addWidget(parts_.studies.progress(), 1);
+    parts_.window.statusBar()->addPermanentWidget(memory_);
+    memory_->setObjectName(QStringLiteral("runMemory"));
+    memory_->setContentsMargins(0, 0, 8, 0);
+    memory_->hide();
     parts_.window.statusBar()->setSizeGripEnabled(false);
+    connect(&parts_.runs.memory(), &RunMemory::changed, memory_, [this] {
+        memory_->setText(parts_.runs.memory().text());
+        memory_->setToolTip(parts_.runs.memory().explanation());
+        memory_->setVisible(parts_.runs.runs().count() > 0);
+    });
     connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);
     // A run that is added to the list is shown.
     connect(&parts_.runs.runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -56,6 +57,8 @@ public:
     void showLesson(QWidget& lesson);
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
+    /// What the runs of the list take of the memory; hidden without runs.
+    QLabel* memory() const { return memory_; }
 
     QStackedWidget* pages() const { return pages_; }
 
@@ -72,6 +75,7 @@ private:
     Parts parts_;
     QTabBar* tabs_;
     QStackedWidget* pages_;
+    QLabel* memory_;
     QDockWidget *about_ = nullptr, *runs_ = nullptr, *values_ = nullptr;
     struct Pane {
         QDockWidget* dock = nullptr;

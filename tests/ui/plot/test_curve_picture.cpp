@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "tests/support/test_program.h"
+#include "tests/ui/plot/cold_samples.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace touchdown;
@@ -29,6 +30,7 @@ private slots:
     void holdsNeitherTheNewestNorWhatGrows();
     void showsPaleLines();
     void takesOtherDataAtTheSamePlace();
+    void drawsAgainWhenTheDiskIsRead();
 
 private:
     void add(int run, bool leads);
@@ -154,6 +156,31 @@ void TestCurvePicture::takesOtherDataAtTheSamePlace()
     plot_->addCurve(curve);
     plot_->refreshNow();
     QCOMPARE(plot_->stillPicture().linesDrawn(), before + 1);
+}
+
+/// Until then the curve is coarse; nobody has to move the plot.
+void TestCurvePicture::drawsAgainWhenTheDiskIsRead()
+{
+    plot_->clearCurves();
+    MinMaxPyramid& data = data_.emplace_back();
+    for (std::size_t k = 0; k < 3 * SampleColumn::pieceSize; ++k)
+        data.append(std::vector{1e-9 * static_cast<double>(k)},
+                    std::vector{1e-9 * std::sin(0.01 * static_cast<double>(k))});
+    PlotCurve curve{QStringLiteral("long"), QString(), {0, 0}, &data};
+    curve.pale = curve.still = true;
+    curve.leads = false;
+    plot_->addCurve(curve);
+    plot_->refreshNow();
+    const long long before = plot_->stillPicture().linesDrawn();
+    if (!makeCold(data)) QSKIP("this system does not drop pages on request");
+    plot_->setView({PlotRange{0.0, 1.9e-4}, PlotRange{-2e-9, 2e-9}});
+    plot_->refreshNow(); // coarse: the reading has just begun
+    QCOMPARE(plot_->stillPicture().linesDrawn(), before + 1);
+    QTRY_VERIFY(plot_->stillPicture().linesDrawn() >= before + 2);
+    QTest::qWait(200);
+    const long long after = plot_->stillPicture().linesDrawn();
+    QTest::qWait(200);
+    QCOMPARE(plot_->stillPicture().linesDrawn(), after); // nothing waits any more
 }
 
 TOUCHDOWN_TEST(TestCurvePicture)

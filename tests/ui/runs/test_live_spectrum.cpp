@@ -28,31 +28,32 @@ private slots:
 
     void computesAFinishedRunOnce();
     void computesOnceForEachQuantity();
+    void aLongRunIsComputedOnAnotherThread();
     void aLiveSpectrumComesFourTimesASecond();
     void theNewestSpeaks();
     void offersTheLinesOfTheNewestCase();
     void offersModesOfTheSameFilm();
 
 private:
-    void add(int number, double frequency, bool finished = true, Case c = {});
+    void add(int number, double frequency, bool finished = true, Case c = {}, int samples = 4000);
     const PlotCurve& curve(int number) const;
 
     std::unique_ptr<RunsModel> runs_;
     std::unique_ptr<LiveSpectrum> spectrum_;
 };
 
-/// A sine of the frequency [Hz], sampled every 1 us for 4 ms.
-void TestLiveSpectrum::add(int number, double frequency, bool finished, Case c)
+/// A sine of the frequency [Hz], sampled every 1 us.
+void TestLiveSpectrum::add(int number, double frequency, bool finished, Case c, int samples)
 {
     c.title = "A sine";
-    c.run.duration = 4e-3;
+    c.run.duration = 1e-6 * samples;
     c.run.sampleInterval = 1e-6;
     auto run = std::make_unique<RunRecord>(
         number, c, "",
         std::vector<Quantity>{{"minimum_spacing", "m", "nm", "Minimum spacing"}, {"pitch", "rad", "urad", "Pitch"}});
     SampleBatch batch;
     batch.columns.resize(2);
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < samples; ++k) {
         batch.time.push_back(1e-6 * k);
         for (std::vector<double>& column : batch.columns)
             column.push_back(1e-9 * std::sin(2.0 * std::numbers::pi * frequency * 1e-6 * k));
@@ -188,6 +189,27 @@ void TestLiveSpectrum::offersModesOfTheSameFilm()
     QVERIFY(plot->referenceLines()[1].label.startsWith("vertical mode 201.0"));
     add(2, 50e3, true, other);
     QTRY_VERIFY(plot->referenceLines().empty());
+}
+
+/// The window does not wait for it; the spectrum is that of the whole run, not only of its newest part.
+void TestLiveSpectrum::aLongRunIsComputedOnAnotherThread()
+{
+    constexpr int samples = 300'000;
+    add(1, 50e3, true, {}, samples);
+    QVERIFY(spectrum_->view()->plot()->curves().empty());
+    QTRY_COMPARE(spectrum_->view()->plot()->curves().size(), std::size_t(1));
+    const RunRecord& run = *runs_->find(1);
+    const Spectrum whole = spectrumOf(run, "minimum_spacing", spectrum_->view()->options(), 0.0);
+    QCOMPARE(curve(1).data->valueAt(whole.frequency[100]), std::optional(whole.power[100]));
+    QCOMPARE(spectrum_->computed(), 1);
+    spectrum_->runFinished(1);
+    QTest::qWait(300);
+    QCOMPARE(spectrum_->computed(), 1);
+    // What is no longer wanted when it is ready is not shown.
+    add(2, 60e3, true, {}, samples);
+    runs_->remove(runs_->rowOf(2));
+    QTRY_COMPARE(spectrum_->computed(), 2);
+    QCOMPARE(spectrum_->view()->plot()->curves().size(), std::size_t(1));
 }
 
 TOUCHDOWN_TEST(TestLiveSpectrum)

@@ -10,6 +10,7 @@
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
+#include "core/results/results_reader.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "ui/case/parameter_text.h"
@@ -60,7 +61,7 @@ private slots:
     void takesABaseline();
     void savesAndReopensRuns();
     void saysWhyAFileCannotBeOpened();
-    void boundsItsMemoryAndSaysSo();
+    void savesALongRunWhole();
 };
 
 void TestRunsPanel::isAProperModel()
@@ -376,8 +377,8 @@ void TestRunsPanel::savesAndReopensRuns()
     QCOMPARE(again->number, 5);
     QCOMPARE(again->value.springs.flyingHeight, 4e-9);
     QCOMPARE(again->sampleCount(), record->sampleCount());
-    QCOMPARE(again->samples().time, record->samples().time);
-    QCOMPARE(again->samples().columns, record->samples().columns);
+    QCOMPARE(again->samples(0).time, record->samples(0).time);
+    QCOMPARE(again->samples(0).columns, record->samples(0).columns);
     QCOMPARE(again->summary->status, RunStatus::Completed);
 
     const QString table = folder.filePath(QStringLiteral("run.csv"));
@@ -404,25 +405,29 @@ void TestRunsPanel::saysWhyAFileCannotBeOpened()
     QVERIFY2(problem.contains(QStringLiteral("noise.h5")), qPrintable(problem));
 }
 
-void TestRunsPanel::boundsItsMemoryAndSaysSo()
+void TestRunsPanel::savesALongRunWhole()
 {
     RunRecord record(1, Case{}, {}, {{"flying_height", "m", "nm", "Flying height"}});
-    // One more sample than are held, with one minimum among them.
+    constexpr std::size_t count = 3 * SampleColumn::pieceSize + 11; // several parts
     SampleBatch batch;
     batch.columns.resize(1);
-    for (std::size_t k = 0; k <= RunRecord::capacity; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         batch.time.push_back(static_cast<double>(k) * 1e-9);
-        batch.columns[0].push_back(k == 12'345 ? -1.0 : 1.0);
+        batch.columns[0].push_back(std::sin(static_cast<double>(k)));
     }
     record.append(batch, {});
-    QCOMPARE(record.sampleCount(), RunRecord::capacity + 1);
-    QVERIFY(!record.complete());
-    QVERIFY(record.pyramid("flying_height")->size() <= RunRecord::capacity);
-    QCOMPARE(record.pyramid("flying_height")->extremes(0.0, 1.0)->low, -1.0);
+    record.finish({});
+    QCOMPARE(record.sampleCount(), count);
     const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("run.h5"));
-    QVERIFY(saveHdf5(record, file).contains(QStringLiteral("Record to file")));
-    QVERIFY(!QFile::exists(file));
+    const QString file = folder.filePath(QStringLiteral("run.h5")), table = folder.filePath(QStringLiteral("run.csv"));
+    QCOMPARE(saveHdf5(record, file), QString());
+    const StoredRun stored = readResults(file.toStdString());
+    QCOMPARE(stored.samples.time, batch.time);
+    QCOMPARE(stored.samples.columns, batch.columns);
+    QCOMPARE(saveTimeSeries(record, table), QString());
+    QFile read(table);
+    QVERIFY(read.open(QIODevice::ReadOnly));
+    QCOMPARE(read.readAll().count('\n'), static_cast<qsizetype>(count + 1));
 }
 
 TOUCHDOWN_TEST(TestRunsPanel)

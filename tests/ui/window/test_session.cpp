@@ -140,7 +140,7 @@ void TestSession::restoresRuns()
     const QString file = folder.filePath(QStringLiteral("mine.h5"));
     QCOMPARE(saveHdf5(window_->runs().record(0), file), QString());
     window_->runs().setFile(2, file);
-    const SampleBatch samples = window_->runs().record(1).samples();
+    const SampleBatch samples = window_->runs().record(1).samples(0);
     kill();
     start();
     QVERIFY2(offered().contains(QStringLiteral("2 runs.")), qPrintable(offered()));
@@ -152,8 +152,8 @@ void TestSession::restoresRuns()
     QCOMPARE(last.number, 3);
     QVERIFY(last.file.isEmpty());
     QCOMPARE(last.note, QStringLiteral("the best"));
-    QCOMPARE(last.samples().time, samples.time);
-    QCOMPARE(last.samples().columns, samples.columns);
+    QCOMPARE(last.samples(0).time, samples.time);
+    QCOMPARE(last.samples(0).columns, samples.columns);
     QCOMPARE(last.summary->status, RunStatus::Completed);
     QVERIFY(!last.interrupted);
     // It is work of this session now.
@@ -161,7 +161,7 @@ void TestSession::restoresRuns()
     start();
     QVERIFY2(offered().contains(QStringLiteral("2 runs.")), qPrintable(offered()));
     restore();
-    QCOMPARE(window_->runs().record(1).samples().columns, samples.columns);
+    QCOMPARE(window_->runs().record(1).samples(0).columns, samples.columns);
 }
 
 void TestSession::marksAnInterruptedRun()
@@ -308,7 +308,7 @@ void TestSession::keepsARunWhoseOwnFileFailsLater()
     window_->controller().stopAndWait();
     const QString file = onlyFolder() + QStringLiteral("/run1.h5");
     QTRY_COMPARE(window_->runs().record(0).kept, file);
-    QCOMPARE(readResults(file.toStdString()).samples.time, window_->runs().record(0).samples().time);
+    QCOMPARE(readResults(file.toStdString()).samples.time, window_->runs().record(0).samples(0).time);
 }
 
 void TestSession::endsWithoutATraceWhenAllIsSaved()

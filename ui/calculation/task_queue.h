@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writes on a thread of its own, in the order in which the window asks, so that neither the window nor a solver waits
-// for the disk.
+// Performs tasks on a thread of its own, in the order in which the window asks, so that neither the window nor a solver
+// waits for the disk or for a long calculation.
 #pragma once
 
 #include <condition_variable>
@@ -16,14 +16,14 @@
 
 namespace touchdown {
 
-class SessionWriter : public QObject {
+class TaskQueue : public QObject {
 public:
     using Task = std::function<QString()>;                    // returns "" or the problem in a sentence
     using Then = std::function<void(const QString& problem)>; // on the thread of the window
 
-    explicit SessionWriter(QObject* parent);
+    explicit TaskQueue(QObject* parent);
     /// Performs what was asked for; calls no `Then` any more.
-    ~SessionWriter() override;
+    ~TaskQueue() override;
 
     /// `bytes`: of memory that the task holds until it is done.
     void post(Task task, Then then = {}, std::size_t bytes = 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_writer.h"
+#include "ui/calculation/task_queue.h"
 
 #include <exception>
 #include <utility>
@@ -8,17 +8,15 @@
 
 namespace touchdown {
 
-SessionWriter::SessionWriter(QObject* parent)
-    : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); })
-{}
+TaskQueue::TaskQueue(QObject* parent) : QObject(parent), thread_([this](const std::stop_token& stop) { work(stop); }) {}
 
-SessionWriter::~SessionWriter()
+TaskQueue::~TaskQueue()
 {
     thread_.request_stop();
     thread_.join();
 }
 
-void SessionWriter::post(Task task, Then then, std::size_t bytes)
+void TaskQueue::post(Task task, Then then, std::size_t bytes)
 {
     {
         const std::lock_guard lock(mutex_);
@@ -28,19 +26,19 @@ void SessionWriter::post(Task task, Then then, std::size_t bytes)
     changed_.notify_all();
 }
 
-std::size_t SessionWriter::pending() const
+std::size_t TaskQueue::pending() const
 {
     const std::lock_guard lock(mutex_);
     return bytes_;
 }
 
-void SessionWriter::wait()
+void TaskQueue::wait()
 {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return entries_.empty(); });
 }
 
-void SessionWriter::work(const std::stop_token& stop)
+void TaskQueue::work(const std::stop_token& stop)
 {
     std::unique_lock lock(mutex_);
     while (true) {
