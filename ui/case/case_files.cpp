@@ -243,6 +243,8 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
     box->open();
 }
 
+void CaseFiles::leaveUnsaved() { edits_.undoStack().setClean(); }
+
 bool CaseFiles::modified() const
 {
     // Values that were changed and changed back leave nothing to save.

@@ -74,6 +74,8 @@ public:
     void whenSettled(const std::function<void()>& next);
 
     bool modified() const;
+    /// The changes so far are nothing to ask about.
+    void leaveUnsaved();
     QString file() const { return file_; }
     QString sample() const { return sample_; }
     /// "fig10a", "slider.toml", "femto" for one that was imported from there, "Untitled".

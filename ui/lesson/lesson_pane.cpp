@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_pane.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QEvent>
@@ -129,7 +130,7 @@ void LessonPane::build()
 
 void LessonPane::go(std::size_t step)
 {
-    step_ = step;
+    step_ = std::min(step, steps_.size() - 1);
     back_->setEnabled(step_ > 0);
     next_->setEnabled(step_ + 1 < steps_.size());
     show_->setChecked(false);
@@ -137,6 +138,7 @@ void LessonPane::go(std::size_t step)
     showAnswer(false);
     write();
     scroll_->verticalScrollBar()->setValue(0);
+    emit stepShown(step_);
 }
 
 void LessonPane::buildRuns()
@@ -147,6 +149,7 @@ void LessonPane::buildRuns()
     auto* grid = new QGridLayout(runs_);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setColumnStretch(1, 1);
+    QWidget* last = scroll_;
     for (const LessonRun& run : steps_.at(step_).runs) {
         const QString purpose = QString::fromStdString(run.purpose);
         auto* button = new QPushButton(run.kind.empty() ? tr("Run") : tr("Study"), runs_);
@@ -156,6 +159,12 @@ void LessonPane::buildRuns()
         purposes_.push_back(textLabel(runs_));
         grid->addWidget(button, grid->rowCount(), 0, Qt::AlignTop);
         grid->addWidget(purposes_.back(), grid->rowCount() - 1, 1);
+        setTabOrder(last, button);
+        last = button;
+    }
+    for (QWidget* next : {show_, back_, next_}) {
+        setTabOrder(last, next);
+        last = next;
     }
 }
 

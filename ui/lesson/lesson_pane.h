@@ -22,8 +22,12 @@ public:
     explicit LessonPane(std::vector<LessonStep> steps, QWidget* parent = nullptr);
 
     std::size_t step() const { return step_; }
+    const LessonStep& shown() const { return steps_[step_]; }
+    /// The first step is 0.
+    void go(std::size_t step);
 
 signals:
+    void stepShown(std::size_t step);
     void runRequested(const touchdown::LessonRun& run);
 
 protected:
@@ -31,7 +35,6 @@ protected:
 
 private:
     void build();
-    void go(std::size_t step);
     void write();
     void buildRuns();
     void showAnswer(bool shown);

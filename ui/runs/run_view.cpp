@@ -113,7 +113,8 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
 void RunView::setCase(const Case& c)
 {
     model_ = c.model;
-    if (c.run.duration != openedDuration_) plots_->group()->setFirstRange(std::nullopt);
+    if (c.run.duration != openedDuration_) openedDuration_ = 0.0;
+    showTime();
     // Finding the contact patches of a film in recordedFields() is too slow for each key press.
     const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
     const bool disk = findParameter("disk.surface.kind")->used(c);
@@ -141,7 +142,15 @@ void RunView::opened(const QString& sample, const Case& c)
 {
     const bool first = sample == QLatin1String(defaultCaseName);
     openedDuration_ = first ? c.run.duration : 0.0;
-    plots_->group()->setFirstRange(first ? std::optional(PlotRange{0.0, firstPart}) : std::nullopt);
+    showTime();
+}
+
+void RunView::showTime()
+{
+    std::optional<PlotRange> range;
+    if (openedDuration_ > 0.0) range = PlotRange{0.0, firstPart};
+    if (stage_ && stage_->time) range = stage_->time;
+    plots_->group()->setFirstRange(range);
 }
 
 void RunView::setStage(const std::optional<PlotStage>& stage)
@@ -150,6 +159,10 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
     stage_ = stage;
     plots_->setStage(stage ? std::optional(stage->plots) : std::nullopt);
     showParts();
+    plots_->group()->followNewest();
+    showTime();
+    PlotWidget* spacing = plots_->plot(QStringLiteral("spacing"));
+    spacing->setView({spacing->view().x, stage ? stage->spacing : std::nullopt});
 }
 
 void RunView::showParts()

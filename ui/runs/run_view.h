@@ -33,6 +33,8 @@ struct PlotStage {
     QStringList plots; // names, as LivePlots has them
     bool side = false; // the side view above them
     bool spectrum = false;
+    std::optional<PlotRange> time;    // of the time axis [s]; nothing: as without a stage
+    std::optional<PlotRange> spacing; // of the minimum spacing [m]; nothing: as the data
     bool operator==(const PlotStage&) const = default;
 };
 
@@ -79,6 +81,7 @@ public:
 
 private:
     void showParts();
+    void showTime();
     std::optional<PlotRange> replayed() const;
 
     ModelKind model_ = ModelKind::Springs;

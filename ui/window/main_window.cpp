@@ -35,10 +35,17 @@
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/closing_question.h"
+#include "ui/window/lesson_stages.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr auto lessonStepKey = "lesson/step";
+
+} // namespace
 
 MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
@@ -149,7 +156,11 @@ void MainWindow::performStudy()
 void MainWindow::performLessonRun(const LessonRun& run)
 {
     if (run.kind.empty()) {
-        files_->openChanged(QString::fromStdString(run.name), run.settings, [this] { startRun(); });
+        if (caseOfLesson_) files_->leaveUnsaved(); // what the reader tried
+        files_->openChanged(QString::fromStdString(run.name), run.settings, [this] {
+            caseOfLesson_ = true;
+            startRun();
+        });
     } else {
         studies_->editor()->openSample(*findSampleStudy(run.kind, run.name));
         performStudy();
@@ -158,6 +169,7 @@ void MainWindow::performLessonRun(const LessonRun& run)
 
 void MainWindow::onCaseOpened()
 {
+    caseOfLesson_ = false;
     casePanel_->setPreset(files_->sample());
     if (pages_->page() != Page::Studies) setPage(Page::StaticState);
     aboutCase_->setResult({});
@@ -286,8 +298,17 @@ void MainWindow::showLesson()
 {
     if (!lesson_) {
         lesson_ = new LessonPane(lessonSteps(), this);
+        stages_ = new LessonStages(runView(), runs(), this);
         connect(lesson_, &LessonPane::runRequested, this, &MainWindow::performLessonRun);
+        connect(lesson_, &LessonPane::stepShown, this, [this](std::size_t step) {
+            QSettings().setValue(lessonStepKey, static_cast<int>(step));
+            stages_->show(step, lesson_->shown().stage);
+        });
+        connect(pages_, &WindowPages::lessonToggled, this,
+                [this](bool open) { open ? stages_->show(lesson_->step(), lesson_->shown().stage) : stages_->end(); });
+        lesson_->go(QSettings().value(lessonStepKey, 0).toUInt());
     }
+    if (!stages_->active()) stages_->show(lesson_->step(), lesson_->shown().stage);
     pages_->showLesson(*lesson_);
 }
 

@@ -21,6 +21,7 @@ class CasePanel;
 class ClosingQuestion;
 class FilmWindow;
 class LessonPane;
+class LessonStages;
 class MessageStrip;
 class RunController;
 class RunFiles;
@@ -151,6 +152,8 @@ private:
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
     LessonPane* lesson_ = nullptr;
+    LessonStages* stages_ = nullptr; // of the lesson
+    bool caseOfLesson_ = false;      // the lesson opened the case that is edited
     QString recordTo_;
     Session* session_ = nullptr; // none in a window that only draws pictures
     ClosingQuestion* closing_ = nullptr;

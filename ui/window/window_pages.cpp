@@ -162,6 +162,7 @@ void WindowPages::showLesson(QWidget& lesson)
     if (lesson_ == nullptr) {
         lesson_ = addPane(QStringLiteral("lesson"), tr("Lesson"), &lesson, Qt::RightDockWidgetArea);
         parts_.window.tabifyDockWidget(about_, lesson_);
+        connect(lesson_->toggleViewAction(), &QAction::toggled, this, &WindowPages::lessonToggled);
         // The text is long, the list of runs is short.
         parts_.window.resizeDocks({lesson_, runs_, values_}, {600, 150, 150}, Qt::Vertical);
     }

@@ -65,6 +65,8 @@ public:
 signals:
     /// Another model or another page may be shown.
     void shown();
+    /// The pane of the lesson was opened or closed.
+    void lessonToggled(bool open);
 
 private:
     void buildCentre();

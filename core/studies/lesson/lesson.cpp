@@ -2,6 +2,7 @@
 #include "core/studies/lesson/lesson.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/case/case.h"
 #include "core/case_files/case_file.h"
@@ -43,6 +44,23 @@ LessonRun readRun(StudyReader& reader, const std::string& table)
     return run;
 }
 
+LessonStage readStage(StudyReader& reader, const std::string& table)
+{
+    LessonStage stage;
+    stage.plots = reader.texts(table + ".plots").value_or(std::vector<std::string>());
+    if (!reader.has(table + ".plots")) reader.add(table + ".plots", "is missing");
+    stage.from = reader.number(table + ".from", "s", "ms", 0.0, 1.0).value_or(0.0);
+    stage.until = reader.number(table + ".until", "s", "ms", 0.0, 1.0).value_or(0.0);
+    stage.lowest = reader.number(table + ".lowest", "m", "nm", -1e-6, 1e-6).value_or(0.0);
+    stage.highest = reader.number(table + ".highest", "m", "nm", -1e-6, 1e-6).value_or(0.0);
+    for (const auto& [low, high, key] :
+         {std::tuple(stage.from, stage.until, ".until"), std::tuple(stage.lowest, stage.highest, ".highest")})
+        if (high < low) reader.add(table + key, "is below the other end of its axis");
+    stage.side = reader.boolean(table + ".side").value_or(false);
+    stage.spectrum = reader.boolean(table + ".spectrum").value_or(false);
+    return stage;
+}
+
 LessonStep readStep(StudyReader& reader, const std::string& table)
 {
     LessonStep step;
@@ -51,6 +69,7 @@ LessonStep readStep(StudyReader& reader, const std::string& table)
     step.question = requiredText(reader, table + ".question");
     step.change = requiredText(reader, table + ".change");
     step.answer = requiredText(reader, table + ".answer");
+    step.stage = readStage(reader, table + ".stage");
     for (const std::string& run : reader.tables(table + ".run")) step.runs.push_back(readRun(reader, run));
     return step;
 }

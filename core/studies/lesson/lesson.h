@@ -10,6 +10,12 @@
 //   change = "..."     # what to change next
 //   answer = "..."     # with the numbers that the program gives
 //
+//   [step.stage]       # what the window shows of the step's runs
+//   plots = ["spacing", "energy"]       # names of plots over time
+//   from = "0 ms", until = "0.3 ms"     # of the time axis; may be left out
+//   lowest = "-6 nm", highest = "20 nm" # of the minimum spacing; may be left out
+//   side = true, spectrum = true        # the side view above the plots, the spectrum below; false if left out
+//
 //   [[step.run]]
 //   purpose = "..."
 //   case = "fig10a"    # a sample case, or
@@ -33,12 +39,21 @@ struct LessonRun {
     std::vector<CaseSetting> settings; // of the case
 };
 
+/// Where two ends are equal, an axis follows the data.
+struct LessonStage {
+    std::vector<std::string> plots;
+    double from = 0.0, until = 0.0;     // [s]
+    double lowest = 0.0, highest = 0.0; // [m]
+    bool side = false, spectrum = false;
+};
+
 struct LessonStep {
     std::string title;
     std::string text;
     std::string question;
     std::string change;
     std::string answer;
+    LessonStage stage;
     std::vector<LessonRun> runs;
 };
 

@@ -187,9 +187,9 @@ private slots:
         QTest::addColumn<QString>("run");
         QTest::addColumn<QString>("says");
         QTest::newRow("no TOML") << "case = "
-                                 << "l.toml:8: is not TOML";
+                                 << "l.toml:9: is not TOML";
         QTest::newRow("no purpose") << "case = 'fig10a'"
-                                    << "l.toml:7: step[1].run[1].purpose: is missing";
+                                    << "l.toml:8: step[1].run[1].purpose: is missing";
         QTest::newRow("no case") << "purpose = 'x'"
                                  << "step[1].run[1].case: is missing";
         QTest::newRow("unknown case") << "purpose = 'x'\ncase = 'fig99'"
@@ -197,15 +197,35 @@ private slots:
         QTest::newRow("unknown study") << "purpose = 'x'\nstudy = 'fig10a'"
                                        << "\"fig10a\" is no sample study";
         QTest::newRow("unknown key") << "purpose = 'x'\ncase = 'fig10a'\nsets = 1"
-                                     << "l.toml:10: step[1].run[1].sets: unknown key";
+                                     << "l.toml:11: step[1].run[1].sets: unknown key";
     }
     void problems()
     {
         QFETCH(const QString, run);
         QFETCH(const QString, says);
-        const std::string step = "[[step]]\ntitle = 'a'\ntext = 'b'\nquestion = 'c'\nchange = 'd'\nanswer = 'e'\n";
+        const std::string step = "[[step]]\ntitle = 'a'\ntext = 'b'\nquestion = 'c'\nchange = 'd'\nanswer = 'e'\n"
+                                 "stage.plots = ['spacing']\n";
         const QString said = problemsOf(readLesson(step + "[[step.run]]\n" + run.toStdString() + '\n', "l.toml"));
         QVERIFY2(said.contains(says), qPrintable(said));
+    }
+
+    void stageIsRead()
+    {
+        const std::string step = "[[step]]\ntitle = 'a'\ntext = 'b'\nquestion = 'c'\nchange = 'd'\nanswer = 'e'\n";
+        const Lesson good = readLesson(step + "[step.stage]\nplots = ['spacing', 'energy']\nfrom = '0.1 ms'\n"
+                                              "until = '0.3 ms'\nlowest = '-5 nm'\nhighest = '20 nm'\nside = true\n",
+                                       "l.toml");
+        QVERIFY2(good.problems.empty(), qPrintable(problemsOf(good)));
+        const LessonStage& stage = good.steps.at(0).stage;
+        QCOMPARE(stage.plots, (std::vector<std::string>{"spacing", "energy"}));
+        QCOMPARE(stage.from, 0.1e-3);
+        QCOMPARE(stage.until, 0.3e-3);
+        QCOMPARE(stage.lowest, -5e-9);
+        QCOMPARE(stage.highest, 20e-9);
+        QVERIFY(stage.side && !stage.spectrum);
+        QVERIFY(problemsOf(readLesson(step, "l.toml")).contains("step[1].stage.plots: is missing"));
+        const std::string wrong = step + "[step.stage]\nplots = ['spacing']\nfrom = '2 ms'\nuntil = '1 ms'\n";
+        QVERIFY(problemsOf(readLesson(wrong, "l.toml")).contains("stage.until: is below the other end of its axis"));
     }
 
     /// Each number of an answer is that of a run of its step, of one of its studies, or of its own text and settings.

@@ -30,9 +30,14 @@ const LessonRun study{"A study.", "hysteresis_flying_height", "hysteresis", {}};
 
 std::vector<LessonStep> sampleSteps()
 {
-    return {
-        {"First", "It flies at 7 nm with f_m.\nW >= 0 at -5 us.", "Why?", "Try run.step.", "Because.", {caught, study}},
-        {"Second", "More.", "How?", "Nothing.", "So.", {study}}};
+    return {{"First",
+             "It flies at 7 nm with f_m.\nW >= 0 at -5 us.",
+             "Why?",
+             "Try run.step.",
+             "Because.",
+             {},
+             {caught, study}},
+            {"Second", "More.", "How?", "Nothing.", "So.", {}, {study}}};
 }
 
 QPushButton* button(const QWidget& parent, const char* name)

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/lesson_stages.h"
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "core/case/parameters.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
+#include "ui/case/case_edits.h"
+#include "ui/lesson/lesson_pane.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
+#include "ui/runs/plot_spec.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/runs_model.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+
+using namespace touchdown;
+
+namespace test_lesson_stages {
+
+class TestLessonStages : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+        QCoreApplication::setApplicationName(QStringLiteral("test_lesson_stages"));
+    }
+    void init()
+    {
+        QSettings().clear();
+        window_ = std::make_unique<MainWindow>();
+        window_->resize(1400, 900);
+        window_->show();
+        window_->actions().lesson->trigger();
+    }
+    void cleanup() { window_.reset(); }
+
+    void namesPlotsThatThereAre()
+    {
+        std::set<QString> names;
+        for (const PlotSpec& spec : standardPlots()) names.insert(spec.name);
+        for (const LessonStep& step : lessonSteps())
+            for (const std::string& name : step.stage.plots)
+                QVERIFY2(names.contains(QString::fromStdString(name)), name.c_str());
+    }
+
+    void eachStepShowsItsOwnRuns()
+    {
+        run(lessonSteps()[0].runs[0]);
+        QCOMPARE(shown(), (std::set<int>{1}));
+        QVERIFY(plot("spacing")->isVisible() && plot("energy")->isVisible());
+        QVERIFY(!plot("pitch")->isVisible() && !window_->runView().spectrum()->isVisible());
+        QCOMPARE(plot("spacing")->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
+
+        click("Next");
+        QVERIFY(shown().empty());
+        run(lessonSteps()[1].runs[0]);
+        run(lessonSteps()[1].runs[1]);
+        QCOMPARE(shown(), (std::set<int>{2, 3}));
+        QVERIFY(!plot("energy")->isVisible());
+        // 3.8 and 7 nm are told apart on this axis.
+        QCOMPARE(plot("spacing")->yAxis().range(), (PlotRange{-5e-9, 20e-9}));
+        QCOMPARE(plot("spacing")->xAxis().range(), (PlotRange{0.0, 0.5e-3}));
+
+        click("Back");
+        QCOMPARE(shown(), (std::set<int>{1}));
+        QVERIFY(plot("energy")->isVisible());
+        QVERIFY(!plot("spacing")->view().y);
+        // What the reader tries belongs to the step.
+        runNow();
+        QCOMPARE(shown(), (std::set<int>{1, 4}));
+        click("Next");
+        QCOMPARE(shown(), (std::set<int>{2, 3}));
+    }
+
+    void closingItEndsTheStage()
+    {
+        run(lessonSteps()[0].runs[0]);
+        auto* dock = window_->findChild<QDockWidget*>("lesson");
+        dock->close();
+        QVERIFY(!window_->runView().stage());
+        QVERIFY(plot("pitch")->isVisible() && window_->runView().spectrum()->isVisible());
+        window_->actions().lesson->trigger();
+        QVERIFY(window_->runView().stage());
+        QVERIFY(!plot("pitch")->isVisible());
+    }
+
+    void opensAtTheLastStep()
+    {
+        click("Next");
+        click("Next");
+        window_ = std::make_unique<MainWindow>();
+        window_->show();
+        window_->actions().lesson->trigger();
+        QCOMPARE(window_->findChild<LessonPane*>()->step(), std::size_t(2));
+        QSettings().setValue("lesson/step", 99); // of a longer lesson
+        window_ = std::make_unique<MainWindow>();
+        window_->actions().lesson->trigger();
+        QCOMPARE(window_->findChild<LessonPane*>()->step(), lessonSteps().size() - 1);
+    }
+
+    void doesNotAskAboutWhatTheReaderTried()
+    {
+        run(lessonSteps()[0].runs[0]);
+        window_->edits().enter(*findParameter("initial.flying_height"), "50");
+        runNow();
+        run(lessonSteps()[0].runs[1]);
+        QVERIFY(!window_->findChild<QMessageBox*>("unsavedChanges"));
+        QCOMPARE(window_->runs().count(), 3);
+    }
+
+private:
+    PlotWidget* plot(const char* name) { return window_->runView().plots()->plot(QString::fromUtf8(name)); }
+    void click(const char* name)
+    {
+        namedWidget<QPushButton>(*window_->findChild<LessonPane*>(), QString::fromUtf8(name))->click();
+    }
+    std::set<int> shown()
+    {
+        std::set<int> numbers;
+        for (int row = 0; row < window_->runs().count(); ++row)
+            if (window_->runs().record(row).shown) numbers.insert(window_->runs().record(row).number);
+        return numbers;
+    }
+    void run(const LessonRun& what)
+    {
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        window_->performLessonRun(what);
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+    }
+    void runNow()
+    {
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        window_->startRun();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+    }
+
+    std::unique_ptr<MainWindow> window_;
+};
+
+TOUCHDOWN_TEST(TestLessonStages)
+
+} // namespace test_lesson_stages
+
+#include "test_lesson_stages.moc"

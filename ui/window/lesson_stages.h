@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The stage of the lesson: each step shows its own runs alone, in the plots and ranges that it names. A step that is
+// left keeps its runs, and they come back with it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include <QObject>
+
+#include "core/studies/lesson/lesson.h"
+
+namespace touchdown {
+
+class RunView;
+class RunsModel;
+
+class LessonStages : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both must outlive this.
+    LessonStages(RunView& view, RunsModel& runs, QObject* parent);
+
+    void show(std::size_t step, const LessonStage& stage);
+    /// The plots are again as the user chose; the runs stay as they are shown.
+    void end();
+    bool active() const { return step_.has_value(); }
+
+private:
+    RunView& view_;
+    RunsModel& runs_;
+    std::optional<std::size_t> step_;
+    std::map<std::size_t, std::set<int>> numbers_; // of the runs of each step
+};
+
+} // namespace touchdown
