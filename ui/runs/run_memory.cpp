@@ -99,6 +99,7 @@ QString RunMemory::explanation() const
 
 void RunMemory::schedule()
 {
+    freed_ = true; // by what brought the samples, and by what is written
     if (!soon_.isActive()) soon_.start(restBeforeCheck);
 }
 
@@ -206,7 +207,6 @@ void RunMemory::onMoved(const Moved& piece, const QString& problem)
         const std::shared_ptr<const double[]> same = next(numbers);
         if (run) run->fields[snapshot.set].moveToDisk(snapshot.time, same);
     }
-    freed_ = true;
     check();
 }
 

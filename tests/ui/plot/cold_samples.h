@@ -3,6 +3,11 @@
 // Samples on the disk that the system has dropped from memory.
 #pragma once
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+#include <vector>
+
 #include <sys/mman.h>
 
 #include <QTemporaryDir>
@@ -26,10 +31,16 @@ inline bool makeCold(MinMaxPyramid& data)
         // A page must be mapped to be dropped.
         for (std::size_t i = 0; i < numbers.size(); ++i)
             if (stored[i] != numbers[i]) return false;
-        ::madvise(const_cast<double*>(stored.get()), numbers.size_bytes(), MADV_PAGEOUT);
         std::vector<unsigned char> present(numbers.size_bytes() / 4096 + 1, 1);
-        cold = ::mincore(const_cast<double*>(stored.get()), numbers.size_bytes(), present.data()) == 0 &&
-               (present[0] & 1U) == 0;
+        const auto dropped = [&] {
+            return ::mincore(const_cast<double*>(stored.get()), numbers.size_bytes(), present.data()) == 0 &&
+                   std::ranges::any_of(present, [](unsigned char each) { return (each & 1U) == 0; });
+        };
+        for (int attempt = 0; attempt < 20 && !dropped(); ++attempt) {
+            ::madvise(const_cast<double*>(stored.get()), numbers.size_bytes(), MADV_PAGEOUT);
+            if (!dropped()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        }
+        cold = dropped() || cold;
         data.values().replace(piece, stored);
     }
 #endif
