@@ -51,7 +51,7 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
 {
     constexpr double gap = PlotFrame::gap;
     const double row = frame_.lineHeight();
-    const double top = gap + frame_.titleHeight(title_, area_.width());
+    const double top = gap + frame_.titleHeight(title_, area_.width()) + (plot.backdrop() ? row : 0.0);
     if (curves_.size() > 1) // one alone needs no name
         paperLegend_ = legendInRows(curves_, plot.title(), {area_.left(), top}, area_.width(), frame_.textFont);
     area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap, area_.bottom() - 1.0));
@@ -84,6 +84,12 @@ void PlotPainter::paintBehind(QPainter& painter) const
     for (const AxisTick& tick : frame_.yTicks) {
         const double y = alignedPixel(frame_.up(y_.position(tick.value))) - 0.5;
         painter.fillRect(QRectF(area_.left(), y, area_.width(), 1.0), tick.major ? theme_.grid : minor);
+    }
+    if (plot_.backdrop()) {
+        painter.save();
+        painter.setClipRect(area_, Qt::IntersectClip);
+        plot_.backdrop()->paint(painter, area_, x_, y_);
+        painter.restore();
     }
     paintReferenceLines(painter);
     paintShadedAreas(painter);
@@ -119,6 +125,14 @@ Legend PlotPainter::legend() const
 void PlotPainter::paintHeader(QPainter& painter) const
 {
     constexpr double gap = PlotFrame::gap;
+    if (plot_.backdrop()) {
+        // On paper its scale has a row of its own below the title.
+        const double title = paper_ ? frame_.titleHeight(title_, area_.width()) : 0.0;
+        const QRectF key(area_.left(), gap + title, area_.width(), frame_.lineHeight());
+        const double used = plot_.backdrop()->paintKey(painter, key, frame_.numberFont, theme_);
+        frame_.paintTitle(painter, theme_, title_, area_.width() - (paper_ ? 0.0 : used), paper_);
+        return;
+    }
     const Legend legend = this->legend();
     frame_.paintTitle(painter, theme_, title_, area_.width(), paper_);
     painter.setFont(frame_.textFont);

@@ -144,6 +144,12 @@ void PlotWidget::setShadedAreas(std::vector<ShadedArea> areas)
     canvas_->repaintAll();
 }
 
+void PlotWidget::setBackdrop(std::optional<PlotBackdrop> backdrop)
+{
+    backdrop_ = std::move(backdrop);
+    dataChanged();
+}
+
 void PlotWidget::dataChanged()
 {
     refreshWithin(16); // 60 Hz at most
@@ -297,7 +303,7 @@ void PlotWidget::paintInto(QPainter& painter, const QRectF& target, const PlotTh
 
 std::function<void(QIODevice&)> PlotWidget::dataWriter() const
 {
-    return [this](QIODevice& device) { writeCsv(*this, device); };
+    return [this](QIODevice& device) { backdrop() ? backdrop()->writeData(device) : writeCsv(*this, device); };
 }
 
 double PlotWidget::heightOnPaper(double width, const QFont& font) const

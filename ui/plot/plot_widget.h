@@ -20,6 +20,7 @@
 
 #include "ui/plot/curve_picture.h"
 #include "ui/plot/plot_axis.h"
+#include "ui/plot/plot_backdrop.h"
 #include "ui/plot/plot_curve.h"
 #include "ui/plot/plot_export.h"
 
@@ -78,6 +79,9 @@ public:
     const std::vector<EventMark>& eventMarks() const { return eventMarks_; }
     const std::vector<PointMark>& pointMarks() const { return pointMarks_; }
     const std::vector<ShadedArea>& shadedAreas() const { return shadedAreas_; }
+    /// Nothing takes it away.
+    void setBackdrop(std::optional<PlotBackdrop> backdrop);
+    const std::optional<PlotBackdrop>& backdrop() const { return backdrop_; }
 
     /// The data behind the curves or what is shown of them changed: refresh soon.
     void dataChanged();
@@ -187,6 +191,7 @@ private:
     std::vector<EventMark> eventMarks_;
     std::vector<PointMark> pointMarks_;
     std::vector<ShadedArea> shadedAreas_;
+    std::optional<PlotBackdrop> backdrop_;
     std::array<std::optional<double>, 2> cursors_;
     bool cursorPinned_ = false;
     bool cursorsSnap_ = false;

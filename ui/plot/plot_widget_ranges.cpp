@@ -90,8 +90,9 @@ bool PlotWidget::decides(const PlotCurve& curve, bool anyLeads) const
 
 bool PlotWidget::hasData() const
 {
-    return std::ranges::any_of(
-        curves_, [](const PlotCurve& curve) { return curve.visible && curve.data != nullptr && !curve.data->empty(); });
+    return backdrop_ || std::ranges::any_of(curves_, [](const PlotCurve& curve) {
+               return curve.visible && curve.data != nullptr && !curve.data->empty();
+           });
 }
 
 void PlotWidget::setEverything(bool everything)
@@ -105,7 +106,7 @@ void PlotWidget::setEverything(bool everything)
 std::optional<PlotRange> PlotWidget::dataRangeX() const
 {
     const bool led = anyLeads();
-    std::optional<PlotRange> range;
+    std::optional<PlotRange> range = backdrop_ ? std::optional(backdrop_->x) : std::nullopt;
     const PlotRange window = timeWindow_.value_or(PlotRange{-HUGE_VAL, HUGE_VAL});
     for (const PlotCurve& curve : curves_) {
         if (!decides(curve, led) || curve.data->empty()) continue;
@@ -127,7 +128,7 @@ std::optional<PlotRange> PlotWidget::dataRangeX() const
 std::optional<PlotRange> PlotWidget::dataRangeY() const
 {
     const bool led = anyLeads();
-    std::optional<PlotRange> range;
+    std::optional<PlotRange> range = backdrop_ ? std::optional(backdrop_->y) : std::nullopt;
     for (const PlotCurve& curve : curves_) {
         if (!decides(curve, led)) continue;
         const PlotRange within =

@@ -11,6 +11,7 @@
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
 #include "ui/runs/drop_hint.h"
+#include "ui/runs/live_spectrogram.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
@@ -64,6 +65,7 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     for (QVBoxLayout* column : {overTime_, portraits_}) column->setSpacing(0);
     for (std::size_t s = 0; s < specs_.size(); ++s) makePlot(s);
     setAcceptDrops(true);
+    spectrogram_ = new LiveSpectrogram(runs_, *plot(QStringLiteral("spectrogram")), this);
     setCase({});
 
     connect(&runs_, &RunsModel::added, this, [this] {
@@ -110,7 +112,8 @@ void LivePlots::labelAxes(std::size_t s)
     entries_[s].title = spec.title;
     entries_[s].wanted->setText(spec.title);
     const bool subtracted = runs_.baseline() >= 0 && !spec.across;
-    plot->setTitle(subtracted ? tr("%1 minus run %2").arg(spec.title).arg(runs_.baseline()) : spec.title);
+    if (!spec.spectrogram)
+        plot->setTitle(subtracted ? tr("%1 minus run %2").arg(spec.title).arg(runs_.baseline()) : spec.title);
     if (spec.across) {
         const Quantity& across = *spec.across;
         plot->setAccessibleName(tr("Plot: %1").arg(spec.title));
@@ -120,9 +123,9 @@ void LivePlots::labelAxes(std::size_t s)
         plot->setAccessibleName(tr("Plot of %1 over time").arg(spec.title));
         plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
     }
-    // Over time the title says what stands up.
+    // Over time the title says what stands up. A spectrogram names itself.
     const QString up = spec.across && spec.curves.size() == 1 ? spec.curves.front().name : QString();
-    plot->setYLabel({up, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
+    if (!spec.spectrogram) plot->setYLabel({up, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
 }
 
 /// In the column of its kind. The forces of a pad are its first plot, above those over time.
@@ -131,7 +134,10 @@ void LivePlots::placePlot(std::size_t s)
     const PlotSpec& spec = specs_[s];
     PlotWidget* plot = entries_[s].plot;
     for (QVBoxLayout* column : {overTime_, portraits_}) column->removeWidget(plot);
-    (spec.across && spec.choosable ? portraits_ : overTime_)->addWidget(plot, spec.across ? 3 : 1);
+    (spec.across && spec.choosable ? portraits_ : overTime_)
+        ->addWidget(plot, spec.across        ? 3
+                          : spec.spectrogram ? 2
+                                             : 1);
     group_->remove(plot);
     plot->setPhasePortrait(spec.across.has_value());
     group_->add(plot);
@@ -183,10 +189,12 @@ void LivePlots::dataArrived(int number)
     const RunRecord* run = runs_.find(number);
     if (run && run == runs_.newestShown() && run->events.size() != marksShown_) updateMarks();
     group_->dataChanged();
+    spectrogram_->update();
 }
 
 void LivePlots::runFinished(int number)
 {
+    spectrogram_->update();
     if ((runs_.baseline() >= 0 && runs_.baseline() != number) || number != leader_) rebuild();
     updateMarks();
     group_->dataChanged();
@@ -223,6 +231,8 @@ void LivePlots::rebuild()
     });
     updateMarks();
     updateVisibility();
+    spectrogram_->setQuantity(spec(QStringLiteral("spectrogram")).curves.front().quantity);
+    spectrogram_->update();
     emit curvesChanged();
     emit quantitiesChanged();
     group_->dataChanged();
@@ -232,6 +242,7 @@ std::vector<PlotCurve> LivePlots::curvesOf(std::size_t s)
 {
     const PlotSpec& spec = specs_[s];
     std::vector<PlotCurve> curves;
+    if (spec.spectrogram) return curves;
     for (int row = 0; row < runs_.count(); ++row) {
         const RunRecord& run = runs_.record(row);
         for (std::size_t i = 0; i < spec.curves.size(); ++i) {

@@ -33,6 +33,7 @@
 namespace touchdown {
 
 class DropHint;
+class LiveSpectrogram;
 class PlotGroup;
 class PlotWidget;
 class RunsModel;
@@ -57,6 +58,7 @@ public:
     const Entry& entry(const QString& name) const;
     PlotWidget* plot(const QString& name) const { return entry(name).plot; }
     const PlotSpec& spec(const QString& name) const;
+    LiveSpectrogram* spectrogram() const { return spectrogram_; }
     /// The case that is edited. Before its first run, the plots of the quantities that it will record are shown.
     void setCase(const Case& c);
     /// Shows these plots alone, whatever the user chose; nothing: as the user chose.
@@ -114,6 +116,7 @@ private:
     void placePlot(std::size_t spec);
     void labelAxes(std::size_t spec);
     void addMenus(const QString& plot);
+    void addSpectrogramMenus();
     std::size_t indexOf(const QString& name) const;
 
     void removeRun(int number);
@@ -146,6 +149,7 @@ private:
     std::map<std::string, bool> wanted_; // by plot and quantity: what the user chose in the menus of the plots
     std::size_t marksShown_ = 0;
     DropHint* hint_;
+    LiveSpectrogram* spectrogram_ = nullptr;
 };
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 
 #include "core/simulation/recording/quantity.h"
 #include "ui/plot/plot_group.h"
+#include "ui/runs/live_spectrogram.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 
@@ -121,6 +122,7 @@ void LivePlots::removeCurve(const QString& name, const std::string& quantity)
 void LivePlots::addMenus(const QString& name)
 {
     PlotWidget* plot = this->plot(name);
+    if (spec(name).spectrogram) return addSpectrogramMenus();
     addMenu(plot, tr("A&dd a curve"), [this, name, plot](QMenu& menu) {
         for (const Quantity& quantity : quantities())
             if (spec(name).refusal(quantity).isEmpty())
@@ -154,12 +156,30 @@ void LivePlots::addMenus(const QString& name)
     plot->addAction(remove);
 }
 
+void LivePlots::addSpectrogramMenus()
+{
+    const QString name = QStringLiteral("spectrogram");
+    PlotWidget* plot = this->plot(name);
+    addMenu(plot, tr("&Quantity"), [this, name, plot](QMenu& menu) {
+        for (const Quantity& quantity : quantities())
+            addChoice(menu, QString::fromStdString(quantity.longName), spec(name).has(quantity.name), plot,
+                      [this, name, quantity] { setAxes(name, std::nullopt, quantity); });
+    });
+    addMenu(plot, tr("&Window"), [this, plot](QMenu& menu) {
+        const std::size_t now = spectrogram_->window();
+        addChoice(menu, tr("Automatic"), now == 0, plot, [this] { spectrogram_->setWindow(0); });
+        for (std::size_t length = 64; length <= 16384; length *= 2)
+            addChoice(menu, tr("%1 samples").arg(length), now == length, plot,
+                      [this, length] { spectrogram_->setWindow(length); });
+    });
+}
+
 QJsonObject LivePlots::arrangement() const
 {
     QJsonArray chosen;
     for (const auto& [key, on] : chosen_)
         chosen.append(QJsonObject{{"model", static_cast<int>(key.first)}, {"plot", key.second}, {"shown", on}});
-    return {{"plots", changedPlots(specs_)}, {"chosen", chosen}};
+    return {{"plots", changedPlots(specs_)}, {"chosen", chosen}, {"window", static_cast<int>(spectrogram_->window())}};
 }
 
 void LivePlots::restore(const QJsonObject& arrangement)
@@ -181,6 +201,8 @@ void LivePlots::restore(const QJsonObject& arrangement)
             chosen_[{static_cast<ModelKind>(model), each[QStringLiteral("plot")].toString()}] =
                 each[QStringLiteral("shown")].toBool();
     }
+    const int window = arrangement[QStringLiteral("window")].toInt();
+    spectrogram_->setWindow(window >= 64 && window <= 16384 ? static_cast<std::size_t>(window) : 0);
     updateWanted();
     rebuild();
     emit plotsChanged();

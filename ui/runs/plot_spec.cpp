@@ -33,6 +33,7 @@ QString lowerFirst(QString text)
 /// Of a plot whose axes are chosen: what it shows.
 QString chosenTitle(const PlotSpec& spec)
 {
+    if (spec.spectrogram) return tr("Spectrogram");
     if (spec.name == QLatin1String(phaseName) && spec.across && spec.across->name == phaseAcross &&
         spec.curves.size() == 1 && spec.curves[0].quantity == phaseUp)
         return tr("Phase portrait");
@@ -65,7 +66,7 @@ std::optional<Quantity> quantityFrom(const QJsonObject& json)
 void PlotSpec::setUp(const Quantity& quantity)
 {
     curves.clear();
-    unit = quantity.displayUnit;
+    if (!spectrogram) unit = quantity.displayUnit;
     add(quantity);
 }
 
@@ -77,6 +78,7 @@ void PlotSpec::setAcross(const std::optional<Quantity>& quantity)
 
 void PlotSpec::add(const Quantity& quantity)
 {
+    if (spectrogram) curves.clear();
     curves.push_back({.quantity = quantity.name, .name = QString::fromStdString(quantity.longName), .added = quantity});
     if (choosable) title = chosenTitle(*this);
 }
@@ -95,6 +97,7 @@ bool PlotSpec::has(std::string_view quantity) const
 QString PlotSpec::refusal(const Quantity& quantity) const
 {
     const QString named = QString::fromStdString(quantity.longName);
+    if (spectrogram) return {}; // it takes the place of the one that is shown
     if (has(quantity.name)) return tr("%1 already stands in the plot \"%2\".").arg(named, title);
     if (sameKind(unit, quantity)) return {};
     return tr("%1 has the unit %2, but the plot \"%3\" shows values in %4. Make a plot of its own for it.")
@@ -159,6 +162,16 @@ std::vector<PlotSpec> standardPlots()
          height,
          hidden,
          AxisScale::Linear,
+         true},
+        {"spectrogram",
+         tr("Spectrogram"),
+         "kHz",
+         {{"minimum_spacing", tr("Minimum spacing")}},
+         {},
+         hidden,
+         AxisScale::Linear,
+         true,
+         false,
          true},
     };
 }

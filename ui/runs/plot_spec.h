@@ -32,8 +32,9 @@ struct PlotSpec {
     std::optional<Quantity> across = std::nullopt; // instead of the time
     bool atFirst = true;                           // shown for a flying slider until the user changes it
     AxisScale scale = AxisScale::Linear;
-    bool choosable = false; // the user chooses what stands across and up
-    bool own = false;       // made by the user, who may remove it
+    bool choosable = false;   // the user chooses what stands across and up
+    bool own = false;         // made by the user, who may remove it
+    bool spectrogram = false; // of the quantity that stands up; there is one
 
     /// The quantity that stands up, and nothing else.
     void setUp(const Quantity& quantity);

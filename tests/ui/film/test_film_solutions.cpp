@@ -225,8 +225,8 @@ private slots:
         film_->view()->setPage(Page::Gap);
         const auto& curves = film_->view()->maps()->sections()->alongX()->curves();
         QCOMPARE(curves.size(), std::size_t{2});
-        QCOMPARE(curves[0].name, QStringLiteral("1"));
-        QCOMPARE(curves[1].name, QStringLiteral("2")); // the shown one is drawn last
+        QCOMPARE(curves[0].legend, QStringLiteral("1"));
+        QCOMPARE(curves[1].legend, QStringLiteral("2")); // the shown one is drawn last
         film_->solutions().setData(film_->solutions().index(0), Qt::Unchecked, Qt::CheckStateRole);
         QCOMPARE(film_->view()->maps()->sections()->alongX()->curves().size(), std::size_t{1});
         QCOMPARE(film_->view()->comparison()->comparison().columns.size(), 1);
