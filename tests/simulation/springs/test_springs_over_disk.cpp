@@ -4,6 +4,7 @@
 #include "core/simulation/springs/springs_over_disk.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <map>
@@ -491,6 +492,21 @@ private slots:
         QCOMPARE(key(bumps), std::string("disk.surface.bump_shape"));
         bumps.diskSurface.bumpShape = BumpShape::Cosine;
         QCOMPARE(key(bumps), std::string());
+        QTemporaryDir folder; // half a cell of 2 um passes in 77 ns, which only the file tells
+        writeProfile(folder.path());
+        Case profile = overWave(1e-9, 100e3);
+        profile.diskSurface = {};
+        profile.folder = folder.path().toStdString();
+        profile.diskSurface.kind = DiskSurfaceKind::File;
+        profile.diskSurface.file = "profile.txt";
+        profile.diskSurface.unit = "um, nm";
+        profile.run.integrator = IntegratorKind::Rk4Events;
+        profile.run.duration = 1e-6;
+        profile.run.step = 78e-9;
+        QCOMPARE(key(profile), std::string());
+        QVERIFY2(run(profile).message.starts_with("run.step must be at most 76.5 ns"), run(profile).message.c_str());
+        profile.run.step = 76.5e-9;
+        QCOMPARE(run(profile).status, RunStatus::Completed);
         Case inside = overWave(20e-9, 100e3); // higher than the rear spring's spacing somewhere at the start
         inside.diskSurface.wavePhases = {0.5 * pi - 2.0 * pi / inside.diskSurface.waveLengths[0] *
                                                         (0.5 * inside.slider.length + inside.springs.rearDistance)};
