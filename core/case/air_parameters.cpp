@@ -14,8 +14,7 @@ constexpr const char* usualAir = "a usual value of air at 20 C";
 /// The disk's motion drags the air along, or a surface that is not flat.
 bool withMotion(const Case& c)
 {
-    return withFilm(c) || (withSurfaces(c) && c.diskSurface.kind != DiskSurfaceKind::Flat &&
-                           c.diskSurface.motion == SurfaceMotion::Moving);
+    return withFilm(c) || (withUnevenDisk(c) && c.diskSurface.motion == SurfaceMotion::Moving);
 }
 bool withGivenAir(const Case& c) { return withFilm(c) && c.air.source == AirSource::Given; }
 /// A series over altitudes takes the temperature too.

@@ -7,6 +7,8 @@
 #include "core/case/ridge_check.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/physics/disk/disk_passage.h"
+#include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
@@ -67,6 +69,30 @@ void checkTimes(const Case& c, std::vector<CaseProblem>& problems)
         add("spectrum.start", "must be less than " + duration);
 }
 
+/// What the equations of the springs and their steps ask of a surface that moves. Its file is not read here.
+void checkDiskOfSprings(const Case& c, std::vector<CaseProblem>& problems)
+{
+    const std::size_t before = problems.size();
+    checkMovingDisk(c, problems);
+    const DiskSurface& surface = c.diskSurface;
+    if (problems.size() > before || surface.motion == SurfaceMotion::Still) return;
+    if (hasBumps(surface) && surface.bumpShape == BumpShape::Ellipsoid)
+        problems.push_back(
+            {"disk.surface.bump_shape",
+             "must be \"gaussian\" or \"cosine\" where bumps move under springs: an ellipsoid is vertical "
+             "at its base, so that the dashpots' forces would be infinite there",
+             {"disk.surface.motion", "model"}});
+    const SliderCase& slider = c.slider;
+    const double longest = finestPassage(
+        surface, diskVelocity(c.disk, slider.length, slider.width, 0.5 * slider.length, 0.5 * slider.width));
+    if (hasFixedStep(c.run.integrator) && c.run.step > longest)
+        problems.push_back({"run.step",
+                            "must be at most " + fewDigits(longest / 1.005, "ns", 3) +
+                                ", in which a sixteenth of the shortest wave or bump of disk.surface, or half a cell "
+                                "of its map, passes under the slider",
+                            {"disk.surface", "disk.speed", "run.integrator"}});
+}
+
 void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (c.degreesOfFreedom != 2)
@@ -81,6 +107,7 @@ void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
     const SpringsCase& s = c.springs;
     checkSpacing(c, {"front", "springs.front_distance", s.frontStiffness, s.frontDistance}, problems);
     checkSpacing(c, {"rear", "springs.rear_distance", s.rearStiffness, -s.rearDistance}, problems);
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat) checkDiskOfSprings(c, problems);
     checkTimes(c, problems);
 }
 

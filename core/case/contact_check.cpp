@@ -96,16 +96,6 @@ double patchFields(const Case& c)
     return 2.0 + (c.adhesion.acts() ? 1.0 : 0.0) + (c.diskSurface.kind != DiskSurfaceKind::Flat ? 1.0 : 0.0);
 }
 
-void checkDiskSurface(const DiskSurface& surface, Problems& problems)
-{
-    for (const DiskSurfaceProblem& problem : diskSurfaceProblems(surface))
-        problems.push_back({"disk.surface." + problem.key, problem.sentence, {"disk.surface"}});
-    if (surface.kind == DiskSurfaceKind::Combined && !hasWaves(surface) && !hasRoughness(surface) &&
-        !hasFile(surface) && !hasBumps(surface))
-        problems.push_back(
-            {"disk.surface.kind", "is \"combined\", but no part is given; take \"flat\"", {"disk.surface"}});
-}
-
 void checkElasticPad(const Case& c, Problems& problems)
 {
     const std::size_t before = problems.size();
@@ -197,14 +187,29 @@ void checkContact(const Case& c, Problems& problems)
     }
 }
 
-void checkFilmContact(const Case& c, Problems& problems)
+void checkDiskSurface(const DiskSurface& surface, Problems& problems)
 {
-    const std::size_t before = problems.size();
+    for (const DiskSurfaceProblem& problem : diskSurfaceProblems(surface))
+        problems.push_back({"disk.surface." + problem.key, problem.sentence, {"disk.surface"}});
+    if (surface.kind == DiskSurfaceKind::Combined && !hasWaves(surface) && !hasRoughness(surface) &&
+        !hasFile(surface) && !hasBumps(surface))
+        problems.push_back(
+            {"disk.surface.kind", "is \"combined\", but no part is given; take \"flat\"", {"disk.surface"}});
+}
+
+void checkMovingDisk(const Case& c, Problems& problems)
+{
     checkDiskSurface(c.diskSurface, problems);
     if (c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Moving &&
         c.disk.speed == 0.0)
         problems.push_back(
             {"disk.surface.motion", "is \"moving\", but disk.speed is 0; take \"still\"", {"disk.speed"}});
+}
+
+void checkFilmContact(const Case& c, Problems& problems)
+{
+    const std::size_t before = problems.size();
+    checkMovingDisk(c, problems);
     const double filmCells = (c.film.nodes[0] - 1.0) * (c.film.nodes[1] - 1.0);
     double patchCells = 0.0;
     switch (c.contact) {

@@ -17,6 +17,11 @@ void checkContact(const Case& c, std::vector<CaseProblem>& problems);
 /// Contact and disk of a slider that flies.
 void checkFilmContact(const Case& c, std::vector<CaseProblem>& problems);
 
+/// The surface of the disk alone.
+void checkDiskSurface(const DiskSurface& surface, std::vector<CaseProblem>& problems);
+/// The same under a slider that flies, where it may move with the disk.
+void checkMovingDisk(const Case& c, std::vector<CaseProblem>& problems);
+
 /// d_e >= d_s, wherever the simplified characteristic is used.
 void checkCharacteristic(const OnoYamane& parameters, std::vector<CaseProblem>& problems);
 /// W < 0 (core/physics/contact/ono_yamane.h).

@@ -15,7 +15,6 @@ constexpr const char* ours = "ours";
 
 bool withKind(const Case& c, DiskSurfaceKind kind) { return withDiskSurface(c) && c.diskSurface.kind == kind; }
 bool combined(const Case& c) { return withKind(c, DiskSurfaceKind::Combined); }
-bool notFlat(const Case& c) { return withDiskSurface(c) && c.diskSurface.kind != DiskSurfaceKind::Flat; }
 bool withWaves(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::Waves); }
 bool withRough(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::Rough); }
 bool withFile(const Case& c) { return combined(c) || withKind(c, DiskSurfaceKind::File); }
@@ -36,7 +35,7 @@ std::vector<Parameter> diskSurfaceParameters()
                "a measured profile or map, bumps = single bumps and pits, combined = the sum of all given parts.",
                "paper, section 3: rough, and flat for comparison"),
         choice("disk.surface.motion", "motion", {"moving", "still"}, at(&Case::diskSurface, &DiskSurface::motion),
-               notFlat, "moving = the surface moves with the disk; still = it stands still under the slider.",
+               withUnevenDisk, "moving = the surface moves with the disk; still = it stands still under the slider.",
                "paper, section 3: both, cases II and III"),
         list("disk.surface.wave_amplitudes", "wave amplitudes", nanometres, within(longestTrack), atMost(mostWaves),
              at(&Case::diskSurface, &DiskSurface::waveAmplitudes), withWaves,

@@ -46,8 +46,9 @@ inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
 /// Surfaces given point by point and the forces between them, for a pad or a flying slider.
 inline bool withSurfaces(const Case& c) { return !withSprings(c) && c.contact == ContactKind::Elastic; }
 inline bool withPadSurfaces(const Case& c) { return withContactModel(c) && withSurfaces(c); }
-/// A film takes the disk's surface into account with every kind of contact.
-inline bool withDiskSurface(const Case& c) { return withFilm(c) || withSurfaces(c); }
+/// Springs and film take the disk's surface into account with every kind of contact.
+inline bool withDiskSurface(const Case& c) { return withSprings(c) || withFilm(c) || withSurfaces(c); }
+inline bool withUnevenDisk(const Case& c) { return withDiskSurface(c) && c.diskSurface.kind != DiskSurfaceKind::Flat; }
 inline bool withAsperities(const Case& c)
 {
     return withContactModel(c) && (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity);
@@ -58,6 +59,8 @@ inline bool withSliderPad(const Case& c) { return withPadSurfaces(c) && c.pad.sh
 inline bool withBearing(const Case& c) { return withSprings(c) || withFilm(c); }
 inline bool withRoll(const Case& c) { return withFilm(c) && c.degreesOfFreedom == 3; }
 inline bool withSliderSurface(const Case& c) { return withFilm(c) || withSliderPad(c); }
+/// Length and width also place the springs over the disk.
+inline bool withSliderOutline(const Case& c) { return withSliderSurface(c) || (withSprings(c) && withUnevenDisk(c)); }
 /// The springs have a choice of integrators, the film one of its own.
 inline bool withFixedSpringStep(const Case& c) { return withSprings(c) && hasFixedStep(c.run.integrator); }
 inline bool withAdaptiveSpringStep(const Case& c) { return withSprings(c) && !withFixedSpringStep(c); }

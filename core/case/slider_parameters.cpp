@@ -19,10 +19,10 @@ std::vector<Parameter> sliderParameters()
 {
     return {
         number("slider.length", "length", "L", millimetres, positive(0.1), at(&Case::slider, &SliderCase::length),
-               withSliderSurface, "Length of the slider, from the leading to the trailing edge.",
+               withSliderOutline, "Length of the slider, from the leading to the trailing edge.",
                "a pico slider, 1.25 mm"),
         number("slider.width", "width", "W", millimetres, positive(0.1), at(&Case::slider, &SliderCase::width),
-               withSliderSurface, "Width of the slider, from the inner to the outer edge.", "a pico slider, 1.00 mm"),
+               withSliderOutline, "Width of the slider, from the inner to the outer edge.", "a pico slider, 1.00 mm"),
         number("slider.thickness", "thickness", "b", millimetres, notNegative(1),
                at(&Case::slider, &SliderCase::thickness), withThickness,
                "Thickness of the slider; friction acts half a thickness below the mass centre, the air's shear "

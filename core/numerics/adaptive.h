@@ -84,6 +84,7 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     while (t < until) {
         const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * std::max(t, options.firstStep);
         h = std::min(h, until - t);
+        if constexpr (requires { system.longestStep(); }) h = std::min(h, system.longestStep());
         State y1 = stages(h);
         const double errorSquared =
             combine<TableauRow<dopri5Tableau, &Tableau<7>::e>, 7>(h, k).cwiseProduct(inverseScale).squaredNorm() *

@@ -115,6 +115,7 @@ IntegrationResult integrateCvode(const System& system, Start<System> start, doub
         cv, [](int, const char*, const char*, char*, void*) {}, nullptr);
     CVodeSetMaxNumSteps(cv, -1);
     CVodeSetStopTime(cv, until);
+    if constexpr (requires { system.longestStep(); }) CVodeSetMaxStep(cv, system.longestStep());
 
     // CVODE resets its counts at each switch.
     const auto count = [&] {

@@ -21,6 +21,22 @@ namespace touchdown {
 /// the last bit. A c[0] below zero counts as a crossing at 0, unless the caller has cleared it.
 std::optional<double> firstDescent(const std::array<double, 5>& coefficients);
 
+/// Bernstein coefficients of the guards along a step whose states have the coefficients c: the guards of the
+/// coefficients where these are affine functions of q, else what the system says itself.
+template <SwitchedSystem System>
+std::array<Eigen::Matrix<double, System::guardCount, 1>, 5> guardPath(const System& system,
+                                                                      const std::array<typename System::State, 5>& c)
+{
+    if constexpr (requires { system.guardPath(c); }) {
+        return system.guardPath(c);
+    } else {
+        std::array<Eigen::Matrix<double, System::guardCount, 1>, 5> g;
+        for (std::size_t k = 0; k < 5; ++k)
+            g[k] = system.guards(c[k].template head<System::State::RowsAtCompileTime / 2>());
+        return g;
+    }
+}
+
 /// A guard leaving its interval.
 struct Crossing {
     double at = 0.0; // place in the step, 0..1
@@ -76,7 +92,7 @@ public:
     /// Its rate [unit of q/s].
     double insideRate(const State& y, int guard, bool upper) const
     {
-        const double rate = system_.guards(y.template tail<half>())[guard];
+        const double rate = system_.guardRates(y)[guard];
         return upper ? -rate : rate;
     }
     /// Round-off of a guard at this state [unit of q].
@@ -97,15 +113,13 @@ public:
     double resolution(const State& y, int guard, double time) const
     {
         constexpr double few = 4.0 * std::numeric_limits<double>::epsilon();
-        return roundOff(y, guard) + few * time * std::abs(system_.guards(y.template tail<half>())[guard]);
+        return roundOff(y, guard) + few * time * std::abs(system_.guardRates(y)[guard]);
     }
 
     /// The first crossing of a step from this time [s] whose Bernstein coefficients are c.
     std::optional<Crossing> first(const std::array<State, 5>& c, double time) const
     {
-        using Guards = Eigen::Matrix<double, System::guardCount, 1>;
-        std::array<Guards, 5> g;
-        for (std::size_t k = 0; k < 5; ++k) g[k] = system_.guards(c[k].template head<half>());
+        const auto g = guardPath(system_, c);
         std::optional<Crossing> found;
         for (int i = 0; i < System::guardCount; ++i) {
             const Interval& interval = intervals_[static_cast<std::size_t>(i)];

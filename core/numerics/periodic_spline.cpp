@@ -85,6 +85,14 @@ Weights valueWeights(double t)
     return {-b[0], b[0] - b[1], b[1] - b[2], b[2] - b[3], b[3]};
 }
 
+/// B''(t - k), for the spline's slope [1/cell].
+Weights slopeWeights(double t)
+{
+    const double s = 1.0 - t;
+    const double b0 = -0.5 * s * s, b1 = (1.5 * t - 2.0) * t, b2 = (2.0 - 1.5 * s) * s, b3 = 0.5 * t * t;
+    return {-b0, b0 - b1, b1 - b2, b2 - b3, b3};
+}
+
 /// B(t - k), for its integral.
 Weights integralWeights(double t)
 {
@@ -189,6 +197,25 @@ double PeriodicSpline::value(double x, double y) const
 {
     const Taps across = valueTaps(y, Axis(dy_, ny_, std::abs(y), 0.0));
     return evaluate(sums_, nx_, ny_, valueTaps(x, Axis(dx_, nx_, std::abs(x), 0.0)), across);
+}
+
+PeriodicSpline::Tangent PeriodicSpline::tangent(double x, double y) const
+{
+    const auto placeOn = [](double position, double step, int points) {
+        const double cells = position / step, whole = std::floor(cells);
+        Place place{.index = 0, .turn = 0, .cells = cells, .fraction = cells - whole};
+        const auto i = static_cast<std::int64_t>(whole);
+        place.turn = i / points - (i % points < 0 ? 1 : 0);
+        place.index = i - place.turn * points;
+        return place;
+    };
+    const Place atX = placeOn(x, dx_, nx_), atY = placeOn(y, dy_, ny_);
+    const Taps along = tapsAt(atX, nx_, valueWeights(atX.fraction), atX.turn);
+    const Taps across = tapsAt(atY, ny_, valueWeights(atY.fraction), atY.turn);
+    const Taps slopeAlong = tapsAt(atX, nx_, slopeWeights(atX.fraction), atX.turn);
+    const Taps slopeAcross = tapsAt(atY, ny_, slopeWeights(atY.fraction), atY.turn);
+    return {evaluate(sums_, nx_, ny_, along, across), evaluate(sums_, nx_, ny_, slopeAlong, across) / dx_,
+            evaluate(sums_, nx_, ny_, along, slopeAcross) / dy_};
 }
 
 void PeriodicSpline::addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const

@@ -23,6 +23,11 @@ public:
     PeriodicSpline(int nx, int ny, double dx, double dy, std::vector<double> values);
 
     double value(double x, double y) const;
+    /// The value and its derivatives by x and y, at the position itself, not rounded.
+    struct Tangent {
+        double value = 0.0, slopeX = 0.0, slopeY = 0.0; // [unit of the values], the slopes by [m]
+    };
+    Tangent tangent(double x, double y) const;
     /// Adds the values at the grid's centres, moved by the shift, to `out`.
     void addValues(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// Adds the means over the grid's cells; allocates nothing once `work` has served for this spline.

@@ -2,10 +2,15 @@
 //
 // Mechanical systems q" = a(q, q'; mode) whose law changes where a switching quantity leaves an interval.
 //
-// The state is y = (q, q'). Each switching quantity ("guard") is a linear function of q. In one mode every
-// guard has the interval in which that mode's law holds; the law itself is smooth beyond the interval's
-// ends, so that a step may look across an end before the switch is located (SUNDIALS, ARKODE guide,
-// ERKStepReInit: the right-hand side must have a smooth extension).
+// The state is y = (q, q'). Each switching quantity ("guard") is an affine function of q; a system whose guards are not
+// affine says how they run along a step (guardPath below). In one mode every guard has the interval in which that
+// mode's law holds; the law itself is smooth beyond the interval's ends, so that a step may look across an end before
+// the switch is located (SUNDIALS, ARKODE guide, ERKStepReInit: the right-hand side must have a smooth extension).
+//
+// A law that depends on the time has it as a coordinate of q, whose velocity is 1. Optional members:
+//
+//   guardPath(c)    the guards' Bernstein coefficients along a step whose states have the coefficients c
+//   longestStep()   of a step that still resolves the law's own changes in time [s]
 #pragma once
 
 #include <array>
@@ -27,8 +32,9 @@ concept SwitchedSystem = requires(const S& system, const typename S::State& y, t
     requires std::same_as<decltype(system.naiveDerivative(y, mode)), typename S::State>;
     /// The mode of y, when the branch was that of `mode` until now.
     requires std::same_as<decltype(system.naiveMode(y, mode)), typename S::Mode>;
-    /// Guard values of the positions in y [unit of q]; linear, so they apply to velocities as well.
+    /// Guard values of the positions in y [unit of q], and their rates [unit of q/s].
     system.guards(y.template head<S::State::RowsAtCompileTime / 2>());
+    system.guardRates(y);
     /// Sizes of a guard's coefficients: |guard(q)| <= guardSizes . |q|, for its round-off.
     system.guardSizes(guard).dot(y.template head<S::State::RowsAtCompileTime / 2>());
     requires std::same_as<decltype(system.interval(guard, mode)), Interval>;

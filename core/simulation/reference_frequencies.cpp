@@ -18,7 +18,7 @@ namespace {
 
 constexpr double radiansPerCycle = 2.0 * std::numbers::pi;
 
-/// Frequencies of the springs about their static state under one law [Hz], lowest first.
+/// Frequencies of the springs about their static state above a flat disk under one law [Hz], lowest first.
 std::vector<double> springFrequencies(const SpringModel& model, ContactRegion contact)
 {
     std::vector<double> found;
@@ -63,10 +63,10 @@ std::vector<ReferenceFrequency> referenceFrequencies(const Case& c)
         addNumbered(list, FrequencyKind::Mode, "mode", springFrequencies(model, ContactRegion::Apart));
         const std::vector<double> pressed = springFrequencies(model, ContactRegion::Pressed);
         if (hasContact && !pressed.empty()) contact = {pressed.back()};
-    } else {
-        if (hasContact) contact = {std::sqrt(c.onoYamane.contactStiffness / c.slider.mass) / radiansPerCycle};
-        addNumbered(list, FrequencyKind::Wave, "wave", waveFrequencies(c));
+    } else if (hasContact) {
+        contact = {std::sqrt(c.onoYamane.contactStiffness / c.slider.mass) / radiansPerCycle};
     }
+    addNumbered(list, FrequencyKind::Wave, "wave", waveFrequencies(c));
     addNumbered(list, FrequencyKind::Contact, "contact", contact);
     return list;
 }

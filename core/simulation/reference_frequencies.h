@@ -7,7 +7,8 @@
 //   contact   Ono and Yamane's law. Springs: the highest such f with the law of a pressed pad, the air springs as at
 //             the static state; the mass at the pad is then that of slider and pitch, with friction. A film:
 //             sqrt(k_c/M)/(2 pi)
-//   wave      waves of a disk that moves under a film, f = |U cos b + V sin b|/l, with the velocity (U, V) of the disk
+//   wave      waves of a disk that moves under the slider, f = |U cos b + V sin b|/l, with the velocity (U, V) of the
+//   disk
 //             under the slider's centre, in the order of the case
 //
 // The modes of a film need a solution: simulation/static_state/steady.h, modes(). Overdamped motions have none.

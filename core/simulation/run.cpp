@@ -20,10 +20,8 @@ namespace {
 
 std::string reasonNotToRun(const Case& c, const DiskFileCheck& disk)
 {
-    if (c.model == ModelKind::Springs)
-        return c.run.integrator == IntegratorKind::Cvode && !haveCvode
-                   ? "this program was built without SUNDIALS, so the integrator cvode is missing"
-                   : "";
+    if (c.model == ModelKind::Springs && c.run.integrator == IntegratorKind::Cvode && !haveCvode)
+        return "this program was built without SUNDIALS, so the integrator cvode is missing";
     if (!disk.problems.empty()) return disk.problems.front().text();
     if (c.model == ModelKind::Contact && usesSliderSurface(c)) return patchesOf(c, diskTopography(c)).problem;
     return {};

@@ -396,13 +396,25 @@ private slots:
         ofContact("elastic.patch_reach", "pad.shape=slider", false);
         ofFilm("disk surface of a film case", "disk.surface.kind", "", true);
         ofFilm("elasticity of a film case", "elastic.modulus", "", false);
-        for (const char* key : {"pad.shape", "approach.start", "elastic.modulus", "adhesion.kind", "asperity.radius",
-                                "meniscus.surface_tension", "disk.surface.kind", "run.field_snapshots", "film.coupling",
-                                "run.steps", "run.step_error", "initial.state", "initial.roll_velocity"})
+        for (const char* key :
+             {"pad.shape", "approach.start", "elastic.modulus", "adhesion.kind", "asperity.radius",
+              "meniscus.surface_tension", "disk.surface.motion", "run.field_snapshots", "film.coupling", "run.steps",
+              "run.step_error", "initial.state", "initial.roll_velocity"})
             QTest::addRow("%s of springs", key) << key << "model=springs" << false;
         for (const char* key : {"abs.crown", "air.slip", "disk.speed", "film.nodes", "steady.radii", "slider.length",
                                 "suspension.preload", "initial.roll", "initial.nominal_trailing_edge_height"})
             QTest::addRow("%s of springs", key) << key << "model=springs" << false;
+        const char* over = "model=springs disk.surface.kind=waves";
+        QTest::newRow("a surface under springs") << "disk.surface.kind"
+                                                 << "model=springs" << true;
+        for (const char* key : {"disk.surface.motion", "disk.surface.wave_lengths", "disk.speed", "disk.radius",
+                                "disk.skew", "slider.length", "slider.width"})
+            QTest::addRow("%s of springs over waves", key) << key << over << true;
+        for (const char* key : {"disk.velocity_field", "abs.crown", "initial.roll"})
+            QTest::addRow("%s of springs over waves", key) << key << over << false;
+        QTest::newRow("a speed under springs over still waves")
+            << "disk.speed"
+            << "model=springs disk.surface.kind=waves disk.surface.motion=still" << false;
     }
     void used()
     {

@@ -132,9 +132,12 @@ void TestReferenceFrequencies::nothingThatTheCaseDoesNotHave()
     c.springs.frontDampingRatio = c.springs.rearDampingRatio = 50.0; // nothing oscillates
     QVERIFY(referenceFrequencies(c).empty());
     c = springsAlone();
-    c.diskSurface.kind = DiskSurfaceKind::Waves; // springs move over a flat disk
+    c.diskSurface.kind = DiskSurfaceKind::Waves; // which pass under springs, too
     c.diskSurface.waveAmplitudes = {1e-9};
     c.diskSurface.waveLengths = {10e-6};
+    QCOMPARE(of(c, FrequencyKind::Wave).size(), std::size_t(1));
+    compareRelative(of(c, FrequencyKind::Wave)[0], c.disk.speed * c.disk.radius / 10e-6);
+    c.diskSurface.motion = SurfaceMotion::Still;
     QVERIFY(of(c, FrequencyKind::Wave).empty());
     c.model = ModelKind::Contact;
     QVERIFY(referenceFrequencies(c).empty());

@@ -42,6 +42,7 @@ struct PiecewiseOscillator {
         return {-law(mode).stiffness, -law(mode).damping};
     }
     Eigen::Matrix<double, 1, 1> guards(const Eigen::Matrix<double, 1, 1>& q) const { return q; }
+    Eigen::Matrix<double, 1, 1> guardRates(const State& y) const { return y.tail<1>(); }
     Eigen::Matrix<double, 1, 1> guardSizes(int) const { return Eigen::Matrix<double, 1, 1>(1.0); }
     Interval interval(int, Mode mode) const
     {

@@ -95,6 +95,7 @@ void SideView::takeState()
         state.separation = at("flying_height");
         state.spacing = at("minimum_spacing");
         state.contactForce = at("contact_force");
+        state.disk = {at("front_disk_height"), at("rear_disk_height"), at("disk_height")};
         state_ = state;
         // One scale for the whole run, so that movement is seen: it grows when it must.
         const double top = headRoom * std::max(heightAt(0.0) - profile_.front(), heightAt(1.0) - profile_.back());
@@ -195,7 +196,7 @@ void SideView::paint(QPainter& painter, const PlotTheme& theme) const
     if (!springs_) drawing().paintMotion(painter, theme, speed_ * state_->time);
     paintSlider(painter, theme);
     if (springs_) {
-        springs_->paintSprings(painter, theme, drawing(), heightAt(0.0), heightAt(1.0));
+        springs_->paintSprings(painter, theme, drawing(), heightAt(0.0), heightAt(1.0), state_->disk);
         springs_->paintPad(painter, theme, plotArea(), state_->separation, state_->contactForce > 0.0);
     }
     painter.restore();

@@ -42,6 +42,7 @@ public:
         double spacing = 0.0;        // the smallest one [m]
         double contactForce = 0.0;   // [N]
         double separation = 0.0;     // springs: of the pad [m]
+        SpringsDrawing::Disk disk;   // springs
     };
     const std::optional<State>& state() const { return state_; }
     /// The times of the run's samples so far [s].

@@ -16,6 +16,7 @@ namespace {
 constexpr double overhang = 0.08;                  // at the front, of the distance between the outermost points
 constexpr int coils = 7;                           // of a drawn spring
 constexpr double coilWidth = 9.0;                  // [px]
+constexpr double levelWidth = 16.0;                // of the disk's height under a foot, to each side [px]
 constexpr double padMiddle = 0.78, padHalf = 0.15; // of the width of the pad's picture
 constexpr double padReachInDe = 3.0;               // heights of the pad's picture, in take-off heights
 
@@ -48,19 +49,31 @@ SpringsDrawing::SpringsDrawing(const Case& c)
 }
 
 void SpringsDrawing::paintSprings(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawing,
-                                  double leading, double trailing) const
+                                  double leading, double trailing, const Disk& disk) const
 {
+    const double pad = centre_ + padDistance_;
+    const std::array<std::array<double, 2>, 2> feet{
+        {{centre_ - frontDistance_, disk.front}, {centre_ + rearDistance_, disk.rear}}};
+    if (!disk.flat()) {
+        painter.setPen(QPen(theme.axis, 3.0));
+        const auto level = [&](double along, double height) {
+            const QPointF middle = drawing.toPixel(along, height);
+            painter.drawLine(middle - QPointF(levelWidth, 0.0), middle + QPointF(levelWidth, 0.0));
+        };
+        for (const auto& [along, height] : feet) level(along, height);
+        level(pad, disk.pad);
+    }
     painter.setPen(QPen(theme.text, 1.4));
     painter.setBrush(theme.text);
-    for (const double along : {centre_ - frontDistance_, centre_ + rearDistance_}) {
+    for (const auto& [along, height] : feet) {
         const double bottom = leading + (trailing - leading) * along / length_;
         painter.save();
         painter.setBrush(Qt::NoBrush);
-        paintCoils(painter, drawing.toPixel(along, 0.0), drawing.toPixel(along, std::max(bottom, 0.0)));
+        paintCoils(painter, drawing.toPixel(along, height), drawing.toPixel(along, std::max(bottom, height)));
         painter.restore();
     }
     if (!contact_) return;
-    const double pad = centre_ + padDistance_, bottom = leading + (trailing - leading) * pad / length_;
+    const double bottom = leading + (trailing - leading) * pad / length_;
     painter.drawRect(QRectF(drawing.toPixel(pad, bottom) - QPointF(7.0, 5.0), QSizeF(14.0, 5.0)));
 }
 

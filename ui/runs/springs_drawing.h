@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Parts of the side view of the model springs: the two air springs under their pressure centres, the heights at which
-// the contact law switches, and the pad near the disk in a picture of its own, in which nanometres are seen.
+// Parts of the side view of the model springs: the two air springs under their pressure centres, the height of an
+// uneven disk under these and under the pad, the heights at which the contact law switches, and the pad near the disk
+// in a picture of its own, in which nanometres are seen.
 #pragma once
 
 #include <optional>
@@ -20,9 +21,14 @@ public:
     /// Distance of the mass centre from the leading end [m].
     double centre() const { return centre_; }
 
+    /// Heights of the disk above its mean plane [m].
+    struct Disk {
+        double front = 0.0, rear = 0.0, pad = 0.0;
+        bool flat() const { return front == 0.0 && rear == 0.0 && pad == 0.0; }
+    };
     /// Two springs between the disk and the slider, whose bottom has these heights at its leading and trailing end [m].
     void paintSprings(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawing, double leading,
-                      double trailing) const;
+                      double trailing, const Disk& disk) const;
     /// The pad at the upper right of `area`, at this separation [m]; `pressed`: it touches. Nothing without contact.
     void paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& area, double separation, bool pressed) const;
     /// Heights up to which the pad's own picture reaches [m]; 0 without contact.

@@ -64,6 +64,21 @@ double Bumps::shape(double rr) const
     return 0.0;
 }
 
+double Bumps::shapeRate(double rr) const
+{
+    if (rr >= reach_ * reach_) return 0.0;
+    switch (shape_) {
+    case BumpShape::Ellipsoid: return -0.5 / std::sqrt(1.0 - rr);
+    case BumpShape::Cosine: {
+        const double turn = std::numbers::pi * std::sqrt(rr);
+        const double sinc = turn < 1e-4 ? 1.0 - turn * turn / 6.0 : std::sin(turn) / turn;
+        return -0.25 * std::numbers::pi * std::numbers::pi * sinc;
+    }
+    case BumpShape::Gaussian: return -4.5 * std::exp(-4.5 * rr);
+    }
+    return 0.0;
+}
+
 template <typename Visit>
 void Bumps::forCopies(double left, double right, double inner, double outer, const Visit& visit) const
 {
@@ -85,6 +100,17 @@ double Bumps::height(double x, double y) const
         sum += b.height * shape(u * u + v * v);
     });
     return sum;
+}
+
+void Bumps::addPoint(double x, double y, DiskPoint& to) const
+{
+    forCopies(x, x, y, y, [&](const Bump& b, double cx, double cy) {
+        const double u = (x - cx) / b.halfLength, v = (y - cy) / b.halfWidth, rr = u * u + v * v;
+        to.height += b.height * shape(rr);
+        const double rate = 2.0 * b.height * shapeRate(rr);
+        to.slopeX += rate * u / b.halfLength;
+        to.slopeY += rate * v / b.halfWidth;
+    });
 }
 
 void Bumps::addHeights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
+#include "core/physics/disk/disk_point.h"
 #include "core/physics/disk/disk_surface.h"
 
 namespace touchdown {
@@ -24,6 +25,8 @@ public:
 
     bool empty() const { return bumps_.empty(); }
     double height(double x, double y) const;
+    /// Adds height and slopes; the slopes of an ellipsoid grow beyond all bounds towards its base.
+    void addPoint(double x, double y, DiskPoint& to) const;
     /// Adds the heights at the grid's centres, moved by the shift, to `out`.
     void addHeights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// Adds the means over the grid's cells.
@@ -43,6 +46,7 @@ private:
     template <typename Visit>
     void forCopies(double left, double right, double inner, double outer, const Visit& visit) const;
     double shape(double rr) const;
+    double shapeRate(double rr) const; // its derivative by r^2
 
     BumpShape shape_ = BumpShape::Ellipsoid;
     double reach_ = 1.0;                    // where the shape ends, in r [-]

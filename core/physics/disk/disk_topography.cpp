@@ -97,6 +97,20 @@ double DiskTopography::height(double x, double y) const
     return sum;
 }
 
+DiskPoint DiskTopography::point(double x, double y) const
+{
+    DiskPoint at;
+    waves_.addPoint(x, y, at);
+    bumps_.addPoint(x, y, at);
+    for (const PeriodicSpline& map : maps_) {
+        const PeriodicSpline::Tangent tangent = map.tangent(x, y);
+        at.height += tangent.value;
+        at.slopeX += tangent.slopeX;
+        at.slopeY += tangent.slopeY;
+    }
+    return at;
+}
+
 void DiskTopography::heights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const
 {
     std::ranges::fill(out, 0.0);

@@ -23,6 +23,7 @@
 #include "core/numerics/cell_grid.h"
 #include "core/numerics/periodic_spline.h"
 #include "core/physics/disk/bumps.h"
+#include "core/physics/disk/disk_point.h"
 #include "core/physics/disk/disk_surface.h"
 #include "core/physics/disk/height_map.h"
 #include "core/physics/disk/waves.h"
@@ -44,6 +45,8 @@ public:
 
     /// w [m] at a point of the disk.
     double height(double x, double y) const;
+    /// w and its slopes at a point of the disk, which is not rounded.
+    DiskPoint point(double x, double y) const;
     /// w at the centres of the grid's cells, of the surface moved by the shift [m]. `out`: grid.cells() long.
     void heights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// The mean of w over each cell, for cells of any width: exact to rounding for waves and maps, for bumps to 0.5 %

@@ -62,6 +62,16 @@ double Waves::height(double x, double y) const
     return sum;
 }
 
+void Waves::addPoint(double x, double y, DiskPoint& to) const
+{
+    for (const Wave& w : waves_) {
+        const Turn turn = turnOf(w.kx * x + w.ky * y + w.phase, w.amplitude);
+        to.height += turn.sine;
+        to.slopeX += w.kx * turn.cosine;
+        to.slopeY += w.ky * turn.cosine;
+    }
+}
+
 void Waves::addHeights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const
 {
     assert(out.size() == grid.cells());

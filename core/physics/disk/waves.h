@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
+#include "core/physics/disk/disk_point.h"
 #include "core/physics/disk/disk_surface.h"
 
 namespace touchdown {
@@ -18,6 +19,8 @@ public:
 
     bool empty() const { return waves_.empty(); }
     double height(double x, double y) const;
+    /// Adds height and slopes.
+    void addPoint(double x, double y, DiskPoint& to) const;
     /// Adds the heights at the grid's centres, moved by the shift, to `out`.
     void addHeights(const UniformGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     /// Adds the means over the cells: of a wave the height in the middle times sin(u)/u along x and y, u = k width/2.

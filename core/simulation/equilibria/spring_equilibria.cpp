@@ -92,7 +92,7 @@ public:
     std::vector<Point> search()
     {
         // Coordinates u_f = z + a_f theta, u_r = z - a_r theta: the spacings of both springs, unless they coincide.
-        const SpringModel::Guards turned = model_.guards({0.0, 1.0});
+        const SpringModel::Guards turned = model_.ratesOf({0.0, 1.0});
         const double front = turned[SpringModel::Front];
         double rear = -turned[SpringModel::Rear];
         const bool onePlace = !(front + rear > 0.0);

@@ -108,7 +108,7 @@ RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantit
     extremes_.assign(quantities.size(), {infinity, -infinity});
     spacingColumn_ = static_cast<std::size_t>(findQuantity(quantities, "minimum_spacing"));
     motion_.interval = c.run.sampleInterval;
-    motion_.movingSurface = c.model == ModelKind::Film && c.disk.speed != 0.0 &&
+    motion_.movingSurface = c.model != ModelKind::Contact && c.disk.speed != 0.0 &&
                             c.diskSurface.kind != DiskSurfaceKind::Flat &&
                             c.diskSurface.motion == SurfaceMotion::Moving;
 }

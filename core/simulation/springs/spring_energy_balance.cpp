@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simulation/contact/contact_lever.h"
-
 namespace touchdown {
 
 namespace {
@@ -14,8 +12,12 @@ constexpr double onBoundary = 1e-15; // [m]
 
 } // namespace
 
-SpringEnergyBalance::SpringEnergyBalance(const SpringModel& model, const Case& c)
-    : model_(model), law_(c.onoYamane), hasContact_(c.contact == ContactKind::OnoYamane), friction_(frictionOf(c))
+SpringEnergyBalance::SpringEnergyBalance(const SpringModel& model, const DiskUnderSprings& disk, const Case& c)
+    : model_(model),
+      disk_(disk),
+      still_(disk.at(0.0)),
+      law_(c.onoYamane),
+      hasContact_(c.contact == ContactKind::OnoYamane)
 {}
 
 void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode mode)
@@ -23,68 +25,72 @@ void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode m
     time_ = 0.0;
     y_ = y;
     region_ = mode.contact;
-    separation_ = model_.guards(y.head<2>())[SpringModel::Pad];
-    start_ = model_.energy(y);
+    under_ = under(0.0);
+    separation_ = model_.guards(y.head<2>(), under_.height)[SpringModel::Pad];
+    start_ = model_.energy(y, under_.height);
     gained_ = {};
     missing_ = 0.0;
     least_ = most_ = {};
 }
 
-SpringEnergyBalance::Way SpringEnergyBalance::walk(double to)
+double SpringEnergyBalance::workAlong(double to)
 {
-    const double way = to - separation_;
-    Way sum;
+    double work = 0.0;
     double at = separation_;
     constexpr int mostRegions = 8; // of one step; there are four
     for (int k = 0; k < mostRegions; ++k) {
         const Interval holds = law_.interval(region_);
         const double end = std::clamp(to, holds.lower, holds.upper);
-        const double middle = 0.5 * (at + end), part = end - at;
-        const double contact = law_.contactForce(region_, middle);
-        sum.work += (contact + law_.adhesionForce(region_, middle)) * part; // affine laws: exact
-        sum.meanContact += way != 0.0 ? contact * part / way : 0.0;
+        const double middle = 0.5 * (at + end);
+        work +=
+            (law_.contactForce(region_, middle) + law_.adhesionForce(region_, middle)) * (end - at); // affine: exact
         at = end;
         if (end == to) break;
         region_ = law_.beyond(region_, to > end);
     }
-    if (way == 0.0) sum.meanContact = law_.contactForce(region_, to);
     separation_ = to;
-    return sum;
+    return work;
 }
 
 void SpringEnergyBalance::add(double time, const SpringModel::State& y, SpringModel::Mode mode)
 {
     const double h = time - time_;
     if (!(h > 0.0) || !y.allFinite()) return;
-    SpringModel::State middle = y;
-    middle.tail<2>() =
-        1.5 / h * (y.head<2>() - y_.head<2>()) - 0.25 * (y_.tail<2>() + y.tail<2>()); // of the cubic through both ends
-    const SpringModel::Mode apart{mode.frontSpring, mode.rearSpring, ContactRegion::Apart};
-    gained_[0] += h / 6.0 * (model_.power(y_, apart) + 4.0 * model_.power(middle, apart) + model_.power(y, apart));
+    SpringModel::State middle; // of the cubic through both ends
+    middle.head<2>() = 0.5 * (y_.head<2>() + y.head<2>()) + 0.125 * h * (y_.tail<2>() - y.tail<2>());
+    middle.tail<2>() = 1.5 / h * (y.head<2>() - y_.head<2>()) - 0.25 * (y_.tail<2>() + y.tail<2>());
+    const SpringModel::Under last = under(time);
+    const SpringModel::Powers p0 = model_.powers(y_, mode, under_),
+                              p1 = model_.powers(middle, mode, under(time_ + 0.5 * h)),
+                              p2 = model_.powers(y, mode, last);
+    const auto simpson = [&](auto part) { return h / 6.0 * (part(p0) + 4.0 * part(p1) + part(p2)); };
+    using P = const SpringModel::Powers&;
+    gained_[0] += simpson([](P p) { return p.suspension + p.frontDashpot + p.rearDashpot; });
+    gained_[2] += simpson([](P p) { return p.friction; });
+    gained_[3] += simpson([](P p) { return p.disk; });
     if (hasContact_) {
         const Interval holds = law_.interval(region_);
         // A switch that was located ends a step on the boundary; the next one begins with the law beyond.
         if (std::min(std::abs(separation_ - holds.lower), std::abs(separation_ - holds.upper)) < onBoundary)
             region_ = mode.contact;
-        const Way way = walk(model_.guards(y.head<2>())[SpringModel::Pad]);
-        gained_[1] += way.work;
-        gained_[2] -= friction_.noseDown() * way.meanContact * (y[1] - y_[1]);
+        gained_[1] += workAlong(model_.guards(y.head<2>(), last.height)[SpringModel::Pad]);
         const Interval next = law_.interval(mode.contact);
         if (separation_ > next.lower - onBoundary && separation_ < next.upper + onBoundary) region_ = mode.contact;
     }
     time_ = time;
     y_ = y;
-    keep(model_.energy(y) - start_);
+    under_ = last;
+    keep(model_.energy(y, last.height) - start_);
 }
 
 void SpringEnergyBalance::keep(double energy)
 {
-    const std::array<double, 4> parts{energy, gained_[0], gained_[1], gained_[2]};
+    const std::array<double, 5> parts{energy, gained_[0], gained_[1], gained_[2], gained_[3]};
     for (std::size_t k = 0; k < parts.size(); ++k) {
         least_[k] = std::min(least_[k], parts[k]);
         most_[k] = std::max(most_[k], parts[k]);
     }
-    missing_ = std::max(missing_, std::abs(energy - gained_[0] - gained_[1] - gained_[2]));
+    missing_ = std::max(missing_, std::abs(energy - gained_[0] - gained_[1] - gained_[2] - gained_[3]));
 }
 
 double SpringEnergyBalance::imbalance() const

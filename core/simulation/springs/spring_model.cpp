@@ -24,8 +24,10 @@ double square(double x) { return x * x; }
 
 } // namespace
 
-SpringModel::SpringModel(const Case& c)
+SpringModel::SpringModel(const Case& c, const Guards& under)
     : case_(c),
+      still_{under, Guards::Zero()},
+      rows_(&rows(c)),
       contact_(c.onoYamane),
       friction_(frictionOf(c)),
       hasContact_(c.contact == ContactKind::OnoYamane),
@@ -43,8 +45,9 @@ SpringModel::SpringModel(const Case& c)
     static_ << s.flyingHeight + padDistance_ * s.pitch, s.pitch, 0.0, 0.0;
     initial_ << c.initial.flyingHeight + padDistance_ * c.initial.pitch, c.initial.pitch, c.initial.verticalVelocity,
         c.initial.pitchVelocity;
-    front_ = airSpring(s, s.frontStiffness, frontSpacing(static_));
-    rear_ = airSpring(s, s.rearStiffness, rearSpacing(static_));
+    const Guards flying = guards(static_.head<2>(), Guards::Zero()); // above the mean plane
+    front_ = airSpring(s, s.frontStiffness, flying[Front]);
+    rear_ = airSpring(s, s.rearStiffness, flying[Rear]);
 
     frontDamping_ = 2.0 * s.frontDampingRatio * std::sqrt(mass * s.frontStiffness);
     rearDamping_ = 2.0 * s.rearDampingRatio * std::sqrt(mass * s.rearStiffness);
@@ -102,12 +105,13 @@ SpringModel::SpringModel(const Case& c)
     energyBound_ = 1e4 * (energy(initial_) + stored);
 }
 
-SpringModel::Mode SpringModel::initialMode() const
+SpringModel::Mode SpringModel::initialMode(const Guards& under) const
 {
+    const Guards at = guards(initial_.head<2>(), under);
     Mode mode;
-    mode.frontSpring = frontSpacing(initial_) > front_.cutoff;
-    mode.rearSpring = rearSpacing(initial_) > rear_.cutoff;
-    if (hasContact_) mode.contact = contact_.region(case_.initial.branch, separation(initial_));
+    mode.frontSpring = at[Front] > front_.cutoff;
+    mode.rearSpring = at[Rear] > rear_.cutoff;
+    if (hasContact_) mode.contact = contact_.region(case_.initial.branch, at[Pad]);
     return mode;
 }
 
@@ -117,11 +121,10 @@ SpringModel::Mode SpringModel::lawAt(Mode mode, double d, double zf, double zr) 
             hasContact_ ? contact_.region(OnoYamaneLaw::branch(mode.contact), d) : ContactRegion::Apart};
 }
 
-SpringModel::Mode SpringModel::naiveMode(const State& y, Mode mode) const
+SpringModel::Mode SpringModel::naiveMode(const State& y, Mode mode, const Guards& under) const
 {
-    const double d = separation(y);
-    const double zf = frontSpacing(y);
-    const double zr = rearSpacing(y);
+    const Guards at = guards(y.head<2>(), under);
+    const double d = at[Pad], zf = at[Front], zr = at[Rear];
     if (holds(mode, d, zf, zr)) return mode;
     Mode next = lawAt(mode, d, zf, zr);
     if (hasContact_) next.contact = contact_.region(contact_.nextBranch(OnoYamaneLaw::branch(mode.contact), d), d);
@@ -151,10 +154,10 @@ SpringModel::Mode SpringModel::beyond(Mode mode, int guard, bool upper) const
     return mode;
 }
 
-double SpringModel::period(const State& y, Mode mode) const
+double SpringModel::period(const Eigen::Matrix<double, 2, 4>& jacobian) const
 {
     // The larger of the eigenvalues of a 2 x 2 matrix is at most (|trace| + sqrt|trace^2 - 4 determinant|)/2.
-    const Eigen::Matrix2d stiffness = jacobian(y, mode).leftCols<2>(); // [1/s^2] on the diagonal
+    const Eigen::Matrix2d stiffness = jacobian.leftCols<2>(); // [1/s^2] on the diagonal
     const double trace = std::abs(stiffness.trace());
     const double largest = 0.5 * (trace + std::sqrt(std::abs(square(trace) - 4.0 * stiffness.determinant())));
     return largest > 0.0 ? std::min(period_, 2.0 * std::numbers::pi / std::sqrt(largest)) : period_;
@@ -184,33 +187,39 @@ double SpringModel::suspensionEnergy(const State& y) const
            0.5 * case_.suspension.pitchStiffness * square(y[1] - static_[1]);
 }
 
-double SpringModel::airSpringEnergy(const State& y) const
+double SpringModel::energy(const State& y, const Guards& under) const
 {
-    return front_.potential(frontSpacing(y)) + rear_.potential(rearSpacing(y));
+    const Guards at = guards(y.head<2>(), under);
+    const double air = front_.potential(at[Front]) + rear_.potential(at[Rear]);
+    return kineticEnergy(y) + air + suspensionEnergy(y);
 }
 
-double SpringModel::energy(const State& y) const { return kineticEnergy(y) + airSpringEnergy(y) + suspensionEnergy(y); }
-
-SpringModel::Powers SpringModel::powers(const State& y, Mode mode) const
+SpringModel::Powers SpringModel::powers(const State& y, Mode mode, const Under& under) const
 {
-    const Guards rate = guards(y.tail<2>());
+    const Guards at = guards(y.head<2>(), under.height);
+    const Guards rate = ratesOf(y.tail<2>()) - under.rate;
     Powers powers;
     powers.suspension = -(damping_ * square(y[2]) + pitchDamping_ * square(y[3]));
     powers.frontDashpot = -frontDamping_ * square(rate[Front]);
     powers.rearDashpot = -rearDamping_ * square(rate[Rear]);
+    const double front = (mode.frontSpring ? front_.force(at[Front]) : 0.0) - frontDamping_ * rate[Front];
+    const double rear = (mode.rearSpring ? rear_.force(at[Rear]) : 0.0) - rearDamping_ * rate[Rear];
+    powers.disk = front * under.rate[Front] + rear * under.rate[Rear];
     if (hasContact_) {
-        const double real = contact_.contactForce(mode.contact, separation(y));
-        powers.contact = (real + contact_.adhesionForce(mode.contact, separation(y))) * rate[Pad];
+        const double real = contact_.contactForce(mode.contact, at[Pad]);
+        const double net = real + contact_.adhesionForce(mode.contact, at[Pad]);
+        powers.contact = net * rate[Pad];
         powers.friction = -friction_.noseDown() * real * y[3];
+        powers.disk += net * under.rate[Pad];
     }
     return powers;
 }
 
-Eigen::Matrix<double, 2, 4> SpringModel::jacobian(const State& y, Mode mode) const
+Eigen::Matrix<double, 2, 4> SpringModel::jacobian(double frontSpacing, double rearSpacing, Mode mode) const
 {
     Eigen::Matrix<double, 2, 4> j = linear_;
-    const double front = mode.frontSpring ? front_.tangent(frontSpacing(y)) : 0.0;
-    const double rear = mode.rearSpring ? rear_.tangent(rearSpacing(y)) : 0.0;
+    const double front = mode.frontSpring ? front_.tangent(frontSpacing) : 0.0;
+    const double rear = mode.rearSpring ? rear_.tangent(rearSpacing) : 0.0;
     const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
     j(0, 0) += (front + rear) * inverseMass_ + contact.z1;
     j(0, 1) += (front * frontDistance_ - rear * rearDistance_) * inverseMass_ - contact.z1 * padDistance_;
@@ -227,10 +236,11 @@ std::string SpringModel::eventName(int guard, Mode before, Mode after) const
     return switchName(before.contact, after.contact);
 }
 
-const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(bool hasContact)
+const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(const Case& c)
 {
     using S = const Sample&;
-    static const std::vector<RecordedQuantity<Sample>> free{
+    using List = std::vector<RecordedQuantity<Sample>>;
+    static const List free{
         {{"flying_height", "m", "nm", "Flying height at the contact pad"}, [](S s) { return s.d; }},
         {{"minimum_spacing", "m", "nm", "Minimum spacing of pad and pressure centres"},
          [](S s) {
@@ -250,30 +260,41 @@ const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(bool
         {{"energy", "J", "pJ", "Total energy without that of the contact"},
          [](S s) { return s.kinetic + s.air + s.suspension; }},
     };
-    static const std::vector<RecordedQuantity<Sample>> touching = [] {
-        std::vector<RecordedQuantity<Sample>> list = free;
-        list.insert(
-            list.end(),
-            {{{"contact_force", "N", "mN", "Real contact force"}, [](S s) { return s.contact; }},
-             {{"adhesion_force", "N", "mN", "Adhesion force"}, [](S s) { return s.adhesion; }},
-             {{"net_contact_force", "N", "mN", "Net contact force"}, [](S s) { return s.contact + s.adhesion; }},
-             {{"friction_force", "N", "mN", "Friction force"}, [](S s) { return s.friction; }},
-             {{"friction_power", "W", "uW", "Power of the friction on the slider, by its moment about the mass centre"},
-              [](S s) { return s.frictionPower; }},
-             {{"contact_energy", "J", "pJ", "Elastic energy of the contact"}, [](S s) { return s.stored; }}});
+    static const List touching{
+        {{"contact_force", "N", "mN", "Real contact force"}, [](S s) { return s.contact; }},
+        {{"adhesion_force", "N", "mN", "Adhesion force"}, [](S s) { return s.adhesion; }},
+        {{"net_contact_force", "N", "mN", "Net contact force"}, [](S s) { return s.contact + s.adhesion; }},
+        {{"friction_force", "N", "mN", "Friction force"}, [](S s) { return s.friction; }},
+        {{"friction_power", "W", "uW", "Power of the friction on the slider, by its moment about the mass centre"},
+         [](S s) { return s.frictionPower; }},
+        {{"contact_energy", "J", "pJ", "Elastic energy of the contact"}, [](S s) { return s.stored; }}};
+    static const List uneven{
+        {{"disk_height", "m", "nm", "Height of the disk under the contact pad"}, [](S s) { return s.under[Pad]; }},
+        {{"front_disk_height", "m", "nm", "Height of the disk under the front pressure centre"},
+         [](S s) { return s.under[Front]; }},
+        {{"rear_disk_height", "m", "nm", "Height of the disk under the rear pressure centre"},
+         [](S s) { return s.under[Rear]; }},
+        {{"disk_power", "W", "uW", "Power of the moving surface of the disk on the slider"},
+         [](S s) { return s.diskPower; }}};
+    const auto both = [](List list, const List& more) {
+        list.insert(list.end(), more.begin(), more.end());
         return list;
-    }();
-    return hasContact ? touching : free;
+    };
+    static const std::array<List, 4> lists{free, both(free, touching), both(free, uneven),
+                                           both(both(free, touching), uneven)};
+    const bool surface = c.diskSurface.kind != DiskSurfaceKind::Flat;
+    return lists[(c.contact == ContactKind::OnoYamane ? 1 : 0) + (surface ? 2 : 0)];
 }
 
-void SpringModel::observe(const State& y, Mode mode, double* values) const
+void SpringModel::observe(const State& y, Mode mode, const Under& under, double* values) const
 {
     const PotentialBelowCutoff potential = case_.springs.potential;
-    const Guards rate = guards(y.tail<2>());
+    const Guards at = guards(y.head<2>(), under.height);
+    const Guards rate = ratesOf(y.tail<2>()) - under.rate;
     Sample s{.y = y,
-             .d = separation(y),
-             .zf = frontSpacing(y),
-             .zr = rearSpacing(y),
+             .d = at[Pad],
+             .zf = at[Front],
+             .zr = at[Rear],
              .airForce = 0.0,
              .kinetic = kineticEnergy(y),
              .air = 0.0,
@@ -288,7 +309,11 @@ void SpringModel::observe(const State& y, Mode mode, double* values) const
         s.frictionPower = 0.0 - friction_.noseDown() * s.contact * y[3]; // it presses the nose down; 0 without contact
         s.stored = contact_.storedEnergy(mode.contact, s.d);
     }
-    evaluate(rows(hasContact_), s, values);
+    if (case_.diskSurface.kind != DiskSurfaceKind::Flat) {
+        s.under = under.height;
+        s.diskPower = powers(y, mode, under).disk;
+    }
+    evaluate(*rows_, s, values);
 }
 
 } // namespace touchdown

@@ -8,7 +8,9 @@
 //   J theta'' = d_f F_f - d_r F_r - d_h F_c - (b/2) mu F_cr - k_theta (theta - theta_0) - c_theta theta'
 //   F_i = k_i0 z_i0^2/z_i^2 (z_i0 - z_i) [z_i > d_1] - c_i z_i',   c_i = 2 xi_i sqrt(M k_i0)
 //
-// z is the height of the mass centre's foot above the mean plane of the disk, theta > 0 has the leading edge up.
+// z is the height of the mass centre's foot above the mean plane of the disk, theta > 0 has the leading edge up. Over a
+// disk that is not flat, z_f, z_r and d are reckoned from the disk's surface under each place, and the equations stay
+// as they are: z_f = z + d_f theta - w_f and so on, with z_f' = z' + d_f theta' - w_f' where the surface moves.
 // Friction and pad force both press the nose down (the paper prints + d_h F_c: its d_h is a signed coordinate).
 // Energy as in equation (5), with the k_theta term that the paper omits and J where it prints m; zero at rest.
 #pragma once
@@ -47,12 +49,20 @@ public:
     enum Guard { Pad, Front, Rear };
     static constexpr int guardCount = 3;
 
-    /// `c` must be valid (checkCombinations).
-    explicit SpringModel(const Case& c);
+    /// The disk's surface under pad and pressure centres.
+    struct Under {
+        Guards height = Guards::Zero(); // w [m]
+        Guards rate = Guards::Zero();   // w', as the surface moves [m/s]
+    };
+
+    /// `c` must be valid (checkCombinations). `under`: constant heights of a surface that stands still [m]; zero on a
+    /// flat disk. Over a moving surface the model is flat, and each of its functions takes what is under it instead.
+    explicit SpringModel(const Case& c, const Guards& under = Guards::Zero());
 
     State initialState() const { return initial_; }
-    Mode initialMode() const;
-    /// The state of static equilibrium without contact.
+    Mode initialMode() const { return initialMode(still_.height); }
+    Mode initialMode(const Guards& under) const;
+    /// The state of static equilibrium without contact above a flat disk.
     State staticState() const { return static_; }
     /// M [kg], J [kg m^2].
     Eigen::Vector2d inertia() const { return {1.0 / inverseMass_, 1.0 / inverseInertia_}; }
@@ -69,48 +79,77 @@ public:
         const double zr = rearSpacing(y);
         return derivative(y, holds(mode, d, zf, zr) ? mode : lawAt(mode, d, zf, zr), d, zf, zr);
     }
-    Mode naiveMode(const State& y, Mode mode) const;
-    Guards guards(const Eigen::Vector2d& q) const
-    {
-        return {q[0] - padDistance_ * q[1], q[0] + frontDistance_ * q[1], q[0] - rearDistance_ * q[1]};
-    }
+    Mode naiveMode(const State& y, Mode mode) const { return naiveMode(y, mode, still_.height); }
+    Guards guards(const Eigen::Vector2d& q) const { return guards(q, still_.height); }
+    Guards guardRates(const State& y) const { return ratesOf(y.tail<2>()); }
     Eigen::RowVector2d guardSizes(int guard) const;
     Interval interval(int guard, Mode mode) const;
     Mode beyond(Mode mode, int guard, bool upper) const;
     bool isWall(int guard) const { return guard != Pad; }
     State scale() const { return scale_; }
     /// Kinetic, air spring and suspension energy, without that of the contact [J]; the air springs' held below d_1.
-    double energy(const State& y) const;
+    double energy(const State& y) const { return energy(y, still_.height); }
     /// Power on the slider by part [W].
     struct Powers {
         double suspension = 0.0;                      // of its dashpots
         double frontDashpot = 0.0, rearDashpot = 0.0; // of the air springs
         double contact = 0.0;                         // of contact and adhesion
         double friction = 0.0;
-        double sum() const { return suspension + frontDashpot + rearDashpot + contact + friction; }
+        double disk = 0.0; // of a surface that moves: sum of the forces of air and contact times w'
+        double sum() const { return suspension + frontDashpot + rearDashpot + contact + friction + disk; }
     };
-    Powers powers(const State& y, Mode mode) const;
-    /// Power of dashpots, contact and friction on the slider [W].
+    Powers powers(const State& y, Mode mode) const { return powers(y, mode, still_); }
+    /// Power of dashpots, contact, friction and disk on the slider [W].
     double power(const State& y, Mode mode) const { return powers(y, mode).sum(); }
     /// Derivatives of (z'', theta'') by the state.
-    Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const;
+    Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const
+    {
+        return jacobian(frontSpacing(y), rearSpacing(y), mode);
+    }
+    /// At these spacings of the air springs [m].
+    Eigen::Matrix<double, 2, 4> jacobian(double front, double rear, Mode mode) const;
 
     /// Shortest time scale of the motion about the static state and in contact [s].
     double shortestPeriod() const { return period_; }
     /// That of the motion near y, where an air spring may be much stiffer [s].
-    double period(const State& y, Mode mode) const;
+    double period(const State& y, Mode mode) const { return period(jacobian(y, mode)); }
     /// An energy that a sane run stays far below [J].
     double energyBound() const { return energyBound_; }
 
     /// "touch-down", "rear spring lost", ...: the switch of a guard from one mode to another.
     std::string eventName(int guard, Mode before, Mode after) const;
 
-    static std::vector<Quantity> quantities(const Case& c)
-    {
-        return quantitiesOf(rows(c.contact == ContactKind::OnoYamane));
-    }
+    static std::vector<Quantity> quantities(const Case& c) { return quantitiesOf(rows(c)); }
     /// All quantities of one state, in the order of quantities(); `values` has their size.
-    void observe(const State& y, Mode mode, double* values) const;
+    void observe(const State& y, Mode mode, double* values) const { observe(y, mode, still_, values); }
+
+    // The same over a surface that moves.
+    State derivative(const State& y, Mode mode, const Under& under) const
+    {
+        const Guards at = guards(y.head<2>(), under.height);
+        return pushed(derivative(y, mode, at[Pad], at[Front], at[Rear]), under.rate);
+    }
+    State naiveDerivative(const State& y, Mode mode, const Under& under) const
+    {
+        const Guards at = guards(y.head<2>(), under.height);
+        const bool same = holds(mode, at[Pad], at[Front], at[Rear]);
+        return derivative(y, same ? mode : lawAt(mode, at[Pad], at[Front], at[Rear]), under);
+    }
+    Mode naiveMode(const State& y, Mode mode, const Guards& under) const;
+    Guards guards(const Eigen::Vector2d& q, const Guards& under) const
+    {
+        return {(q[0] - under[Pad]) - padDistance_ * q[1], (q[0] - under[Front]) + frontDistance_ * q[1],
+                (q[0] - under[Rear]) - rearDistance_ * q[1]};
+    }
+    /// The rates of the guards over a surface that does not move, of (z', theta').
+    Guards ratesOf(const Eigen::Vector2d& v) const
+    {
+        return {v[0] - padDistance_ * v[1], v[0] + frontDistance_ * v[1], v[0] - rearDistance_ * v[1]};
+    }
+    double energy(const State& y, const Guards& under) const;
+    Powers powers(const State& y, Mode mode, const Under& under) const;
+    double period(const Eigen::Matrix<double, 2, 4>& jacobian) const;
+    void observe(const State& y, Mode mode, const Under& under, double* values) const;
 
 private:
     /// A state as it is recorded.
@@ -120,8 +159,10 @@ private:
         double airForce, kinetic, air, suspension;                          // [N], energies [J]
         double contact = 0.0, adhesion = 0.0, friction = 0.0, stored = 0.0; // [N], the last [J]
         double frictionPower = 0.0;                                         // [W]
+        Guards under = Guards::Zero();                                      // w [m]
+        double diskPower = 0.0;                                             // [W]
     };
-    static const std::vector<RecordedQuantity<Sample>>& rows(bool hasContact);
+    static const std::vector<RecordedQuantity<Sample>>& rows(const Case& c);
 
     State derivative(const State& y, Mode mode, double d, double zf, double zr) const
     {
@@ -139,6 +180,13 @@ private:
                              (frontPitch_ * front + rearPitch_ * rear);
         return {y[2], y[3], vertical, pitch};
     }
+    /// With the forces by which the dashpots follow a surface that rises at these rates [m/s].
+    State pushed(const State& rate, const Guards& rising) const
+    {
+        const double front = frontDamping_ * rising[Front], rear = rearDamping_ * rising[Rear];
+        return {rate[0], rate[1], rate[2] + (front + rear) * inverseMass_,
+                rate[3] + (frontDistance_ * front - rearDistance_ * rear) * inverseInertia_};
+    }
     /// True where the laws of a mode are those of the spacings themselves.
     bool holds(Mode mode, double d, double zf, double zr) const
     {
@@ -148,14 +196,13 @@ private:
     }
     /// The laws at given spacings, on the branch of a mode.
     Mode lawAt(Mode mode, double d, double zf, double zr) const;
-    double separation(const State& y) const { return y[0] - padDistance_ * y[1]; }
-    double frontSpacing(const State& y) const { return y[0] + frontDistance_ * y[1]; }
-    double rearSpacing(const State& y) const { return y[0] - rearDistance_ * y[1]; }
+    double separation(const State& y) const { return (y[0] - still_.height[Pad]) - padDistance_ * y[1]; }
+    double frontSpacing(const State& y) const { return (y[0] - still_.height[Front]) + frontDistance_ * y[1]; }
+    double rearSpacing(const State& y) const { return (y[0] - still_.height[Rear]) - rearDistance_ * y[1]; }
     /// An energy of the order of the largest that the contact law stores or gives, or more [J].
     double contactEnergyBound() const;
     double suspensionEnergy(const State& y) const;
     double kineticEnergy(const State& y) const;
-    double airSpringEnergy(const State& y) const;
 
     /// Acceleration by contact and friction, affine in the separation d: z0 + z1 d [m/s^2], theta0 + theta1 d
     /// [rad/s^2]; and the separations between which it holds [m].
@@ -165,6 +212,8 @@ private:
     };
 
     Case case_;
+    Under still_; // under the places, of a surface that does not move
+    const std::vector<RecordedQuantity<Sample>>* rows_;
     AirSpring front_;
     AirSpring rear_;
     OnoYamaneLaw contact_;

@@ -9,8 +9,10 @@
 
 namespace touchdown {
 
-SpringRecorder::SpringRecorder(const SpringModel& model, const Case& c, const RunCallback& callback)
+SpringRecorder::SpringRecorder(const SpringModel& model, const DiskUnderSprings& disk, const Case& c,
+                               const RunCallback& callback)
     : model_(model),
+      disk_(disk),
       run_(c, SpringModel::quantities(c), callback),
       points_(RunRecorder::samplesInBatch),
       interval_(c.run.sampleInterval),
@@ -38,6 +40,14 @@ void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode
     if (ends && time > newest_) put({time, last_.y, before});
     smooth_ = false;
     if (ends) put({time, last_.y, after});
+}
+
+void SpringRecorder::observe(const Point& point, std::vector<double>& values) const
+{
+    if (disk_.moves())
+        model_.observe(point.y, point.mode, disk_.at(point.time), values.data());
+    else
+        model_.observe(point.y, point.mode, values.data());
 }
 
 void SpringRecorder::lookAtClock()
@@ -73,7 +83,7 @@ void SpringRecorder::flush()
     const double begin = wallClock();
     for (std::size_t i = 0; i < filled_ && end_.completed(); ++i) {
         const Point& point = points_[i];
-        model_.observe(point.y, point.mode, values_.data());
+        observe(point, values_);
         if (!point.sample) {
             run_.addPoint(point.time, values_, point.smooth);
             continue;
@@ -85,7 +95,7 @@ void SpringRecorder::flush()
     filled_ = 0;
     // The newest step ends beyond the newest sample, unless it is not yet recorded to its end.
     if (end_.completed() && last_.time > lastGood_.time) {
-        model_.observe(last_.y, last_.mode, values_.data());
+        observe(last_, values_);
         if (judge(last_, values_.data())) {
             lastGood_ = last_;
             if (last_.time > newest_) run_.addPoint(last_.time, values_, smooth_);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/simulation/recording/run_recorder.h"
+#include "core/simulation/springs/disk_under_springs.h"
 #include "core/simulation/springs/spring_energy_balance.h"
 #include "core/simulation/springs/spring_model.h"
 
@@ -28,7 +29,8 @@ public:
         bool smooth = false; // the same law has held since the point before
     };
 
-    SpringRecorder(const SpringModel& model, const Case& c, const RunCallback& callback);
+    /// Model and disk must last.
+    SpringRecorder(const SpringModel& model, const DiskUnderSprings& disk, const Case& c, const RunCallback& callback);
 
     /// The start itself.
     void begin(const State& y, Mode mode);
@@ -46,7 +48,15 @@ public:
             if (k <= parts && until > newest_ + slack_ && !put({until, k < parts ? at(until) : y1, mode})) return false;
         }
         last_ = {t1, y1, mode};
-        if (balance) balance->add(t1, y1, mode);
+        if (balance) {
+            // The rate of a map's height has kinks within a step: shorter parts come closer to them.
+            const int pieces = disk_.moves() ? 4 : 1;
+            for (int k = 1; k < pieces; ++k) {
+                const double inner = t0 + (t1 - t0) * k / pieces;
+                balance->add(inner, at(inner), mode);
+            }
+            balance->add(t1, y1, mode);
+        }
         if (++stepsSinceLook_ == stepsBetweenLooks) lookAtClock();
         return goOn_;
     }
@@ -60,6 +70,8 @@ public:
     double endTime() const { return failedAt_.value_or(last_.time); }
     /// How the run ends when its samples say so.
     const RunEnd& end() const { return end_; }
+    /// All quantities there.
+    void observe(const Point& point, std::vector<double>& values) const;
     const RunRecorder& run() const { return run_; }
     /// When the front or rear spring was lost and has not come back; negative if it carries [s].
     double lostSince(int guard) const { return lostSince_[guard == SpringModel::Front ? 0 : 1]; }
@@ -83,6 +95,7 @@ private:
     bool judge(const Point& point, const double* values);
 
     const SpringModel& model_;
+    const DiskUnderSprings& disk_;
     RunRecorder run_;
     std::vector<Point> points_;
     std::size_t filled_ = 0;

@@ -4,39 +4,13 @@
 #include <cmath>
 
 #include "core/formats/units.h"
-#include "core/numerics/adaptive.h"
-#include "core/numerics/cvode.h"
-#include "core/numerics/fixed_step.h"
-#include "core/numerics/newmark.h"
+#include "core/simulation/springs/spring_integration.h"
 #include "core/simulation/springs/spring_recorder.h"
+#include "core/simulation/springs/springs_over_disk.h"
 
 namespace touchdown {
 
 namespace {
-
-/// Runs the integrator of the case from the model's initial state; `step` [s] is for fixed-step ones.
-IntegrationResult integrateSprings(const SpringModel& model, const Case& c, double step, SpringRecorder& recorder)
-{
-    const Start<SpringModel> start{model.initialState(), model.initialMode()};
-    const double until = c.run.duration;
-    const FixedStepOptions fixed{.step = step};
-    const AdaptiveOptions adaptive{.tolerance = c.run.tolerance, .firstStep = 1e-3 * model.shortestPeriod()};
-    recorder.begin(start.y, start.mode);
-    switch (c.run.integrator) {
-    case IntegratorKind::Rk4: return integrateNaively(model, start, until, fixed, recorder);
-    case IntegratorKind::Rk4Events:
-        return integrateFixed(model, Rk4Stepper<SpringModel>(model), start, until, fixed, recorder);
-    case IntegratorKind::Newmark: {
-        const NewmarkOptions options{.beta = c.run.newmarkBeta, .gamma = c.run.newmarkGamma};
-        return integrateFixed(model, NewmarkStepper<SpringModel>(model, options), start, until, fixed, recorder);
-    }
-    case IntegratorKind::Dopri5: break;
-    case IntegratorKind::Cvode:
-        if constexpr (haveCvode) return integrateCvode(model, start, until, adaptive, recorder);
-        break;
-    }
-    return integrateAdaptive(model, start, until, adaptive, recorder);
-}
 
 constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
 constexpr double looseTolerance = 1e-4;     // from which on the energy of an adaptive run is looked at [-]
@@ -77,7 +51,7 @@ RunEnd explain(const IntegrationResult& result)
 }
 
 /// A spring that does not carry at the end, and has not for the last tenth of the run, is lost for good.
-RunEnd lostSpring(const SpringRecorder& recorder, const SpringModel& model, double duration)
+RunEnd lostSpring(const SpringRecorder& recorder, double separation, double duration)
 {
     for (const int guard : {SpringModel::Rear, SpringModel::Front}) {
         const double since = recorder.lostSince(guard);
@@ -89,22 +63,25 @@ RunEnd lostSpring(const SpringRecorder& recorder, const SpringModel& model, doub
         return {RunStatus::Failed, failure,
                 std::string(name(failure)) + " since " + time(since) +
                     (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") +
-                    spacing(model.guards(last.y.head<2>())[SpringModel::Pad]) + ", " + angle(last.y[1]) +
-                    ": outside the model"};
+                    spacing(separation) + ", " + angle(last.y[1]) + ": outside the model"};
     }
     return {};
 }
 
-Summary runOnce(const Case& c, double step, const RunCallback& callback, const RunOptions& options = {})
+Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const RunCallback& callback,
+                const RunOptions& options = {})
 {
-    const SpringModel model(c);
-    SpringRecorder recorder(model, c, callback);
-    SpringEnergyBalance balance(model, c);
+    const SpringModel model(c, disk.moves() ? SpringModel::Guards::Zero() : disk.at(0.0).height);
+    SpringRecorder recorder(model, disk, c, callback);
+    SpringEnergyBalance balance(model, disk, c);
     const bool loose = !hasFixedStep(c.run.integrator) && c.run.tolerance >= looseTolerance;
     if (options.energyBalance || loose) recorder.balance = &balance;
 
+    const SpringModel::Mode mode = model.initialMode(disk.at(0.0).height);
     const double solverBegin = wallClock();
-    const IntegrationResult result = integrateSprings(model, c, step, recorder);
+    recorder.begin(model.initialState(), mode);
+    const IntegrationResult result = disk.moves() ? integrateOverDisk(model, disk, c, step, recorder)
+                                                  : integrateSprings(model, c, step, model.shortestPeriod(), recorder);
     const double solverSeconds = wallClock() - solverBegin - recorder.run().secondsOutside();
     recorder.flush();
 
@@ -114,9 +91,10 @@ Summary runOnce(const Case& c, double step, const RunCallback& callback, const R
         end = explain(result);
         if (!end.completed()) endTime = result.time;
     }
-    if (end.completed()) end = lostSpring(recorder, model, c.run.duration);
     std::vector<double> values(recorder.run().quantities().size());
-    model.observe(recorder.last().y, recorder.last().mode, values.data());
+    recorder.observe(recorder.last(), values);
+    const auto separation = static_cast<std::size_t>(findQuantity(recorder.run().quantities(), "flying_height"));
+    if (end.completed()) end = lostSpring(recorder, values[separation], c.run.duration);
     Summary summary = recorder.run().summary(end, endTime, values);
     summary.steps = result.steps;
     summary.rejectedSteps = result.rejectedSteps;
@@ -151,7 +129,7 @@ Statistics tailOf(const Summary& summary, std::string_view name)
 }
 
 /// Runs again with half the step and compares where the slider ends.
-StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callback)
+StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& full, const RunCallback& callback)
 {
     SampleBatch none;
     none.columns.resize(SpringModel::quantities(c).size());
@@ -160,7 +138,7 @@ StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callb
     };
     StepCheck check;
     check.step = 0.5 * c.run.step;
-    const Summary half = runOnce(c, check.step, stopOnly);
+    const Summary half = runOnce(c, disk, check.step, stopOnly);
     check.flyingHeight = finalValue(half, "flying_height");
     check.pitch = finalValue(half, "pitch");
     const auto [before, spreadBefore, least, most] = tailOf(full, "flying_height");
@@ -186,14 +164,42 @@ StepCheck checkStep(const Case& c, const Summary& full, const RunCallback& callb
     return check;
 }
 
+/// What only the surface itself shows: how long a step may be, and where the slider starts above it.
+std::string reasonNotToStart(const Case& c, const DiskUnderSprings& disk)
+{
+    if (c.diskSurface.kind == DiskSurfaceKind::Flat) return {};
+    if (hasFixedStep(c.run.integrator) && c.run.step > disk.longestStep())
+        return "run.step must be at most " + fewDigits(disk.longestStep() / 1.005, "ns", 3) +
+               ", in which half a cell of the measured surface passes under the slider";
+    const SpringModel model(c);
+    const SpringModel::Guards at = model.guards(model.initialState().head<2>(), disk.at(0.0).height);
+    for (const int guard : {SpringModel::Front, SpringModel::Rear}) {
+        const double stiffness = guard == SpringModel::Front ? c.springs.frontStiffness : c.springs.rearStiffness;
+        if (stiffness > 0.0 && !(at[guard] > c.springs.cutoff))
+            return std::string("initial.flying_height: the initial spacing at the ") +
+                   (guard == SpringModel::Front ? "front" : "rear") +
+                   " air bearing spring, above the disk under it, is " + spacing(at[guard]) +
+                   ", which must be greater than springs.cutoff";
+    }
+    return {};
+}
+
 } // namespace
 
 Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
-    Summary summary = runOnce(c, c.run.step, callback, options);
+    const DiskUnderSprings disk(c);
+    if (const std::string reason = reasonNotToStart(c, disk); !reason.empty()) {
+        Summary refused;
+        refused.status = RunStatus::Failed;
+        refused.failure = RunFailure::Other;
+        refused.message = reason;
+        return refused;
+    }
+    Summary summary = runOnce(c, disk, c.run.step, callback, options);
     if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled &&
         !summary.tail.empty()) {
-        summary.stepCheck = checkStep(c, summary, callback);
+        summary.stepCheck = checkStep(c, disk, summary, callback);
         if (!summary.stepCheck->sameEndState) summary.warnings.push_back(summary.stepCheck->message);
     }
     return summary;

@@ -212,6 +212,11 @@ StudyPerformance planCycles(StudyReader& reader)
                    "is not of model \"springs\": a study of cycles takes the slider with two degrees of freedom");
         return {};
     }
+    if (task.start.diskSurface.kind != DiskSurfaceKind::Flat) {
+        reader.add("case", "has a disk that is not flat; cycles are sought above a flat one, which drives no motion "
+                           "(disk.surface.kind = \"flat\")");
+        return {};
+    }
     if (task.start.contact != ContactKind::OnoYamane) {
         reader.add("case", "has no contact, so that every motion decays; a study of cycles takes contact = "
                            "\"ono-yamane\"");

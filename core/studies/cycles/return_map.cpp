@@ -20,7 +20,7 @@ constexpr int looksPerStep = 6; // at which the extreme spacings are sought
 Eigen::RowVector4d normalOf(const SpringModel& model, int guard)
 {
     Eigen::RowVector4d normal = Eigen::RowVector4d::Zero();
-    for (int k = 0; k < 2; ++k) normal[k] = model.guards(Eigen::Vector2d::Unit(k))[guard];
+    for (int k = 0; k < 2; ++k) normal[k] = model.ratesOf(Eigen::Vector2d::Unit(k))[guard];
     return normal;
 }
 

@@ -78,7 +78,10 @@ Range defaultRange(const Case& c)
 
 std::string reasonNotToTrace(const Case& c)
 {
-    return c.model == ModelKind::Springs ? "" : reasonForNoFilmEquilibria(c);
+    if (c.model != ModelKind::Springs) return reasonForNoFilmEquilibria(c);
+    return c.diskSurface.kind == DiskSurfaceKind::Flat
+               ? ""
+               : "equilibria of springs are followed above a flat disk only (disk.surface.kind = \"flat\")";
 }
 
 /// Its branches lie on one grid.

@@ -91,8 +91,12 @@ std::vector<MethodSpec> defaultStabilityMethods(const Case& c)
                 {"staggered", {{"film.coupling", "staggered"}, {"run.steps", "fixed"}}, "run.step", steps, {}}};
     }
     if (c.model != ModelKind::Springs) return {};
-    const std::vector<std::string> steps{"500 ns", "200 ns", "100 ns", "50 ns", "20 ns",
-                                         "10 ns",  "5 ns",   "2 ns",   "1 ns"};
+    std::vector<std::string> steps{"500 ns", "200 ns", "100 ns", "50 ns", "20 ns", "10 ns", "5 ns", "2 ns", "1 ns"};
+    // A surface that moves may not allow the longest ones.
+    std::erase_if(steps, [&](const std::string& step) {
+        Case at = c;
+        return step != "1 ns" && !changeCase(at, {{"run.integrator", "rk4"}, {"run.step", step}}).empty();
+    });
     return {{"rk4", {{"run.integrator", "rk4"}}, "run.step", steps, {}},
             {"rk4-events", {{"run.integrator", "rk4-events"}}, "run.step", steps, {}},
             {"dopri5",

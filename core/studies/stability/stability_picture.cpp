@@ -28,11 +28,11 @@ using Complex = std::complex<double>;
 constexpr double referenceTolerance = 1e-10; // of the run that shows where the case goes
 
 /// The upper half of the eigenvalues of (q, q').
-std::vector<Complex> ratesOf(const SpringModel& model, const SpringModel::State& y, SpringModel::Mode mode)
+std::vector<Complex> ratesOf(const Eigen::Matrix<double, 2, 4>& jacobian)
 {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
     matrix.topRightCorner<2, 2>().setIdentity();
-    matrix.bottomRows<2>() = model.jacobian(y, mode);
+    matrix.bottomRows<2>() = jacobian;
     std::vector<Complex> rates;
     for (const Complex rate : eigenvaluesOf(matrix))
         if (rate.imag() >= 0.0) rates.push_back(rate);
@@ -56,22 +56,21 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     }
     c.run.integrator = IntegratorKind::Dopri5;
     c.run.tolerance = referenceTolerance;
-    std::vector<std::string> wanted{"height",         "pitch",         "vertical_velocity",
-                                    "pitch_velocity", "front_spacing", "rear_spacing"};
+    std::vector<std::string> wanted{"front_spacing", "rear_spacing"};
     if (c.contact == ContactKind::OnoYamane) wanted.push_back("contact_force");
     const MeasuredRun run = measureRun(c, wanted, goOn);
     if (run.summary.status == RunStatus::Cancelled) return false;
 
     const SpringModel model(c);
-    way.motions.push_back({"in the static state", ratesOf(model, model.staticState(), {})});
+    way.motions.push_back({"in the static state", ratesOf(model.jacobian(model.staticState(), {}))});
     LocalMotion flying, touching;
     for (std::size_t i = 0; i < run.time.size(); ++i) {
         const auto value = [&](std::size_t column) { return run.columns[column][i]; };
-        const bool contact = wanted.size() > 6 && value(6) != 0.0;
-        const SpringModel::Mode mode{value(4) > c.springs.cutoff, value(5) > c.springs.cutoff,
+        const double front = value(0), rear = value(1); // above the disk under them [m]
+        const bool contact = wanted.size() > 2 && value(2) != 0.0;
+        const SpringModel::Mode mode{front > c.springs.cutoff, rear > c.springs.cutoff,
                                      contact ? ContactRegion::Pressed : ContactRegion::Apart};
-        LocalMotion here{contact ? "in contact" : "closest to the disk",
-                         ratesOf(model, {value(0), value(1), value(2), value(3)}, mode)};
+        LocalMotion here{contact ? "in contact" : "closest to the disk", ratesOf(model.jacobian(front, rear, mode))};
         LocalMotion& most = contact ? touching : flying;
         if (most.rates.empty() || here.fastest() > most.fastest()) most = std::move(here);
     }

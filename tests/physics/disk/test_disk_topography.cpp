@@ -258,6 +258,29 @@ private slots:
         QVERIFY(DiskTopography(fromFile(), ramp(9)).repeats());
     }
 
+    /// Slopes are what differences of the heights say, and agree with the spline's value at the same place. Waves, maps
+    /// and bumps of each shape; an ellipsoid has its slope inside its base.
+    void aPointHasTheSlopesOfItsHeights()
+    {
+        for (const BumpShape shape : {BumpShape::Cosine, BumpShape::Gaussian, BumpShape::Ellipsoid}) {
+            DiskSurface surface = combined();
+            surface.bumpShape = shape;
+            surface.waveAngles = {0.4};
+            const DiskTopography disk(surface, ramp(30));
+            constexpr double step = 1e-9; // the third derivative is some 1e9 /m^2 at most: 1e-9 of the slope
+            for (const auto& [x, y] : {std::pair(11.3e-6, 15.1e-6), std::pair(40.2e-6, 1.1e-6),
+                                       std::pair(-3.17e-6, 40.9e-6), std::pair(0.0261, -7.3e-6)}) {
+                const DiskPoint at = disk.point(x, y);
+                QVERIFY(std::abs(at.height - disk.height(x, y)) < 1e-16);
+                const double alongX = disk.point(x + step, y).height - disk.point(x - step, y).height;
+                const double alongY = disk.point(x, y + step).height - disk.point(x, y - step).height;
+                QVERIFY2(std::abs(0.5 * alongX / step - at.slopeX) < 2e-8, qPrintable(QString::number(at.slopeX)));
+                QVERIFY2(std::abs(0.5 * alongY / step - at.slopeY) < 2e-8, qPrintable(QString::number(at.slopeY)));
+                QVERIFY(std::abs(at.slopeX) > 1e-5);
+            }
+        }
+    }
+
     void readingAllocatesNothing()
     {
         const DiskTopography disk(combined(), ramp(30));

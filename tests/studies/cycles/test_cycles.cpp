@@ -279,6 +279,13 @@ private slots:
         const StudyPlan plan = parseStudy("cycles", "", "study", {}, &free);
         QCOMPARE(plan.problems.size(), std::size_t(1));
         QVERIFY(plan.problems.front().message.starts_with("has no contact"));
+        Case uneven = bouncingSlider();
+        uneven.diskSurface.kind = DiskSurfaceKind::Waves;
+        uneven.diskSurface.waveAmplitudes = {1e-9};
+        uneven.diskSurface.waveLengths = {50e-6};
+        const StudyPlan driven = parseStudy("cycles", "", "study", {}, &uneven);
+        QCOMPARE(driven.problems.size(), std::size_t(1));
+        QVERIFY(driven.problems.front().message.starts_with("has a disk that is not flat"));
     }
 };
 

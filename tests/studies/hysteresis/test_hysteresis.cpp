@@ -142,6 +142,22 @@ private slots:
         QVERIFY(says(anew, "Started anew at each value"));
     }
 
+    /// Over a disk that is not flat the values of springs are held; their equilibria are refused.
+    void equilibriaOfSpringsNeedAFlatDisk()
+    {
+        Case c;
+        c.diskSurface.kind = DiskSurfaceKind::Waves;
+        c.diskSurface.waveAmplitudes = {0.2e-9};
+        c.diskSurface.waveLengths = {100e-6};
+        const std::string range = "steps = 1\nhold = \"20 us\"\n";
+        const StudyPlan asked = planOf(c, range + "equilibria = true\n");
+        QVERIFY(!asked.valid());
+        QCOMPARE(asked.problems.front().key, std::string("equilibria"));
+        const StudyReport report = performed(c, range);
+        QCOMPARE(report.status, StudyStatus::Completed);
+        QVERIFY(std::ranges::none_of(report.tables, [](const StudyTable& t) { return t.name == "equilibria"; }));
+    }
+
     /// A film's branches lie on one grid, which does not fit a slider of another length.
     void sizesOfAFilmsSliderAreHeldAlone()
     {
@@ -261,7 +277,7 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         for (const char* name : {"fig10a", "table3_3nm_from_100nm", "textbook_oscillator", "textbook_bounce",
-                                 "film_pico", "fig06_de_4nm", "fig02_micro_pad_case_2_moving"})
+                                 "springs_waviness", "film_pico", "fig06_de_4nm", "fig02_micro_pad_case_2_moving"})
             QTest::newRow(name) << name;
     }
     void templatesAreValid()

@@ -211,7 +211,7 @@ private slots:
     void templatesAreValid_data()
     {
         QTest::addColumn<QString>("name");
-        for (const char* name : {"fig10a", "textbook_oscillator", "film_pico", "fig06_de_4nm"})
+        for (const char* name : {"fig10a", "textbook_oscillator", "springs_waviness", "film_pico", "fig06_de_4nm"})
             QTest::newRow(name) << name;
     }
     void templatesAreValid()

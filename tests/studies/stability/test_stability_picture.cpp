@@ -71,6 +71,27 @@ private slots:
                 std::abs(found[1] / std::max(omega, turning) - 1.0) < 1e-9);
         QVERIFY(std::isnan(limitOf(picture, "newmark", "in the static state")));
     }
+    /// A surface that is equally high under all places: only the spacings above it count, so that the picture is that
+    /// of a slider as much lower above a flat disk, but for the static state.
+    void spacingsAboveTheDisk()
+    {
+        Case flat, raised;
+        flat.run.duration = 50e-6;
+        flat.suspension.stiffness = 0.0; // which alone knows the mean plane
+        raised = flat;
+        raised.diskSurface.kind = DiskSurfaceKind::Waves;
+        raised.diskSurface.motion = SurfaceMotion::Still;
+        raised.diskSurface.waveAmplitudes = {2e-9};
+        raised.diskSurface.waveLengths = {1e-3};
+        raised.diskSurface.waveAngles = {0.5 * std::numbers::pi}; // across
+        raised.diskSurface.wavePhases = {-0.5 * std::numbers::pi};
+        raised.initial.flyingHeight += 2e-9;
+        const StudyReport below = pictureOf(flat), above = pictureOf(raised);
+        for (const char* where : {"closest to the disk", "in contact"}) {
+            const double a = limitOf(below, "rk4", where), b = limitOf(above, "rk4", where);
+            QVERIFY2(std::abs(b / a - 1.0) < 1e-4, qPrintable(QString::number(b / a))); // of two bouncing runs
+        }
+    }
     /// The default drop: stiffer near the disk than at rest, stiffest in contact, where omega^2 is nearly that of k_c
     /// and the air springs. A run with a step beyond rk4's limit in contact is no longer right, one with half of it is.
     void theDefaultDrop()

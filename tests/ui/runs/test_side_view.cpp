@@ -40,6 +40,7 @@ private slots:
     void showsAChosenTime();
     void keepsItsScale();
     void springs();
+    void springsOverAnUnevenDisk();
     void aContactHasNone();
     void paintsBothThemes_data();
     void paintsBothThemes();
@@ -144,6 +145,29 @@ void TestSideView::springs()
     // The pad's own picture reaches beyond the height at which the menisci break.
     QVERIFY(drawing.padReach() > c.onoYamane.takeOff);
     QVERIFY(!view_->grab().isNull());
+}
+
+/// The height of the disk under pad and pressure centres is read from the run and drawn: without it the picture
+/// differs.
+void TestSideView::springsOverAnUnevenDisk()
+{
+    const std::vector<Quantity> recorded{{"flying_height", "m", "nm", ""},     {"minimum_spacing", "m", "nm", ""},
+                                         {"pitch", "rad", "urad", ""},         {"height", "m", "nm", ""},
+                                         {"front_disk_height", "m", "nm", ""}, {"rear_disk_height", "m", "nm", ""},
+                                         {"disk_height", "m", "nm", ""}};
+    const auto pictureOver = [&](int number, double front, double rear, double pad) {
+        runs_->add(std::make_unique<RunRecord>(number, Case{}, "", recorded));
+        runs_->append(number, {{0.0}, {{7e-9}, {7e-9}, {90e-6}, {60e-9}, {front}, {rear}, {pad}}}, {});
+        view_->showRun(number);
+        return view_->grab().toImage();
+    };
+    const QImage flat = pictureOver(1, 0.0, 0.0, 0.0);
+    QVERIFY(view_->state()->disk.flat());
+    const QImage uneven = pictureOver(2, 5e-9, -4e-9, -3e-9);
+    QCOMPARE(view_->state()->disk.front, 5e-9);
+    QCOMPARE(view_->state()->disk.rear, -4e-9);
+    QCOMPARE(view_->state()->disk.pad, -3e-9);
+    QVERIFY(flat != uneven);
 }
 
 void TestSideView::aContactHasNone()

@@ -149,6 +149,8 @@ void TestMainWindowContact::offersThePagesOfTheCase()
     f.window.files().openNow(QStringLiteral("fig10a"));
     QVERIFY(f.offered(RunView::Page::Side) && !f.offered(RunView::Page::Maps) && !f.offered(RunView::Page::Disk));
     QVERIFY(f.window.runView().spectrum()->isVisible());
+    f.window.files().openNow(QStringLiteral("springs_waviness"));
+    QVERIFY(f.offered(RunView::Page::Side) && !f.offered(RunView::Page::Maps) && f.offered(RunView::Page::Disk));
 }
 
 void TestMainWindowContact::mapsFollowTheChosenRun()

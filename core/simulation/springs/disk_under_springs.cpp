@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/springs/disk_under_springs.h"
+
+#include <algorithm>
+
+#include "core/case/disk_setup.h"
+#include "core/physics/disk/disk_passage.h"
+#include "core/physics/disk/disk_surface_check.h"
+#include "core/simulation/static_state/disk_under_film.h"
+
+namespace touchdown {
+
+DiskUnderSprings::DiskUnderSprings(const Case& c)
+    : surface_(diskTopography(c)),
+      velocity_(surfaceVelocity(c, surface_)),
+      longestStep_(finestPassage(c.diskSurface, velocity_))
+{
+    const double middle = 0.5 * c.slider.length, across = 0.5 * c.slider.width;
+    place_[SpringModel::Pad] = {middle + c.onoYamane.padDistance, across};
+    place_[SpringModel::Front] = {middle - c.springs.frontDistance, across};
+    place_[SpringModel::Rear] = {middle + c.springs.rearDistance, across};
+    if (!hasFile(c.diskSurface)) return;
+    const UniformGrid finest = surface_.period(); // of the finest map; the same across where it is a profile
+    const Velocity along{velocity_.x, finest.ny > 1 ? velocity_.y : 0.0};
+    longestStep_ = std::min(longestStep_, cellPassage(finest.dx, finest.dy, along));
+}
+
+SpringModel::Under DiskUnderSprings::at(double time) const
+{
+    SpringModel::Under under;
+    for (std::size_t i = 0; i < place_.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        if (!moves()) { // no slopes, which may be infinite
+            under.height[k] = surface_.height(place_[i].x(), place_[i].y());
+            continue;
+        }
+        const DiskPoint at = surface_.point(place_[i].x() - velocity_.x * time, place_[i].y() - velocity_.y * time);
+        under.height[k] = at.height;
+        under.rate[k] = -(velocity_.x * at.slopeX + velocity_.y * at.slopeY);
+    }
+    return under;
+}
+
+} // namespace touchdown
