@@ -22,12 +22,13 @@ namespace touchdown {
 
 namespace {
 
-constexpr double megahertz = 1e6;        // [Hz]
-constexpr double finestPixels = 3.0;     // of a picture for a pixel of the screen
-constexpr int refreshEach = 250;         // [ms] while a run goes
-constexpr double standsOut = 60.0;       // below the largest density [dB]
-constexpr double keyLength = 90.0;       // of the colour bar [px]
-constexpr std::size_t windowsOfRun = 32; // of the default length, without their overlap
+constexpr double megahertz = 1e6;                         // [Hz]
+constexpr double finestPixels = 3.0;                      // of a picture for a pixel of the screen
+constexpr int refreshEach = 250;                          // [ms] while a run goes
+constexpr double standsOut = 60.0;                        // below the largest density [dB]
+constexpr double keyLength = 90.0;                        // of the colour bar [px]
+constexpr std::size_t mostSamples = std::size_t(1) << 21; // above, the window would wait: some 60 ms
+constexpr std::size_t windowsOfRun = 32;                  // of the default length, without their overlap
 
 double decibels(double power) { return 10.0 * std::log10(power); }
 
@@ -208,8 +209,8 @@ void LiveSpectrogram::show(const RunRecord* run)
     titled(tr("no samples yet"));
     plot_.setBackdrop({});
     if (!column || column->size() < 8) return;
-    if (!run->complete()) {
-        titled(tr("none, as the run is longer than what is kept in memory"));
+    if (column->size() > mostSamples) {
+        titled(tr("none above %L1 samples").arg(mostSamples));
         return;
     }
     // The last sample may come at the end of a run that broke off, at another interval.

@@ -281,7 +281,10 @@ void MainWindow::greet()
     files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
     setPage(Page::Run);
     runView().setPage(RunView::Page::Plots);
-    runView().setStage(PlotStage{{QStringLiteral("spacing")}, true, false});
+    PlotStage stage;
+    stage.plots << QStringLiteral("spacing");
+    stage.side = true;
+    runView().setStage(stage);
     startCard_->open();
     startRun();
     controller().setPace(greetedPace);

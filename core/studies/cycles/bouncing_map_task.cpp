@@ -2,6 +2,7 @@
 #include "core/studies/cycles/bouncing_map_task.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/case/parameters.h"
@@ -9,6 +10,7 @@
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/numerics/wall_clock.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/studies/cycles/cycle_keys.h"
 #include "core/studies/cycles/cycles_report.h"
@@ -24,6 +26,7 @@ constexpr int fewestPoints = 2, mostPoints = 100, standardPoints = 20; // of an 
 constexpr int mostStarts = 8;
 const std::vector<std::string> scales{"linear", "logarithmic"};
 constexpr int halvingsOfPlace = 60;
+constexpr double betweenMaps = 0.25; // that grow, while the map is made [s]
 constexpr const char* markedByWork =
     " Marks of cases with another law, or of a film, stand where the law of the map has "
     "the W of theirs; what the map shows there is its own slider.";
@@ -327,12 +330,26 @@ void addBouncingMap(const MarkedMapTask& task, int jobs, const StudyCallback& ca
 {
     const std::size_t columns = task.x.values.size(), count = columns * task.y.values.size();
     std::vector<MapCell> cells(count);
+    std::vector<std::atomic<bool>> written(count); // a cell may be read from then on
     const auto judge = [&](std::size_t i, const GoOn& goOn) {
         cells[i] = judgeCell(task, task.x.values[i % columns], task.y.values[i / columns], goOn);
+        written[i].store(true, std::memory_order_release);
     };
+    std::size_t shown = 0;
+    double shownAt = wallClock();
     const bool whole = runParallel(count, jobs, judge, [&](std::size_t done) {
+        if (!callback) return true;
         const std::string doing = "cell " + std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count);
-        return !callback || callback({.share = double(done) / double(count), .doing = doing, .soFar = nullptr});
+        const double share = double(done) / double(count);
+        if (done == shown || wallClock() - shownAt < betweenMaps) return callback({share, doing, nullptr});
+        shown = done;
+        shownAt = wallClock();
+        std::vector<MapCell> seen(count);
+        for (std::size_t i = 0; i < count; ++i)
+            if (written[i].load(std::memory_order_acquire)) seen[i] = cells[i];
+        StudyReport soFar = report;
+        soFar.charts.push_back(chartOf(task, seen));
+        return callback({share, doing, &soFar});
     });
     report.charts.push_back(chartOf(task, cells));
     report.tables.push_back(tableOf(task, cells));

@@ -194,6 +194,26 @@ private slots:
         QVERIFY(one.charts.front().panels.front().map->cells == three.charts.front().panels.front().map->cells);
     }
 
+    /// A cell that is shown early has the class that it keeps.
+    void growsWhileItIsMade()
+    {
+        std::vector<std::vector<int>> seen;
+        const StudyReport report =
+            performed(bouncingSlider(), mapText(12, "20 ms", 2), 2, [&seen](const StudyProgress& progress) {
+                if (progress.soFar) seen.push_back(progress.soFar->charts.back().panels.front().map->cells);
+                return true;
+            });
+        const std::vector<int>& whole = report.charts.front().panels.front().map->cells;
+        QVERIFY2(seen.size() >= 2, qPrintable(QString::number(seen.size())));
+        std::ptrdiff_t before = 0;
+        for (const std::vector<int>& cells : seen) {
+            const std::ptrdiff_t done = std::ranges::count_if(cells, [](int kind) { return kind >= 0; });
+            QVERIFY(done > before && done <= std::ptrdiff_t(whole.size()));
+            before = done;
+            for (std::size_t i = 0; i < cells.size(); ++i) QVERIFY(cells[i] < 0 || cells[i] == whole[i]);
+        }
+    }
+
     void stops()
     {
         const StudyReport report =
