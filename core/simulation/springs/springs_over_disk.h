@@ -12,12 +12,12 @@
 
 #include <array>
 
-#include "core/numerics/switched_system.h"
 #include "core/simulation/springs/disk_under_springs.h"
 #include "core/simulation/springs/spring_model.h"
 
 namespace touchdown {
 
+struct IntegrationResult; // core/numerics/switched_system.h
 class SpringRecorder;
 
 class SpringsOverDisk {
