@@ -228,6 +228,26 @@ private slots:
         QVERIFY(problemsOf(readLesson(wrong, "l.toml")).contains("stage.until: is below the other end of its axis"));
     }
 
+    /// The springs of the last step.
+    void wavesForceTheSlider()
+    {
+        const LessonStep& last = lessonSteps().back();
+        const Case waves = caseOf(last.runs.at(0));
+        QCOMPARE(waves.model, ModelKind::Springs);
+        const Summary moving = run(waves), still = run(caseOf(last.runs.at(1)));
+        const auto swing = [](const Summary& summary) { // of the minimum spacing at the end [nm]
+            for (const auto& [quantity, tail] : summary.tail)
+                if (quantity == "minimum_spacing") return (tail.max - tail.min) * 1e9;
+            return std::numeric_limits<double>::quiet_NaN();
+        };
+        QVERIFY(last.answer.find("swings by 8.08 nm from peak to peak") != std::string::npos);
+        QVERIFY2(std::abs(swing(moving) - 8.08) < 0.005, qPrintable(QString::number(swing(moving))));
+        QVERIFY(swing(still) < 1e-3);
+        QVERIFY(last.text.find("waves of 0.5 nm that are 50 um long") != std::string::npos);
+        QCOMPARE(waves.diskSurface.waveAmplitudes, (std::vector<double>{0.5e-9}));
+        QCOMPARE(waves.diskSurface.waveLengths, (std::vector<double>{50e-6}));
+    }
+
     /// Each number of an answer is that of a run of its step, of one of its studies, or of its own text and settings.
     void answersAreTrue_data()
     {
