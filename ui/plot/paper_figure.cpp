@@ -7,6 +7,7 @@
 
 #include <QBuffer>
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 
 #include "ui/plot/plot_painter.h"
@@ -23,6 +24,12 @@ constexpr int textPixels = 12;
 constexpr double pointsPerInch = 72.0, millimetresPerInch = 25.4;
 constexpr double betweenPanels = 8.0;                // [px]
 constexpr double leastAcross = 90.0, leastUp = 48.0; // of the area of curves [px]
+
+QByteArray firstLine(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readLine() : QByteArray();
+}
 
 PagePart& partOf(QWidget* widget) { return dynamic_cast<PagePart&>(*widget); }
 
@@ -133,12 +140,10 @@ QString PaperFigure::save(const QString& path) const
     if (!picture)
         return tr("%1 does not end in .pdf, .svg or .png, so its format is not known.")
             .arg(QDir::toNativeSeparators(path));
+    if (picture->isEmpty())
+        return tr("%1 could not be written: the picture has too many pixels. Choose a lower resolution.")
+            .arg(QDir::toNativeSeparators(path));
     const QStringList data = dataFiles(path);
-    // The person was asked about the figure itself only.
-    for (const QString& file : data)
-        if (QFileInfo::exists(file) && !QFileInfo::exists(path))
-            return tr("%1 exists already and may belong to something else: choose another name for the figure.")
-                .arg(QDir::toNativeSeparators(file));
     std::vector<std::pair<QString, QByteArray>> files{{path, *picture}};
     for (const Cell& cell : cells_) {
         const auto write = partOf(cell.panel).dataWriter();
@@ -146,7 +151,12 @@ QString PaperFigure::save(const QString& path) const
         QBuffer buffer;
         buffer.open(QIODevice::WriteOnly);
         write(buffer);
-        files.emplace_back(data[static_cast<qsizetype>(files.size()) - 1], buffer.data());
+        const QString& file = data[static_cast<qsizetype>(files.size()) - 1];
+        // The person was asked about the figure itself only: another figure's numbers are not replaced.
+        if (QFileInfo::exists(file) && firstLine(file) != buffer.data().left(buffer.data().indexOf('\n') + 1))
+            return tr("%1 exists already and holds something else: choose another name for the figure.")
+                .arg(QDir::toNativeSeparators(file));
+        files.emplace_back(file, buffer.data());
     }
     return writeWholeFiles(files);
 }

@@ -13,7 +13,7 @@ struct FigureFormat {
     static constexpr double oneColumn = 85.0, twoColumns = 170.0; // widths [mm]
 
     double width = oneColumn; // [mm], 20 to 500
-    double height = 0.0;      // [mm], at most 500; 0: as high as its panels need
+    double height = 0.0;      // [mm], at most 2000; 0: as high as its panels need
     int columns = 1;          // of panels beside each other, 1 to 4
     QString family = {};      // of the font; empty: that of the window
     double fontSize = 8.0;    // [pt], 4 to 36

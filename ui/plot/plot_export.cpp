@@ -28,10 +28,15 @@ constexpr int paperResolution = 1200; // of PDF [dots per inch]
 constexpr double finer = 2.0;         // the clipboard's picture against the screen
 constexpr int svgFineness = 10;       // units of an SVG's size for a pixel
 constexpr double inch = 0.0254;       // [m]
+constexpr int mostPixels = 32767;     // that Qt draws on, in each direction
 
+/// Null where it is too large for the memory, or for Qt to draw on.
 QImage rastered(const Picture& picture, double scale)
 {
-    QImage image((picture.size * scale).toSize(), QImage::Format_RGB32);
+    const QSize size = (picture.size * scale).toSize();
+    QImage image;
+    if (std::max(size.width(), size.height()) <= mostPixels) image = QImage(size, QImage::Format_RGB32);
+    if (image.isNull()) return image;
     image.fill(Qt::white);
     QPainter painter(&image);
     painter.scale(scale, scale);
@@ -42,6 +47,7 @@ QImage rastered(const Picture& picture, double scale)
 void writePng(const Picture& picture, QIODevice& device)
 {
     QImage image = rastered(picture, picture.dotsPerInch / picture.pixelsPerInch);
+    if (image.isNull()) return;
     const auto perMetre = static_cast<int>(std::lround(picture.dotsPerInch / inch));
     image.setDotsPerMeterX(perMetre);
     image.setDotsPerMeterY(perMetre);
@@ -151,8 +157,13 @@ std::optional<QByteArray> pictureBytes(const Picture& picture, const QString& pa
 
 QString savePicture(const Picture& picture, const QString& path)
 {
-    if (const std::optional<QByteArray> bytes = pictureBytes(picture, path)) return writeWholeFile(path, *bytes);
-    return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.").arg(QDir::toNativeSeparators(path));
+    const std::optional<QByteArray> bytes = pictureBytes(picture, path);
+    if (!bytes)
+        return tr("%1 does not end in .png, .svg or .pdf, so its format is not known.")
+            .arg(QDir::toNativeSeparators(path));
+    if (bytes->isEmpty())
+        return tr("%1 could not be written: the picture has too many pixels.").arg(QDir::toNativeSeparators(path));
+    return writeWholeFile(path, *bytes);
 }
 
 QString savePicture(QWidget& shown, const QString& path)

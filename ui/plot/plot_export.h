@@ -52,7 +52,7 @@ public:
 [[nodiscard]] QString savePicture(const Picture& picture, const QString& path);
 /// A PagePart, or a page with every visible PagePart inside it at its place.
 [[nodiscard]] QString savePicture(QWidget& shown, const QString& path);
-/// The bytes of a file of that name; nothing if its ending is not known.
+/// The bytes of a file of that name; nothing if its ending is not known, none if a PNG would be too large.
 std::optional<QByteArray> pictureBytes(const Picture& picture, const QString& path);
 /// The visible PageParts of a page, from the top to the bottom and from the left to the right.
 std::vector<QWidget*> visibleParts(QWidget& page);

@@ -82,6 +82,7 @@ void PlotGroup::add(PlotWidget* plot)
     });
     connect(plot, &PlotWidget::menuRequested, this, [this, plot](const QPoint& at) { openMenu(plot, this, at); });
     for (const int which : {0, 1}) plot->setPlotCursor(which, cursor(which));
+    plot->setCursorPinned(plots_.front()->cursorPinned());
     plot->setCursorsSnap(across_ == Across::Frequency);
     plot->setEverything(everything_);
     if (follow_ == Follow::Frozen)

@@ -288,6 +288,7 @@ void PlotPainter::paintReferenceLabels(QPainter& painter) const
             if (box.top() < area_.top()) box.moveTop(y + 2.0);
             for (const QRectF& other : taken)
                 if (box.intersects(other)) box.moveRight(other.left() - PlotFrame::gap);
+            if (box.left() < area_.left()) continue;
         }
         taken.push_back(box);
         paintLabel(painter, box, line.label, theme_.mutedText);

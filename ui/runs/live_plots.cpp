@@ -133,11 +133,12 @@ void LivePlots::placePlot(std::size_t s)
 {
     const PlotSpec& spec = specs_[s];
     PlotWidget* plot = entries_[s].plot;
-    for (QVBoxLayout* column : {overTime_, portraits_}) column->removeWidget(plot);
-    (spec.across && spec.choosable ? portraits_ : overTime_)
-        ->addWidget(plot, spec.across        ? 3
-                          : spec.spectrogram ? 2
-                                             : 1);
+    for (QVBoxLayout* each : {overTime_, portraits_}) each->removeWidget(plot);
+    QVBoxLayout* column = spec.across && spec.choosable ? portraits_ : overTime_;
+    int above = 0; // plots of that column that stand before it
+    for (std::size_t k = 0; k < std::min(s, entries_.size()); ++k)
+        above += column->indexOf(entries_[k].plot) >= 0 ? 1 : 0;
+    column->insertWidget(above, plot, spec.across ? 3 : spec.spectrogram ? 2 : 1);
     group_->remove(plot);
     plot->setPhasePortrait(spec.across.has_value());
     group_->add(plot);

@@ -250,7 +250,7 @@ void LiveSpectrogram::show(const RunRecord* run)
     backdrop.x = {picture->start, std::max(end, column->lastTime())};
     backdrop.y = {0.0, made->frequency[std::min(last + last / 8 + 1, made->frequency.size() - 1)]};
     const char* shownUnit = backdrop.y.high >= megahertz ? "MHz" : "kHz";
-    plot_.setYLabel({{}, QString::fromLatin1(shownUnit), unitFactor(shownUnit), AxisScale::Linear});
+    plot_.setYLabel({tr("Frequency"), QString::fromLatin1(shownUnit), unitFactor(shownUnit), AxisScale::Linear});
     backdrop.paint = [picture](QPainter& painter, const QRectF& area, const PlotAxis& x, const PlotAxis& y) {
         const double sharp = std::clamp(painter.deviceTransform().m11(), 1.0, finestPixels);
         const QSize pixels = (area.size() * sharp).toSize();

@@ -92,7 +92,7 @@ QString RunMemory::explanation() const
 {
     QString text =
         tr("Memory that the runs of the list take. Above the limit (Run, Memory for runs), samples move to the "
-           "disk, those of the oldest runs first.");
+           "disk, those of hidden runs first, then of the oldest.");
     if (onDisk_ > 0) text += QLatin1Char(' ') + tr("%1 are on the disk now.").arg(bytesText(onDisk_));
     return text;
 }
@@ -190,6 +190,7 @@ void RunMemory::onMoved(const Moved& piece, const QString& problem)
                             .arg(bytesText(budget_), problem));
         return;
     }
+    freed_ = true;
     RunRecord* run = runs_.find(piece.run);
     std::size_t at = 0;
     const auto next = [&](std::size_t numbers) { // what was written next, sharing the file

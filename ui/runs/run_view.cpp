@@ -113,8 +113,10 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
 void RunView::setCase(const Case& c)
 {
     model_ = c.model;
-    if (c.run.duration != openedDuration_) openedDuration_ = 0.0;
-    showTime();
+    if (openedDuration_ > 0.0 && c.run.duration != openedDuration_) {
+        openedDuration_ = 0.0;
+        showTime();
+    }
     // Finding the contact patches of a film in recordedFields() is too slow for each key press.
     const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
     const bool flatUnderSprings = c.model == ModelKind::Springs && c.diskSurface.kind == DiskSurfaceKind::Flat;
@@ -160,10 +162,16 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
     stage_ = stage;
     plots_->setStage(stage ? std::optional(stage->plots) : std::nullopt);
     showParts();
-    plots_->group()->followNewest();
+    PlotGroup* group = plots_->group();
+    for (PlotWidget* plot : group->plots()) plot->setView({plot->view().x, std::nullopt});
+    if (stage && stage->spacing) {
+        PlotWidget* spacing = plots_->plot(QStringLiteral("spacing"));
+        spacing->setView({spacing->view().x, stage->spacing});
+    }
+    group->setFollow(PlotGroup::Follow::WholeRun);
+    group->followNewest();
     showTime();
-    PlotWidget* spacing = plots_->plot(QStringLiteral("spacing"));
-    spacing->setView({spacing->view().x, stage ? stage->spacing : std::nullopt});
+    group->forgetHistory();
 }
 
 void RunView::showParts()
@@ -180,7 +188,9 @@ void RunView::fillPlotsMenu(QMenu& menu)
     menu.addAction(spectrumWanted_);
     menu.addAction(sideWanted_);
     menu.addSeparator();
+    delete newPlots_; // clear() leaves the menus within
     auto* more = menu.addMenu(tr("&New plot of"));
+    newPlots_ = more;
     connect(more, &QMenu::aboutToShow, this, [this, more] {
         more->clear();
         for (const Quantity& quantity : plots_->quantities())

@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QMenu>
+#include <QPointer>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStringList>
@@ -101,6 +102,7 @@ private:
     QStackedWidget* pages_;
     QAction *spectrumWanted_, *sideWanted_, *quantitiesWanted_;
     QuantityList* quantities_;
+    QPointer<QMenu> newPlots_; // within the menu of the plots
 };
 
 } // namespace touchdown

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -28,7 +28,6 @@ constexpr double farthest = 0.3;    // of the fitted scale
 constexpr double nearest = 2e9;     // [px/m]: 2 px a nanometre
 constexpr double smallest = 0.3e-3; // area with scales in mm [m]
 constexpr double gap = PlotFrame::gap;
-constexpr double arrowLength = 38.0; // [px]
 
 } // namespace
 
@@ -311,118 +310,6 @@ void SliderPlan::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     paint(painter, plotTheme(palette()));
-}
-
-void SliderPlan::paint(QPainter& painter, const PlotTheme& theme)
-{
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), theme.background);
-    painter.save();
-    painter.setClipRect(planArea(), Qt::IntersectClip);
-    paintContent(painter, theme);
-    paintSurroundings(painter, theme);
-    painter.restore();
-    paintScales(painter, theme);
-    const QRectF area = planArea();
-    paintKey(painter, QRectF(area.right() + gap, area.top(), keyWidth(), area.height()), theme);
-}
-
-void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) const
-{
-    const QRectF outline = QRectF(toPixel({area_.left(), area_.bottom()}), toPixel({area_.right(), area_.top()}));
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme.text, 1.2));
-    painter.drawRect(outline);
-    if (!slider_) return;
-
-    const QFont font = plotNumberFont(this->font());
-    const double text = QFontMetricsF(font).height();
-    painter.setFont(font);
-    painter.setPen(theme.mutedText);
-    painter.drawText(QRectF(outline.left(), outline.bottom() + gap, outline.width(), text), Qt::AlignCenter,
-                     tr("inner edge"));
-    painter.drawText(QRectF(outline.left(), outline.top() - gap - text, outline.width(), text), Qt::AlignCenter,
-                     tr("outer edge"));
-    const auto drawUpright = [&](double x, double turn, const QString& name) {
-        painter.save();
-        painter.translate(x, outline.center().y());
-        painter.rotate(turn);
-        painter.drawText(QRectF(-outline.height() / 2.0, -text / 2.0, outline.height(), text), Qt::AlignCenter, name);
-        painter.restore();
-    };
-    drawUpright(outline.left() - gap - text / 2.0, -90.0, tr("leading edge"));
-    drawUpright(outline.right() + gap + text / 2.0, 90.0, tr("trailing edge"));
-    paintAirFlow(painter, theme);
-}
-
-void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
-{
-    const QFont font = plotNumberFont(this->font());
-    const QFontMetricsF metrics(font);
-    const QPointF tip = toPixel({area_.left(), area_.center().y()}) - QPointF(2.0 * gap + metrics.height(), 0.0);
-    // On the screen y points down, and positive skew turns the flow towards the inner edge, which is below.
-    const QPointF along(std::cos(skew_), std::sin(skew_));
-    const QPointF across(-along.y(), along.x());
-    const QPointF tail = tip - arrowLength * along;
-    painter.setPen(QPen(theme.mutedText, 2.0, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(tail, tip - 6.0 * along);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme.mutedText);
-    painter.drawPolygon(QPolygonF({tip, tip - 9.0 * along + 4.5 * across, tip - 9.0 * along - 4.5 * across}));
-    painter.setBrush(Qt::NoBrush);
-
-    painter.setFont(font);
-    painter.setPen(theme.mutedText);
-    const QRectF box(tip.x() - arrowLength - 2.0 * gap, 0.0, arrowLength + 3.0 * gap, metrics.height());
-    const double half = 0.5 * arrowLength * std::abs(along.y()) + 8.0;
-    const double middle = 0.5 * (tip.y() + tail.y());
-    painter.drawText(box.translated(0.0, middle - half - metrics.height()), Qt::AlignCenter | Qt::TextDontClip,
-                     tr("air"));
-    if (skew_ != 0.0)
-        painter.drawText(box.translated(0.0, middle + half), Qt::AlignCenter | Qt::TextDontClip,
-                         typeset(skew_ * 180.0 / std::numbers::pi, 1) + QStringLiteral("°"));
-}
-
-void SliderPlan::paintGrid(QPainter& painter) const
-{
-    if (gridShown_) paintCellGrid(painter, *this, grid_);
-}
-
-void SliderPlan::paintScales(QPainter& painter, const PlotTheme& theme) const
-{
-    const QRectF area = planArea();
-    const QRectF seen = view();
-    PlotAxis x, y;
-    x.label = axisLabel(QStringLiteral("x"));
-    y.label = axisLabel(QStringLiteral("y"));
-    x.setRange({seen.left(), seen.right()});
-    y.setRange({seen.top(), seen.bottom()});
-    const double rounding = 1e-6 * std::max(area_.width(), area_.height());
-    painter.setPen(QPen(theme.axis, 1.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRect(
-        QRectF(std::floor(area.left()) + 0.5, std::floor(area.top()) + 0.5, area.width() - 1.0, area.height() - 1.0));
-
-    PlotFrame frame(area, font(), x, y, 12);
-    const auto keepWithin = [rounding](std::vector<AxisTick>& ticks, double low, double high) {
-        std::erase_if(ticks, [&](const AxisTick& t) { return t.value < low - rounding || t.value > high + rounding; });
-    };
-    keepWithin(frame.xTicks, area_.left(), area_.right()); // beside the slider there is nothing
-    keepWithin(frame.yTicks, area_.top(), area_.bottom());
-    frame.paintNumbers(painter, theme, width());
-    frame.paintAxisTitles(painter, theme);
-    paintHeader(painter, theme, frame);
-}
-
-void SliderPlan::paintHeader(QPainter& painter, const PlotTheme& theme, const PlotFrame& frame) const
-{
-    const QFontMetricsF metrics(frame.textFont);
-    const QRectF row(frame.area.left(), gap, width() - frame.area.left() - gap, metrics.height());
-    const double read = std::min(metrics.horizontalAdvance(reading_), row.width());
-    frame.paintTitle(painter, theme, title_, row.width() - read - 2.0 * gap);
-    painter.setFont(frame.textFont);
-    painter.setPen(theme.mutedText);
-    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, metrics.elidedText(reading_, Qt::ElideRight, row.width()));
 }
 
 } // namespace touchdown

@@ -108,6 +108,8 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    static constexpr double arrowLength = 38.0; // of the air flow [px]
+
     void setArea(const QRectF& area, bool slider);
     void setReading(const QString& text);
     void applyFit();

@@ -64,7 +64,8 @@ std::shared_ptr<const double[]> toUnnamedFile(const QString& folder, const std::
                       .arg(QDir::toNativeSeparators(folder), QString::fromLocal8Bit(std::strerror(reason)));
         return nullptr;
     };
-    if (!QDir().mkpath(folder)) return failed(EACCES);
+    errno = 0;
+    if (!QDir().mkpath(folder)) return failed(errno != 0 ? errno : EACCES);
     QByteArray name = QFile::encodeName(folder + QStringLiteral("/samplesXXXXXX"));
     const Descriptor file{::mkostemp(name.data(), O_CLOEXEC)};
     if (file.number < 0) return failed(errno);
@@ -90,7 +91,10 @@ bool atHand(std::span<const double> mapped)
     std::vector<unsigned char> present((pages.bytes + page - 1) / page);
     if (::mincore(pages.start, pages.bytes, present.data()) != 0) return true; // not known
     if (std::ranges::all_of(present, [](unsigned char each) { return (each & 1U) != 0; })) return true;
-    ::madvise(pages.start, pages.bytes, MADV_WILLNEED);
+    // The system reads no more at once than its read-ahead, from where it is asked to begin.
+    constexpr std::size_t atOnce = 128 * 1024; // [byte]
+    for (std::size_t at = 0; at < pages.bytes; at += atOnce)
+        ::madvise(static_cast<char*>(pages.start) + at, std::min(atOnce, pages.bytes - at), MADV_WILLNEED);
     return false;
 }
 

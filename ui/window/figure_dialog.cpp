@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPainter>
-#include <QResizeEvent>
 #include <QSettings>
 #include <QUrl>
 #include <QVBoxLayout>
@@ -43,6 +43,7 @@ FigureDialog::FigureDialog(QWidget& page, const QString& key, const QString& nam
     setObjectName(QStringLiteral("figureDialog"));
     preview_->setAlignment(Qt::AlignCenter);
     preview_->setMinimumSize(320, 240);
+    preview_->installEventFilter(this); // a remark of two lines takes its room
     preview_->setAccessibleName(tr("Preview of the figure"));
     remark_->setWordWrap(true);
     remark_->setOpenExternalLinks(true);
@@ -125,7 +126,7 @@ QWidget* FigureDialog::buildForm()
     width_->addItem(tr("Another width"), ownWidth);
     ownWidth_ = number(20.0, 500.0, tr("mm"), 1);
     ownHeight_ = check(tr("Given height"));
-    height_ = number(20.0, 500.0, tr("mm"), 1);
+    height_ = number(20.0, 2000.0, tr("mm"), 1);
     height_->setAccessibleName(tr("Height"));
     columns_ = whole(1, 4, {});
     columns_->setToolTip(tr("Panels beside each other"));
@@ -336,10 +337,10 @@ void FigureDialog::exportTo(const QString& path)
     remark_->setText(tr("Written: %1").arg(links.join(QStringLiteral(", "))));
 }
 
-void FigureDialog::resizeEvent(QResizeEvent* event)
+bool FigureDialog::eventFilter(QObject* watched, QEvent* event)
 {
-    QDialog::resizeEvent(event);
-    showPreview();
+    if (watched == preview_ && event->type() == QEvent::Resize) showPreview();
+    return QDialog::eventFilter(watched, event);
 }
 
 } // namespace touchdown

@@ -41,7 +41,7 @@ public:
     void exportTo(const QString& path);
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void buildPanels(QWidget& page);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/lesson_stages.h"
 
+#include <algorithm>
+
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
+#include "ui/runs/side_view.h"
 
 namespace touchdown {
 
@@ -24,15 +27,27 @@ LessonStages::LessonStages(RunView& view, RunsModel& runs, QObject* parent) : QO
     });
 }
 
+void LessonStages::tick(int row, bool shown)
+{
+    if (runs_.record(row).shown != shown)
+        runs_.setData(runs_.index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+}
+
 void LessonStages::show(std::size_t step, const LessonStage& stage)
 {
-    step_ = step;
     const std::set<int>& own = numbers_[step];
+    int newest = -1;
     for (int row = 0; row < runs_.count(); ++row) {
-        const bool shown = own.contains(runs_.record(row).number);
-        if (runs_.record(row).shown != shown)
-            runs_.setData(runs_.index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
+        const int number = runs_.record(row).number;
+        const bool ofLesson =
+            std::ranges::any_of(numbers_, [number](const auto& s) { return s.second.contains(number); });
+        if (!step_ && runs_.record(row).shown && !ofLesson) before_.insert(number);
+        tick(row, own.contains(number));
+        if (own.contains(number)) newest = number;
     }
+    step_ = step;
+    for (SideView* side : view_.sides()) side->showRun(newest);
+    view_.setPage(RunView::Page::Plots);
     PlotStage plots;
     for (const std::string& name : stage.plots) plots.plots << QString::fromStdString(name);
     plots.side = stage.side;
@@ -44,7 +59,12 @@ void LessonStages::show(std::size_t step, const LessonStage& stage)
 
 void LessonStages::end()
 {
+    if (!step_) return;
     step_.reset();
+    const auto isThere = [this](int number) { return runs_.find(number) != nullptr; };
+    if (std::ranges::any_of(before_, isThere))
+        for (int row = 0; row < runs_.count(); ++row) tick(row, before_.contains(runs_.record(row).number));
+    before_.clear();
     view_.setStage(std::nullopt);
 }
 

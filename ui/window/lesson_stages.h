@@ -25,15 +25,18 @@ public:
     LessonStages(RunView& view, RunsModel& runs, QObject* parent);
 
     void show(std::size_t step, const LessonStage& stage);
-    /// The plots are again as the user chose; the runs stay as they are shown.
+    /// The plots and the earlier runs are again as the user chose; without such runs those of the step stay.
     void end();
     bool active() const { return step_.has_value(); }
 
 private:
+    void tick(int row, bool shown);
+
     RunView& view_;
     RunsModel& runs_;
     std::optional<std::size_t> step_;
     std::map<std::size_t, std::set<int>> numbers_; // of the runs of each step
+    std::set<int> before_;                         // numbers of the runs that were shown before the lesson
 };
 
 } // namespace touchdown

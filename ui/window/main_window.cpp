@@ -41,12 +41,6 @@
 
 namespace touchdown {
 
-namespace {
-
-constexpr auto lessonStepKey = "lesson/step";
-
-} // namespace
-
 MainWindow::MainWindow(QWidget* parent) : MainWindow(coreStudies(), parent) {}
 
 MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
@@ -60,7 +54,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
       film_(new FilmWindow(steady, actions_->solve, this)),
       studies_(new StudyWindow(std::move(studies), this)),
       messages_(new MessageStrip(this)),
-      startCard_(new StartCard(actions_->figures, actions_->recent, this))
+      startCard_(new StartCard(actions_->figures, this))
 {
     setObjectName(QStringLiteral("workbench"));
     setWindowIcon(programIcon());
@@ -139,7 +133,7 @@ void MainWindow::solveStaticState(bool atGivenAttitude)
 void MainWindow::startRun()
 {
     if (!readyToRun()) return;
-    controller().setPace(actions_->pace->currentData().toDouble());
+    endSlowMotion();
     runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
 }
 
@@ -153,23 +147,10 @@ void MainWindow::performStudy()
                     tr("The study cannot be performed: its errors are listed below its text."));
 }
 
-void MainWindow::performLessonRun(const LessonRun& run)
-{
-    if (run.kind.empty()) {
-        if (caseOfLesson_) files_->leaveUnsaved(); // what the reader tried
-        files_->openChanged(QString::fromStdString(run.name), run.settings, [this] {
-            caseOfLesson_ = true;
-            startRun();
-        });
-    } else {
-        studies_->editor()->openSample(*findSampleStudy(run.kind, run.name));
-        performStudy();
-    }
-}
-
 void MainWindow::onCaseOpened()
 {
     caseOfLesson_ = false;
+    if (stages_) stages_->end(); // a step of the lesson that opens a case begins its stage anew
     casePanel_->setPreset(files_->sample());
     if (pages_->page() != Page::Studies) setPage(Page::StaticState);
     aboutCase_->setResult({});
@@ -279,37 +260,6 @@ void MainWindow::runFromSolution(int number)
     c.initial.roll = attitude.roll;
     if (c != edits_->value()) edits_->setAll(c, tr("run from solution %1").arg(number));
     startRun();
-}
-
-void MainWindow::showHelp(HelpWindow::Page page)
-{
-    if (!help_) {
-        QString rows = QStringLiteral("<table cellpadding='3'>");
-        for (const QAction* action : actions_->withShortcuts())
-            rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
-                        .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
-                             action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")).toHtmlEscaped());
-        help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
-    }
-    help_->open(page);
-}
-
-void MainWindow::showLesson()
-{
-    if (!lesson_) {
-        lesson_ = new LessonPane(lessonSteps(), this);
-        stages_ = new LessonStages(runView(), runs(), this);
-        connect(lesson_, &LessonPane::runRequested, this, &MainWindow::performLessonRun);
-        connect(lesson_, &LessonPane::stepShown, this, [this](std::size_t step) {
-            QSettings().setValue(lessonStepKey, static_cast<int>(step));
-            stages_->show(step, lesson_->shown().stage);
-        });
-        connect(pages_, &WindowPages::lessonToggled, this,
-                [this](bool open) { open ? stages_->show(lesson_->step(), lesson_->shown().stage) : stages_->end(); });
-        lesson_->go(QSettings().value(lessonStepKey, 0).toUInt());
-    }
-    if (!stages_->active()) stages_->show(lesson_->step(), lesson_->shown().stage);
-    pages_->showLesson(*lesson_);
 }
 
 void MainWindow::look()

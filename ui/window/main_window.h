@@ -126,6 +126,7 @@ private:
     void updateRecentMenu();
     void chooseRecording(bool on);
     void makeFigure();
+    void endSlowMotion();
     void useParametersOf(int number);
     void useSolution(int number);
     void runFromSolution(int number);
@@ -154,6 +155,7 @@ private:
     LessonPane* lesson_ = nullptr;
     LessonStages* stages_ = nullptr; // of the lesson
     bool caseOfLesson_ = false;      // the lesson opened the case that is edited
+    bool slowMotion_ = false;        // of the first steps
     QString recordTo_;
     Session* session_ = nullptr; // none in a window that only draws pictures
     ClosingQuestion* closing_ = nullptr;

@@ -9,7 +9,6 @@
 #include <QDir>
 #include <QMessageBox>
 
-#include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/study.h"
 #include "core/studies/study/study_file_reader.h"
@@ -41,16 +40,11 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/window/apply_question.h"
-#include "ui/window/figure_dialog.h"
-#include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
 
 namespace {
-
-constexpr double greetedPart = 0.3e-3; // of the default case that a newcomer sees in slow motion [s]
-constexpr double greetedPace = 3e-5;   // [simulated seconds per second]
 
 /// How a completed study is shown: what it checks may not hold.
 MessageStrip::Kind kindOf(const StudyReport& report)
@@ -133,8 +127,11 @@ void MainWindow::connectRuns()
         if (action->data().toLongLong() == RunMemory::setting()) action->setChecked(true);
     connect(actions_->runMemory, &QActionGroup::triggered, memory,
             [memory](const QAction* action) { memory->setBudget(action->data().toLongLong()); });
-    connect(memory, &RunMemory::failed, this,
-            [this](const QString& problem) { messages_->show(MessageStrip::Kind::Warning, problem); });
+    // After the message of the run that was opened or has ended, which would hide it.
+    connect(
+        memory, &RunMemory::failed, this,
+        [this](const QString& problem) { messages_->show(MessageStrip::Kind::Warning, problem); },
+        Qt::QueuedConnection);
     connect(messages_, &MessageStrip::actionRequested, this, [this] {
         if (casePanel_->showFirstProblem()) return;
         setPage(Page::StaticState); // the surface has no field in the panel
@@ -236,6 +233,8 @@ void MainWindow::connectView()
     updateHistory();
     const auto fillPlots = [this] { runs_->view()->fillPlotsMenu(*actions_->plots); };
     connect(runs_->view()->plots(), &LivePlots::plotsChanged, this, fillPlots);
+    // Who chooses plots wants to see them.
+    connect(actions_->plots, &QMenu::triggered, this, [this] { runView().setStage({}); });
     fillPlots();
     connect(runs_->view()->plots(), &LivePlots::refused, this,
             [this](const QString& reason) { messages_->show(MessageStrip::Kind::Warning, reason); });
@@ -243,60 +242,6 @@ void MainWindow::connectView()
     connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
-}
-
-void MainWindow::connectHelp()
-{
-    connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
-    connect(actions_->firstSteps, &QAction::triggered, this, [this] { files_->whenSettled([this] { greet(); }); });
-    connect(actions_->lesson, &QAction::triggered, this, &MainWindow::showLesson);
-    connect(startCard_, &StartCard::lessonRequested, this, [this] {
-        startCard_->close();
-        showLesson();
-    });
-    connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
-    connect(startCard_, &StartCard::closed, this, [this] { runView().setStage({}); });
-    connect(files_, &CaseFiles::opened, startCard_, &StartCard::close);
-    // Slow where it bounces.
-    connect(&controller(), &RunController::delivered, this, [this](const RunDelivery& delivery) {
-        if (runView().stage() && delivery.time > greetedPart)
-            controller().setPace(actions_->pace->currentData().toDouble());
-    });
-    connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
-    connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
-    connect(actions_->aboutQt, &QAction::triggered, this, [this] {
-        auto* box =
-            new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
-                            tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
-                               "Public License, version 3.")
-                                .arg(QString::fromLatin1(qVersion())),
-                            QMessageBox::Close, this);
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->open();
-    });
-}
-
-void MainWindow::greet()
-{
-    files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
-    setPage(Page::Run);
-    runView().setPage(RunView::Page::Plots);
-    PlotStage stage;
-    stage.plots << QStringLiteral("spacing");
-    stage.side = true;
-    runView().setStage(stage);
-    startCard_->open();
-    startRun();
-    controller().setPace(greetedPace);
-}
-
-void MainWindow::makeFigure()
-{
-    const QString source = files_->file().isEmpty() ? files_->shortName() : files_->file();
-    auto* dialog = new FigureDialog(*page(), QStringLiteral("%1 %2").arg(int(pages_->page())).arg(source),
-                                    files_->shortName().section(u'.', 0, 0), this);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
 }
 
 void MainWindow::openStudy(const QString& file)

@@ -32,20 +32,17 @@ bool StartCard::wanted()
     return settings.value(startCardKey, !settings.contains(QStringLiteral("files/last"))).toBool();
 }
 
-StartCard::StartCard(QMenu* figures, QMenu* recent, QWidget* parent)
+StartCard::StartCard(QMenu* figures, QWidget* parent)
     : QFrame(parent),
       title_(cardLabel(this)),
       watch_(cardLabel(this)),
       tries_(cardLabel(this)),
-      lesson_(new QPushButton(tr("Start the &lesson"), this)),
-      figure_(new QPushButton(tr("Open a fi&gure of the paper"), this)),
-      open_(new QPushButton(tr("Open your &slider…"), this)),
-      recent_(new QPushButton(tr("&Recent files"), this)),
-      again_(new QCheckBox(tr("Show this at each start"), this))
+      lesson_(new QPushButton(tr("Start the lesson"), this)),
+      figure_(new QPushButton(tr("Open a figure of the paper"), this)),
+      open_(new QPushButton(tr("Open your slider…"), this))
 {
     setAccessibleName(tr("First steps"));
     figure_->setMenu(figures);
-    recent_->setMenu(recent);
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
     close->setAutoRaise(true);
@@ -54,18 +51,16 @@ StartCard::StartCard(QMenu* figures, QMenu* recent, QWidget* parent)
     connect(close, &QToolButton::clicked, this, &StartCard::close);
     connect(lesson_, &QPushButton::clicked, this, &StartCard::lessonRequested);
     connect(open_, &QPushButton::clicked, this, &StartCard::fileRequested);
-    connect(again_, &QCheckBox::clicked, this, [](bool on) { QSettings().setValue(startCardKey, on); });
 
     auto* head = new QHBoxLayout;
     head->addWidget(title_, 1);
     head->addWidget(close, 0, Qt::AlignTop);
     auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {lesson_, figure_, open_, recent_}) {
+    for (QPushButton* button : {lesson_, figure_, open_}) {
         button->setAutoDefault(false);
         buttons->addWidget(button);
     }
     buttons->addStretch(1);
-    buttons->addWidget(again_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(14, 8, 8, 8);
     layout->setSpacing(4);
@@ -79,9 +74,7 @@ StartCard::StartCard(QMenu* figures, QMenu* recent, QWidget* parent)
 
 void StartCard::open()
 {
-    again_->setChecked(QSettings().value(startCardKey, false).toBool());
-    QSettings().setValue(startCardKey, again_->isChecked());
-    recent_->setVisible(!QSettings().value(QStringLiteral("files/recent")).toStringList().isEmpty());
+    QSettings().setValue(startCardKey, false);
     show();
 }
 

@@ -3,7 +3,6 @@
 // The first minute: what moves on the screen, what to watch and what to try, and where to go from there.
 #pragma once
 
-#include <QCheckBox>
 #include <QFrame>
 #include <QLabel>
 #include <QMenu>
@@ -15,19 +14,18 @@ class StartCard : public QFrame {
     Q_OBJECT
 
 public:
-    /// Whether it is to be shown at the start: at the first one of a newcomer, and at each one if the user wants that.
+    /// Whether this is the first start of a newcomer.
     static bool wanted();
 
-    /// `figures` are the sample cases to choose from; both menus must outlive the card.
-    StartCard(QMenu* figures, QMenu* recent, QWidget* parent);
+    /// `figures` are the sample cases to choose from; they must outlive the card.
+    StartCard(QMenu* figures, QWidget* parent);
 
-    /// Shown; the next start does without it, unless the user says otherwise.
+    /// Shown; the next start does without it.
     void open();
     void close();
 
     QPushButton* lesson() const { return lesson_; }
     QPushButton* openFile() const { return open_; }
-    QCheckBox* again() const { return again_; }
     /// What it says, without its marks.
     QString text() const;
 
@@ -44,8 +42,7 @@ private:
     void write();
 
     QLabel *title_, *watch_, *tries_;
-    QPushButton *lesson_, *figure_, *open_, *recent_;
-    QCheckBox* again_;
+    QPushButton *lesson_, *figure_, *open_;
 };
 
 } // namespace touchdown

@@ -190,7 +190,7 @@ void WindowActions::buildHelp(QMainWindow& window)
     help = add(menu, tr("&Contents: how to use it, the equations"), QKeySequence::HelpContents);
     firstSteps =
         add(menu, tr("&First steps"), {}, {}, tr("The default case in slow motion, and where to go from there"));
-    lesson = add(menu, tr("&Lesson in six steps"), QKeySequence(Qt::Key_F2));
+    lesson = add(menu, tr("&Lesson in six steps"), QKeySequence(Qt::SHIFT | Qt::Key_F1));
     shortcuts = add(menu, tr("&Shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_F1));
     menu->addSeparator();
     aboutProgram = add(menu, tr("&About Touchdown"));

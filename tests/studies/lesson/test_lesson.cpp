@@ -106,7 +106,7 @@ void addFacts(std::vector<Amount>& facts, const Case& c, const std::vector<CaseS
     facts.push_back({c.onoYamane.friction, "", 9, {}});
     facts.push_back({meniscusForceForWork(c.onoYamane, 0.0) * 1e3, "mN", 9, {}});
     double highest = 0.0; // [m]
-    const auto height = std::size_t(findQuantity(recordedQuantities(c), "flying_height"));
+    const auto height = std::size_t(findQuantity(recordedQuantities(c), "minimum_spacing"));
     const Summary summary = run(c, [&](const RunUpdate& update) {
         for (const double value : update.samples.columns[height]) highest = std::max(highest, value);
         return true;

@@ -10,12 +10,14 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "core/case/parameters.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/named_widget.h"
 #include "ui/case/case_edits.h"
+#include "ui/case/case_files.h"
 #include "ui/lesson/lesson_pane.h"
 #include "ui/plot/plot_group.h"
 #include "ui/plot/plot_widget.h"
@@ -99,6 +101,44 @@ private slots:
         window_->actions().lesson->trigger();
         QVERIFY(window_->runView().stage());
         QVERIFY(!plot("pitch")->isVisible());
+    }
+
+    /// A reader's own runs come back, and a zoom does not stay.
+    void leavesTheReadersOwnWork()
+    {
+        window_->findChild<QDockWidget*>("lesson")->close();
+        runNow();
+        QCOMPARE(shown(), (std::set<int>{1}));
+        window_->actions().lesson->trigger();
+        QVERIFY(shown().empty());
+        run(lessonSteps()[0].runs[0]);
+        QCOMPARE(shown(), (std::set<int>{2}));
+        PlotGroup* group = window_->runView().plots()->group();
+        group->setFollow(PlotGroup::Follow::Frozen); // as after a zoom
+        click("Next");
+        QCOMPARE(group->follow(), PlotGroup::Follow::WholeRun);
+        run(lessonSteps()[1].runs[0]);
+        QCOMPARE(plot("spacing")->xAxis().range(), (PlotRange{0.0, 0.5e-3}));
+        window_->findChild<QDockWidget*>("lesson")->close();
+        QCOMPARE(shown(), (std::set<int>{1}));
+        // Another case ends the stage, too.
+        window_->actions().lesson->trigger();
+        window_->files().openNow("fig12a");
+        QVERIFY(!window_->runView().stage());
+    }
+
+    /// Work in a file of the reader's own is asked about.
+    void asksAboutAFileOfTheReader()
+    {
+        const QTemporaryDir folder;
+        run(lessonSteps()[0].runs[0]);
+        QCOMPARE(window_->files().write(folder.filePath("mine.toml")), QString());
+        window_->edits().enter(*findParameter("initial.flying_height"), "50");
+        window_->performLessonRun(lessonSteps()[0].runs[1]);
+        auto* box = window_->findChild<QMessageBox*>("unsavedChanges");
+        QVERIFY(box);
+        box->button(QMessageBox::Cancel)->click();
+        QCOMPARE(window_->edits().value().initial.flyingHeight, 50e-9);
     }
 
     void opensAtTheLastStep()

@@ -222,6 +222,16 @@ void TestPaperFigure::numbersStandBeside()
     QVERIFY(of(none).dataFiles(path("alone.png")).isEmpty());
     QCOMPARE(QDir(folder_->path()).entryList({"alone*"}), QStringList{"alone.png"});
     QVERIFY(of({}).save(path("figure.gif")).contains("does not end in"));
+    FigureFormat huge;
+    huge.width = 500.0;
+    huge.height = 500.0;
+    huge.fontSize = 36.0;
+    huge.dotsPerInch = 1200;
+    huge.columns = 2;
+    QCOMPARE(of(huge).picture().dotsPerInch, 1200.0); // 23,622 pixels each way
+    huge.width = 700.0;                               // 33,071
+    QVERIFY(of(huge).save(path("huge.png")).contains("too many pixels"));
+    QVERIFY(QDir(folder_->path()).entryList({"huge*"}).isEmpty());
 }
 
 void TestPaperFigure::foreignNumbersAreNotReplaced()
@@ -234,10 +244,16 @@ void TestPaperFigure::foreignNumbersAreNotReplaced()
     QVERIFY2(problem.contains("figure-b.csv") && problem.endsWith('.'), qPrintable(problem));
     QCOMPARE(contents(path("figure-b.csv")), QByteArray("mine"));
     QVERIFY(!QFile::exists(path("figure.pdf")) && !QFile::exists(path("figure-a.csv")));
-    // Who replaces a figure replaces its numbers.
+    // Nor where the figure itself is replaced.
+    FigureFormat none;
+    none.data = false;
+    QCOMPARE(of(none).save(path("figure.pdf")), QString());
+    QVERIFY(of({}).save(path("figure.pdf")).contains("figure-b.csv"));
+    QCOMPARE(contents(path("figure-b.csv")), QByteArray("mine"));
+    // The numbers of the same panels are replaced, also under another format.
     QFile::remove(path("figure-b.csv"));
     QCOMPARE(of({}).save(path("figure.pdf")), QString());
-    QCOMPARE(of({}).save(path("figure.pdf")), QString());
+    QCOMPARE(of({}).save(path("figure.svg")), QString());
 }
 
 void TestPaperFigure::fullDiskLeavesNothing()

@@ -48,23 +48,38 @@ private slots:
     }
     void cleanup() { window_.reset(); }
 
-    void isForNewcomersAndForThoseWhoWantIt()
+    void isForNewcomers()
     {
         QVERIFY(StartCard::wanted());
         QSettings().setValue("files/last", "fig12a");
         QVERIFY(!StartCard::wanted()); // not the first start
         QSettings().remove("files/last");
-        StartCard& card = window_->startCard();
-        card.open();
-        QVERIFY(!card.again()->isChecked());
+        window_->startCard().open();
         QVERIFY(!StartCard::wanted());
-        card.again()->click();
-        QVERIFY(StartCard::wanted());
-        card.close();
-        card.open();
-        QVERIFY(card.again()->isChecked() && StartCard::wanted());
-        card.again()->click();
-        QVERIFY(!StartCard::wanted());
+    }
+
+    /// Also when it is closed early.
+    void slowMotionEndsWithTheCard()
+    {
+        window_->greet();
+        QVERIFY(window_->controller().pace() < 1.0);
+        window_->startCard().close();
+        QCOMPARE(window_->controller().pace(), RunController::fullSpeed);
+        window_->greet();
+        window_->actions().lesson->trigger(); // closes the card, too
+        QVERIFY(!window_->startCard().isVisible());
+        QVERIFY(window_->runView().stage()); // that of the lesson
+        QCOMPARE(window_->controller().pace(), RunController::fullSpeed);
+    }
+
+    /// Who chooses a plot sees it.
+    void choosingAPlotEndsTheStage()
+    {
+        window_->greet();
+        QVERIFY(!window_->runView().plots()->plot("pitch")->isVisible());
+        emit window_->actions().plots->triggered(window_->actions().plots->actions().front());
+        QVERIFY(!window_->runView().stage());
+        QTRY_VERIFY(window_->runView().plots()->plot("pitch")->isVisible());
     }
 
     /// The default case runs slowly where it bounces: the slider above its spacing, nothing else.

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What helps a person along: first steps, lesson, help, and the figure for a paper.
+#include "ui/window/main_window.h"
+
+#include <QMessageBox>
+#include <QSettings>
+
+#include "core/case_files/case_file.h"
+#include "core/studies/study/sample_study.h"
+#include "ui/case/case_files.h"
+#include "ui/lesson/lesson_pane.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_window.h"
+#include "ui/window/figure_dialog.h"
+#include "ui/window/lesson_stages.h"
+#include "ui/window/start_card.h"
+#include "ui/window/window_actions.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double greetedPart = 0.3e-3; // of the default case that a newcomer sees in slow motion [s]
+constexpr double greetedPace = 3e-5;   // [simulated seconds per second]
+constexpr auto lessonStepKey = "lesson/step";
+
+} // namespace
+
+void MainWindow::connectHelp()
+{
+    connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
+    connect(actions_->firstSteps, &QAction::triggered, this, [this] { files_->whenSettled([this] { greet(); }); });
+    connect(actions_->lesson, &QAction::triggered, this, &MainWindow::showLesson);
+    connect(startCard_, &StartCard::lessonRequested, this, [this] {
+        startCard_->close();
+        showLesson();
+    });
+    connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
+    connect(startCard_, &StartCard::closed, this, [this] {
+        endSlowMotion();
+        if (!stages_ || !stages_->active()) runView().setStage({});
+    });
+    connect(files_, &CaseFiles::opened, startCard_, &StartCard::close);
+    // Slow where it bounces.
+    connect(&controller(), &RunController::delivered, this, [this](const RunDelivery& delivery) {
+        if (slowMotion_ && delivery.time > greetedPart) endSlowMotion();
+    });
+    connect(actions_->shortcuts, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Shortcuts); });
+    connect(actions_->aboutProgram, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::About); });
+    connect(actions_->aboutQt, &QAction::triggered, this, [this] {
+        auto* box =
+            new QMessageBox(QMessageBox::NoIcon, tr("About Qt"),
+                            tr("Touchdown uses Qt %1, by The Qt Company and its contributors, under the GNU General "
+                               "Public License, version 3.")
+                                .arg(QString::fromLatin1(qVersion())),
+                            QMessageBox::Close, this);
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+}
+
+void MainWindow::greet()
+{
+    files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));
+    setPage(Page::Run);
+    runView().setPage(RunView::Page::Plots);
+    PlotStage stage;
+    stage.plots << QStringLiteral("spacing");
+    stage.side = true;
+    runView().setStage(stage);
+    if (stages_) stages_->end();
+    startCard_->open();
+    startRun();
+    slowMotion_ = true;
+    controller().setPace(greetedPace);
+}
+
+void MainWindow::endSlowMotion()
+{
+    slowMotion_ = false;
+    controller().setPace(actions_->pace->currentData().toDouble());
+}
+
+void MainWindow::makeFigure()
+{
+    const QString source = files_->file().isEmpty() ? files_->shortName() : files_->file();
+    auto* dialog = new FigureDialog(*page(), QStringLiteral("%1 %2").arg(int(pages_->page())).arg(source),
+                                    files_->shortName().section(u'.', 0, 0), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::performLessonRun(const LessonRun& run)
+{
+    if (run.kind.empty()) {
+        // What the reader tried with a sample case of the lesson; a file of the reader's own is asked about.
+        if (caseOfLesson_ && files_->file().isEmpty()) files_->leaveUnsaved();
+        files_->openChanged(QString::fromStdString(run.name), run.settings, [this] {
+            caseOfLesson_ = true;
+            if (stages_) stages_->show(lesson_->step(), lesson_->shown().stage);
+            startRun();
+        });
+    } else {
+        studies_->editor()->openSample(*findSampleStudy(run.kind, run.name));
+        performStudy();
+    }
+}
+
+void MainWindow::showHelp(HelpWindow::Page page)
+{
+    if (!help_) {
+        QString rows = QStringLiteral("<table cellpadding='3'>");
+        for (const QAction* action : actions_->withShortcuts())
+            rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                        .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                             action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")).toHtmlEscaped());
+        help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
+    }
+    help_->open(page);
+}
+
+void MainWindow::showLesson()
+{
+    startCard_->close();
+    if (!lesson_) {
+        lesson_ = new LessonPane(lessonSteps(), this);
+        stages_ = new LessonStages(runView(), runs(), this);
+        connect(lesson_, &LessonPane::runRequested, this, &MainWindow::performLessonRun);
+        connect(lesson_, &LessonPane::stepShown, this, [this](std::size_t step) {
+            QSettings().setValue(lessonStepKey, static_cast<int>(step));
+            setPage(Page::Run);
+            stages_->show(step, lesson_->shown().stage);
+        });
+        connect(pages_, &WindowPages::lessonToggled, this,
+                [this](bool open) { open ? stages_->show(lesson_->step(), lesson_->shown().stage) : stages_->end(); });
+        lesson_->go(QSettings().value(lessonStepKey, 0).toUInt());
+    }
+    if (!stages_->active()) stages_->show(lesson_->step(), lesson_->shown().stage);
+    pages_->showLesson(*lesson_);
+}
+
+} // namespace touchdown
