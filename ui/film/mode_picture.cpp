@@ -30,6 +30,7 @@ double highestCorner(const Attitude& a, const SliderCase& slider)
 {
     return a.height + std::max(0.0, a.pitch * slider.length) + 0.5 * std::abs(a.roll) * slider.width;
 }
+constexpr double modeOnPaper = 520.0; // width in which the texts have room [px]
 
 } // namespace
 
@@ -131,9 +132,13 @@ void ModePicture::paintInto(QPainter& painter, const QRectF& target, const PlotT
 
 void ModePicture::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
 {
-    const LaidOutAs laidOut(*this, size, font);
+    const double wider = widening(size.width(), modeOnPaper);
+    const LaidOutAs laidOut(*this, wider * size, font);
+    painter.save();
+    painter.scale(1.0 / wider, 1.0 / wider);
     painter.setFont(font);
     paint(painter, paperTheme(colours));
+    painter.restore();
 }
 
 double ModePicture::heightOnPaper(double width, const QFont& /*font*/) const { return 0.55 * width; }

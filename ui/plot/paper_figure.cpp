@@ -9,6 +9,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QFontMetricsF>
 
 #include "ui/plot/plot_painter.h"
 #include "ui/style/translate.h"
@@ -112,10 +113,12 @@ void PaperFigure::paint(QPainter& painter) const
         painter.translate(box.topLeft());
         partOf(panel).paintOnPaper(painter, box.size(), font_, format_.colours);
         if (const QString name = letter(i); !name.isEmpty() && format_.letters) {
+            const QString text = QStringLiteral("(%1)").arg(name);
+            const QRectF corner(0.0, 0.0, QFontMetricsF(font_).horizontalAdvance(text) + 6.0, 2.0 * textPixels);
+            painter.fillRect(corner, Qt::white);
             painter.setFont(font_);
             painter.setPen(Qt::black);
-            painter.drawText(QRectF(2.0, PlotFrame::gap, 40.0, 2.0 * textPixels), Qt::AlignLeft | Qt::AlignTop,
-                             QStringLiteral("(%1)").arg(name));
+            painter.drawText(corner.adjusted(2.0, PlotFrame::gap, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop, text);
         }
         painter.restore();
     }

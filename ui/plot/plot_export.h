@@ -41,7 +41,8 @@ public:
     /// The whole widget into `target`, in the colours of `theme`. The proportions of the screen stay.
     virtual void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) = 0;
 
-    /// For a figure on paper: laid out anew in `size` from the painter's origin, with a font whose size is in pixels.
+    /// For a figure on paper: laid out anew in `size` from the painter's origin, with a font whose size is in pixels. A
+    /// picture with long texts may draw them smaller.
     virtual void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) = 0;
     /// A height that suits this width there [px].
     virtual double heightOnPaper(double width, const QFont& font) const = 0;

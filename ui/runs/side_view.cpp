@@ -24,7 +24,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double headRoom = 1.25; // above the highest pad
+constexpr double headRoom = 1.25;     // above the highest pad
+constexpr double sideOnPaper = 480.0; // width in which the texts have room [px]
 
 } // namespace
 
@@ -159,9 +160,13 @@ void SideView::paintInto(QPainter& painter, const QRectF& target, const PlotThem
 
 void SideView::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
 {
-    const LaidOutAs laidOut(*this, size, font);
+    const double wider = widening(size.width(), sideOnPaper);
+    const LaidOutAs laidOut(*this, wider * size, font);
+    painter.save();
+    painter.scale(1.0 / wider, 1.0 / wider);
     painter.setFont(font);
     paint(painter, paperTheme(colours));
+    painter.restore();
 }
 
 double SideView::heightOnPaper(double width, const QFont& /*font*/) const { return 0.6 * width; }

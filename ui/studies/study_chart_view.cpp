@@ -12,6 +12,7 @@
 #include <QPainter>
 #include <QToolTip>
 
+#include "ui/plot/laid_out_as.h"
 #include "ui/plot/picture_menu.h"
 #include "ui/plot/plot_export.h"
 #include "ui/studies/study_chart_data.h"
@@ -33,6 +34,7 @@ bool sameAxes(const StudyChart& a, const StudyChart& b)
                return same(p.x, q.x) && same(p.y, q.y);
            });
 }
+constexpr double chartOnPaper = 480.0; // width in which titles and legend have room [px]
 
 } // namespace
 
@@ -84,12 +86,17 @@ void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const Pl
 
 void StudyChartView::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
 {
-    StudyChartDrawing(chart_, paperTheme(colours), font, size, zoomed_).paint(painter);
+    const double wider = widening(size.width(), chartOnPaper);
+    painter.save();
+    painter.scale(1.0 / wider, 1.0 / wider);
+    StudyChartDrawing(chart_, paperTheme(colours), font, wider * size, zoomed_).paint(painter);
+    painter.restore();
 }
 
 double StudyChartView::heightOnPaper(double width, const QFont& font) const
 {
-    return StudyChartDrawing::goodHeight(chart_, font, width);
+    const double wider = widening(width, chartOnPaper);
+    return StudyChartDrawing::goodHeight(chart_, font, wider * width) / wider;
 }
 
 std::function<void(QIODevice&)> StudyChartView::dataWriter() const

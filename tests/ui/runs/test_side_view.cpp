@@ -221,9 +221,11 @@ void TestSideView::textOfAPictureHasItsSize()
     };
     QCOMPARE(savePicture(*view_, folder.filePath("screen.svg")), QString());
     QCOMPARE(largest(folder.filePath("screen.svg")), 1.0 * QFontInfo(view_->font()).pixelSize());
-    const PaperFigure figure({view_.get()}, {});
+    FigureFormat wide;
+    wide.width = FigureFormat::twoColumns;
+    const PaperFigure figure({view_.get()}, wide);
     QCOMPARE(figure.save(folder.filePath("paper.svg")), QString());
-    const double point = figure.picture().size.width() / (85.0 / 25.4 * 72.0); // [px]
+    const double point = figure.picture().size.width() / (170.0 / 25.4 * 72.0); // [px]
     QVERIFY(std::abs(largest(folder.filePath("paper.svg")) / point - 8.0) < 0.01);
     QCOMPARE(view_->size(), QSize(800, 500));
 }
