@@ -114,11 +114,14 @@ void PaperFigure::paint(QPainter& painter) const
         partOf(panel).paintOnPaper(painter, box.size(), font_, format_.colours);
         if (const QString name = letter(i); !name.isEmpty() && format_.letters) {
             const QString text = QStringLiteral("(%1)").arg(name);
-            const QRectF corner(0.0, 0.0, QFontMetricsF(font_).horizontalAdvance(text) + 6.0, 2.0 * textPixels);
+            // Beside the legend of a plot; other pictures have less room there.
+            const bool isPlot = qobject_cast<const PlotWidget*>(panel) != nullptr;
+            const QRectF corner(2.0, isPlot ? PlotFrame::gap : 0.0, QFontMetricsF(font_).horizontalAdvance(text) + 4.0,
+                                1.0 * textPixels);
             painter.fillRect(corner, Qt::white);
             painter.setFont(font_);
             painter.setPen(Qt::black);
-            painter.drawText(corner.adjusted(2.0, PlotFrame::gap, 0.0, 0.0), Qt::AlignLeft | Qt::AlignTop, text);
+            painter.drawText(corner, Qt::AlignLeft | Qt::AlignTop | Qt::TextDontClip, text);
         }
         painter.restore();
     }
