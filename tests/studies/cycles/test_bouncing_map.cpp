@@ -199,7 +199,7 @@ private slots:
     {
         std::vector<std::vector<int>> seen;
         const StudyReport report =
-            performed(bouncingSlider(), mapText(12, "20 ms", 2), 2, [&seen](const StudyProgress& progress) {
+            performed(bouncingSlider(), mapText(8, "10 ms", 2), 2, [&seen](const StudyProgress& progress) {
                 if (progress.soFar) seen.push_back(progress.soFar->charts.back().panels.front().map->cells);
                 return true;
             });
@@ -208,7 +208,7 @@ private slots:
         std::ptrdiff_t before = 0;
         for (const std::vector<int>& cells : seen) {
             const std::ptrdiff_t done = std::ranges::count_if(cells, [](int kind) { return kind >= 0; });
-            QVERIFY(done > before && done <= std::ptrdiff_t(whole.size()));
+            QVERIFY(done >= before && done <= std::ptrdiff_t(whole.size())); // one may be written, but not counted
             before = done;
             for (std::size_t i = 0; i < cells.size(); ++i) QVERIFY(cells[i] < 0 || cells[i] == whole[i]);
         }

@@ -68,8 +68,8 @@ private slots:
         const double last = *window.runs().record(0).last("flying_height");
         window.runWindow().memory().setBudget(1);
         window.runWindow().memory().settle();
-        QVERIFY(window.messages().isVisible());
-        QVERIFY(window.messages().text().contains(QStringLiteral("/dev/null/full")));
+        QTRY_VERIFY(window.messages().isVisible());
+        QTRY_VERIFY(window.messages().text().contains(QStringLiteral("/dev/null/full")));
         QCOMPARE(window.runs().record(0).last("flying_height"), std::optional(last));
     }
 
