@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLocale>
 #include <QPainter>
 #include <QSettings>
 #include <QUrl>
@@ -292,8 +293,9 @@ void FigureDialog::changed()
         const QSignalBlocker quiet(height_);
         height_->setValue(size.height());
     }
-    remark_->setText(
-        problem.isEmpty() ? tr("%L1 mm × %L2 mm").arg(size.width(), 0, 'f', 1).arg(size.height(), 0, 'f', 1) : problem);
+    const auto oneDigit = [](double number) { return QLocale().toString(number, 'f', 1); };
+    remark_->setText(problem.isEmpty() ? tr("%1 mm × %2 mm").arg(oneDigit(size.width()), oneDigit(size.height()))
+                                       : problem);
     export_->setEnabled(problem.isEmpty());
     showPreview();
 }
