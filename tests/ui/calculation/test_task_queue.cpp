@@ -2,7 +2,7 @@
 #include "ui/calculation/task_queue.h"
 
 #include <algorithm>
-#include <chrono>
+#include <latch>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -59,16 +59,18 @@ private slots:
     {
         int performed = 0;
         bool answered = false;
+        std::latch posted(1); // all tasks wait while the queue is about to end
         {
             TaskQueue queue(nullptr);
             for (int i = 0; i < 5; ++i)
                 queue.post(
-                    [&performed] {
-                        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                    [&performed, &posted] {
+                        posted.wait();
                         ++performed;
                         return QString();
                     },
                     [&answered](const QString&) { answered = true; });
+            posted.count_down();
         }
         QCoreApplication::sendPostedEvents();
         QCOMPARE(performed, 5);
