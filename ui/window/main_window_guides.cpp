@@ -34,10 +34,7 @@ void MainWindow::connectHelp()
     connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
     connect(actions_->firstSteps, &QAction::triggered, this, [this] { files_->whenSettled([this] { greet(); }); });
     connect(actions_->lesson, &QAction::triggered, this, &MainWindow::showLesson);
-    connect(startCard_, &StartCard::lessonRequested, this, [this] {
-        startCard_->close();
-        showLesson();
-    });
+    connect(startCard_, &StartCard::lessonRequested, this, &MainWindow::showLesson);
     connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
     connect(startCard_, &StartCard::closed, this, [this] {
         endSlowMotion();
@@ -71,7 +68,6 @@ void MainWindow::greet()
     stage.plots << QStringLiteral("spacing");
     stage.side = true;
     runView().setStage(stage);
-    if (stages_) stages_->end();
     startCard_->open();
     startRun();
     slowMotion_ = true;
