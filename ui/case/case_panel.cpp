@@ -18,6 +18,8 @@ namespace touchdown {
 
 namespace {
 
+constexpr double mostOfScreen = 0.24; // its width
+
 QString groupTitle(const std::string& name)
 {
     static const QHash<QString, QString> titles{{"", CasePanel::tr("Model")},
@@ -83,7 +85,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     scroll_->setWidget(page);
     scroll_->setWidgetResizable(true);
     scroll_->setFrameShape(QFrame::NoFrame);
-    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     scroll_->setFocusPolicy(Qt::NoFocus);
     page->installEventFilter(this);
 
@@ -284,10 +286,13 @@ void CasePanel::changeEvent(QEvent* event)
 
 bool CasePanel::eventFilter(QObject* watched, QEvent* event)
 {
-    // Rows scroll up and down only: the panel must be wide enough for them in any font.
-    if (watched == scroll_->widget() && event->type() == QEvent::LayoutRequest)
-        scroll_->setMinimumWidth(scroll_->widget()->minimumSizeHint().width() +
-                                 scroll_->verticalScrollBar()->sizeHint().width());
+    // The panel is wide enough for its rows in any font, as far as the screen is.
+    if (watched == scroll_->widget() && event->type() == QEvent::LayoutRequest) {
+        const int rows =
+            scroll_->widget()->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
+        scroll_->setMinimumWidth(
+            std::min(rows, static_cast<int>(mostOfScreen * screen()->availableGeometry().width())));
+    }
     return QWidget::eventFilter(watched, event);
 }
 

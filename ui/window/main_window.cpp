@@ -10,8 +10,10 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMimeData>
 #include <QSettings>
+#include <QStatusBar>
 
 #include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady.h"
@@ -272,6 +274,12 @@ void MainWindow::look()
     const int own = systemPointSize() + (size ? size->data().toInt() : 0);
     applyTheme(theme ? themeFromName(theme->data().toString()) : Theme::System,
                presenter_->on() ? std::max(own, presenter_->pointSize()) : own);
+    pages_->limitWidths();
+    QMetaObject::invokeMethod(pages_, &WindowPages::limitWidths, Qt::QueuedConnection); // with the new font everywhere
+    // Parts of the status bar that are hidden do not notice that the font has changed, but count for its height.
+    for (const QWidget* part : statusBar()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        if (part->layout()) part->layout()->invalidate();
+    QCoreApplication::postEvent(statusBar(), new QEvent(QEvent::LayoutRequest));
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QCoreApplication>
 #include <QEvent>
 #include <QMenuBar>
 #include <QScreen>
@@ -110,6 +111,7 @@ void Presenter::end()
     window_.setVisible(true);
     if (!(state_ & (Qt::WindowMaximized | Qt::WindowFullScreen))) window_.setGeometry(geometry_);
     pages_.setPanesHidden(false);
+    QCoreApplication::sendPostedEvents(); // the parts have their former font, and need no more room than before
     arrange();
 }
 

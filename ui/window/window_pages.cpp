@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QScreen>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -25,6 +26,13 @@
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
+
+namespace {
+
+// The most that is asked for, of the width of the screen: a pane at the left, one at the right, the page between them.
+constexpr double widestPane = 0.24, widestPage = 0.5;
+
+} // namespace
 
 WindowPages::WindowPages(const Parts& parts)
     : QObject(&parts.window),
@@ -207,6 +215,17 @@ void WindowPages::makeRoomForGuide()
 {
     for (const auto& [guide, dock] : guides_)
         if (!dock->isHidden()) parts_.window.resizeDocks({dock, runs_, values_}, {600, 150, 150}, Qt::Vertical);
+}
+
+void WindowPages::limitWidths()
+{
+    const int screen = parts_.window.screen()->availableGeometry().width();
+    const auto limit = [screen](QWidget* widget, double most) {
+        widget->setMinimumWidth(std::min(widget->minimumSizeHint().width(), static_cast<int>(most * screen)));
+    };
+    for (const auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
+        limit(dock->widget(), widestPane);
+    limit(parts_.window.centralWidget(), widestPage);
 }
 
 void WindowPages::updateProgress()

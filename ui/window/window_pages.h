@@ -63,6 +63,8 @@ public:
     bool panesHidden() const { return panesHidden_; }
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
+    /// Panes and pages ask for no more width than the screen has, however large the font is.
+    void limitWidths();
     /// What the runs of the list take of the memory; hidden without runs.
     QLabel* memory() const { return memory_; }
 

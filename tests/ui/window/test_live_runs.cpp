@@ -65,7 +65,7 @@ private slots:
         QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 300e-9);
         QVERIFY(sameAsARun(window_->runs().record(0)));
         // Faster than the runs: the last value is always shown in the end.
-        for (int i = 1; i <= 50; ++i) live_->move(height, (300 + i) * 1e-9);
+        for (int i = 50; i >= 0; --i) live_->move(height, 350e-9 - i * 1e-9);
         QTRY_VERIFY(!live_->busy() && window_->runs().count() == 1 &&
                     window_->runs().record(0).value.initial.flyingHeight == 350e-9);
         QVERIFY(shown.count() < 40);

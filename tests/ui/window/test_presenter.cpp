@@ -97,6 +97,21 @@ private slots:
         QVERIFY(window_->guides().staged() == lesson);
     }
 
+    /// With the largest text, too, the window asks for no more width than the screen has.
+    void fitsTheScreen()
+    {
+        const int screen = window_->screen()->availableGeometry().width();
+        for (QAction* size : window_->actions().fontSize->actions()) {
+            size->trigger();
+            for (const MainWindow::Page page : {MainWindow::Page::Studies, MainWindow::Page::Run}) {
+                window_->setPage(page);
+                QTRY_VERIFY2(window_->minimumSizeHint().width() <= screen,
+                             qPrintable(QString::number(window_->minimumSizeHint().width())));
+            }
+        }
+        QCOMPARE(window_->width(), 1280);
+    }
+
     void goesThroughTheSteps()
     {
         window_->actions().lesson->trigger();
