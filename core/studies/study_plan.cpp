@@ -76,6 +76,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
         return refuse(std::move(plan), "",
                       inQuotes(kind) + " is no kind of study" + didYouMean(nearestName(kind, names)));
     }
+    plan.openEnd = study->openEnd;
     TomlDocument toml = readToml(source.text);
     if (!toml.problem.empty()) {
         plan.problems.push_back({plan.name, toml.problemLine, "", toml.problem});
@@ -201,7 +202,7 @@ std::span<const StudyKind> studyKinds()
         {"design", "Values for a wanted flying attitude",
          "Searches for values of a film case with which its static state has the wanted flying height, attitude or "
          "forces",
-         planDesign, designForm, true},
+         planDesign, designForm, true, "the search ends when its targets are reached"},
         {"convergence", "Convergence over the grid",
          "Solves the static state of films, or the closest approach of a contact case, on finer and finer grids: "
          "observed order and error",

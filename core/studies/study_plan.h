@@ -34,6 +34,7 @@ struct StudyKind {
     StudyPerformance (*plan)(StudyReader&); // reads the keys; their problems are the reader's
     StudyForm (*form)(const Case&);         // its keys with their defaults for a case
     bool findsCase = false;                 // its report may hold a case, which --apply writes
+    std::string openEnd{};                  // why its duration cannot be told before; "" where it can
 };
 /// In the order in which they are offered.
 std::span<const StudyKind> studyKinds();
@@ -45,6 +46,7 @@ struct StudyPlan {
     std::string text;                          // the study's file; "" where a case was given
     CaseDocument start;                        // the case that is studied
     std::vector<InputProblem> problems;        // all of them, those of the case among them
+    std::string openEnd;                       // of the kind
     std::vector<std::filesystem::path> inputs; // all files that were read: the study, its cases and their files
     StudyPerformance perform;                  // set where there is no problem
     bool valid() const { return problems.empty(); }

@@ -332,7 +332,7 @@ private slots:
                                       << "fig10a: \"hysterese\" is no kind of study; did you mean hysteresis?\n";
         QTest::newRow("a design") << own << TOUCHDOWN_SOURCE_DIR "/sample_cases/studies/film_fig4_pico.toml"
                                   << TOUCHDOWN_SOURCE_DIR
-            "/sample_cases/studies/film_fig4_pico.toml:8: kind: is \"design\", not \"hysteresis\"\n";
+            "/sample_cases/studies/film_fig4_pico.toml:9: kind: is \"design\", not \"hysteresis\"\n";
     }
     void wrongNames()
     {

@@ -11,6 +11,7 @@
 #include "core/case/case_difference.h"
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
+#include "ui/case/choice_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
 
@@ -165,6 +166,7 @@ std::string entryText(const QString& typed, const Parameter& parameter, const QL
 QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale)
 {
     const QString text = editorText(c, parameter, locale);
+    if (const QString name = choiceText(parameter.key, text.toStdString()).name; !name.isEmpty()) return name;
     const bool numbers = parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::List;
     if (!numbers || parameter.displayUnit.empty() || text.isEmpty()) return text;
     return text + QChar(0x00A0) + unitText(parameter.displayUnit);

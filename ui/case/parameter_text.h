@@ -17,7 +17,7 @@ struct Parameter;
 QString editorText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 /// Typed text in the form that `setFromText` reads: with the display unit if none was typed, and a decimal point.
 std::string entryText(const QString& typed, const Parameter& parameter, const QLocale& locale = QLocale());
-/// The value with its unit, for a sentence: "7 nm".
+/// The value with its unit, or the readable name of a choice, for a sentence: "7 nm", "Ono & Yamane".
 QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 
 /// The changes of core/case/case_difference.h in words: "take-off height 5 nm → 8 nm",

@@ -166,4 +166,12 @@ void paintCell(QPainter& painter, const QRectF& cell, const ClassStyle& style, b
     painter.drawText(cell, Qt::AlignCenter, QString(style.letter));
 }
 
+void paintUnknownCell(QPainter& painter, const QRectF& cell, const PlotTheme& theme)
+{
+    painter.fillRect(cell, theme.plotArea);
+    painter.setPen(QPen(theme.grid, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(cell.adjusted(0.5, 0.5, -0.5, -0.5));
+}
+
 } // namespace touchdown

@@ -64,5 +64,7 @@ struct ClassStyle {
 std::vector<ClassStyle> classStyles(const std::vector<ChartClass>& classes, const PlotTheme& theme);
 /// A cell, with its letter where it has room for it.
 void paintCell(QPainter& painter, const QRectF& cell, const ClassStyle& style, bool letter);
+/// A cell whose class is not known: empty, with a quiet frame.
+void paintUnknownCell(QPainter& painter, const QRectF& cell, const PlotTheme& theme);
 
 } // namespace touchdown

@@ -59,8 +59,9 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
       tabs_(new QTabWidget(this)),
       form_(new StudyFormView(this)),
       text_(new StudyTextEdit(this)),
-      gallery_(new StudyGallery(this)),
+      samples_(new StudySamples(this)),
       problems_(new QLabel(this)),
+      duration_(new QLabel(this)),
       run_(new QPushButton(tr("Perform"), this)),
       stop_(new QPushButton(tr("Stop"), this)),
       open_(new QToolButton(this)),
@@ -82,7 +83,7 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
     connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
     connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
-    connect(gallery_, &StudyGallery::chosen, this, &StudyEditor::openSample);
+    connect(samples_, &StudySamples::chosen, this, &StudyEditor::openSample);
     connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) {
         tabs_->setCurrentWidget(text_);
         text_->goToLine(line.toInt());
@@ -107,6 +108,10 @@ void StudyEditor::build()
     problems_->setTextFormat(Qt::RichText);
     problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     problems_->setAccessibleName(tr("Errors of the study"));
+    duration_->setWordWrap(true);
+    duration_->setTextFormat(Qt::PlainText);
+    duration_->setAccessibleName(tr("The time that the study takes"));
+    duration_->hide();
     run_->setAccessibleName(tr("Perform the study"));
     run_->setToolTip(tr("Perform the study (Shift+F5)"));
     stop_->setAccessibleName(tr("Stop the study"));
@@ -132,7 +137,7 @@ void StudyEditor::build()
     tabs_->setDocumentMode(true);
     tabs_->addTab(form_, tr("Form"));
     tabs_->addTab(text_, tr("Text"));
-    tabs_->addTab(gallery_, tr("Samples"));
+    tabs_->addTab(samples_, tr("Samples"));
     tabs_->setAccessibleName(tr("The study as form and text; sample studies"));
 
     auto* files = new QHBoxLayout;
@@ -153,6 +158,7 @@ void StudyEditor::build()
     layout->addWidget(subject_);
     layout->addWidget(tabs_, 1);
     layout->addWidget(problems_);
+    layout->addWidget(duration_);
     layout->addLayout(buttons);
     setMinimumWidth(240);
     colour();
@@ -163,6 +169,13 @@ void StudyEditor::colour()
     QPalette quiet;
     quiet.setColor(QPalette::WindowText, meaningColours(palette()).muted);
     help_->setPalette(quiet);
+    duration_->setPalette(quiet);
+}
+
+void StudyEditor::setDuration(const QString& sentence)
+{
+    duration_->setText(sentence);
+    duration_->setVisible(!sentence.isEmpty());
 }
 
 void StudyEditor::setCase(const Case& c)
@@ -189,8 +202,8 @@ void StudyEditor::showKind()
 {
     const auto found = std::ranges::find(catalogue_.kinds, kind().toStdString(), &StudyKind::name);
     help_->setText(found == catalogue_.kinds.end() ? QString() : sentence(found->help));
-    gallery_->setSamples(catalogue_.samples, kind().toStdString());
-    tabs_->setTabVisible(tabs_->indexOf(gallery_), gallery_->count() > 0);
+    samples_->show(catalogue_.samples, catalogue_.kinds, kind().toStdString());
+    tabs_->setTabVisible(tabs_->indexOf(samples_), samples_->gallery()->count() > 0);
     const Draft draft = drafts_[kind()];
     text_->setPlainText(draft.text);
     stale_ = true;
@@ -366,7 +379,10 @@ void StudyEditor::changeEvent(QEvent* event)
 void StudyEditor::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
-    if (stale_) replan();
+    if (stale_)
+        replan();
+    else
+        emit planned(); // what waits until it is seen
 }
 
 } // namespace touchdown

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The kind of study and its text, which starts with the defaults for the case in the window: as a form, as text, and
-// the sample studies of the kind. Errors are listed while the user types. The text of each kind is kept; a text without
-// changes follows the case.
+// the sample studies of all kinds. Errors are listed while the user types. The text of each kind is kept; a text
+// without changes follows the case.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "ui/studies/study_form_view.h"
-#include "ui/studies/study_gallery.h"
+#include "ui/studies/study_samples.h"
 #include "ui/studies/study_text_edit.h"
 
 namespace touchdown {
@@ -58,13 +58,16 @@ public:
     /// Empty, or why the file cannot be written.
     QString save(const QString& file);
     void setRunning(bool running);
+    /// The time that the study takes, in a sentence; empty: nothing is said.
+    void setDuration(const QString& sentence);
+    QString duration() const { return duration_->text(); }
 
     QComboBox* kinds() const { return kinds_; }
     QPushButton* run() const { return run_; }
     QPushButton* stop() const { return stop_; }
     QString problems() const { return problems_->text(); }
     StudyFormView* form() const { return form_; }
-    StudyGallery* gallery() const { return gallery_; }
+    StudySamples* samples() const { return samples_; }
     QTabWidget* tabs() const { return tabs_; }
     /// Which case is studied, as rich text.
     QString subject() const { return subject_->text(); }
@@ -114,8 +117,9 @@ private:
     QTabWidget* tabs_;
     StudyFormView* form_;
     StudyTextEdit* text_;
-    StudyGallery* gallery_;
+    StudySamples* samples_;
     QLabel* problems_;
+    QLabel* duration_; // of the study
     QPushButton *run_, *stop_;
     QToolButton *open_, *save_, *defaults_;
 };

@@ -46,8 +46,10 @@ void StudyLegend::addSeries(const StudyChart& chart, const ChartStyles& styles)
 void StudyLegend::addClasses(const StudyChart& chart)
 {
     std::vector<std::pair<int, Entry>> classes; // by severity: from good to failed, as the colours go
+    bool unknown = false;
     for (const ChartPanel& panel : chart.panels) {
         if (!panel.map) continue;
+        unknown = unknown || std::ranges::any_of(panel.map->cells, [](int cell) { return cell < 0; });
         const std::vector<ClassStyle> fills = classStyles(panel.map->classes, theme_);
         for (std::size_t i = 0; i < fills.size(); ++i) {
             const bool used = std::ranges::find(panel.map->cells, static_cast<int>(i)) != panel.map->cells.end();
@@ -60,6 +62,7 @@ void StudyLegend::addClasses(const StudyChart& chart)
     }
     std::ranges::stable_sort(classes, {}, &std::pair<int, Entry>::first);
     for (auto& [severity, entry] : classes) entries_.push_back(std::move(entry));
+    if (unknown) entries_.push_back({Entry::Kind::Unknown, tr("not computed"), {}, {}, {}});
 }
 
 void StudyLegend::addKey(const StudyChart& chart)
@@ -107,6 +110,7 @@ void StudyLegend::paintSample(QPainter& painter, const Entry& entry, const QRect
     const double radius = 0.32 * font_.pixelSize();
     SeriesStyle plain = entry.style;
     plain.quiet = true; // the key is about no series: in grey
+    const QRectF square(box.left(), centre.y() - 0.5 * box.width(), box.width(), box.width());
     switch (entry.kind) {
     case Entry::Kind::Series:
         if (entry.look.line != ChartLine::None) {
@@ -120,10 +124,8 @@ void StudyLegend::paintSample(QPainter& painter, const Entry& entry, const QRect
     case Entry::Kind::WrongState: paintMarker(painter, centre, radius, plain, PointKind::WrongState, theme_); return;
     case Entry::Kind::Failed: paintMarker(painter, centre, radius, plain, PointKind::Failed, theme_); return;
     case Entry::Kind::Chosen: paintRing(painter, centre, 0.8 * radius, theme_); return;
-    case Entry::Kind::Class:
-        paintCell(painter, QRectF(box.left(), centre.y() - 0.5 * box.width(), box.width(), box.width()), entry.fill,
-                  true);
-        return;
+    case Entry::Kind::Class: paintCell(painter, square, entry.fill, true); return;
+    case Entry::Kind::Unknown: paintUnknownCell(painter, square, theme_); return;
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The legend of a study's chart: one entry for each name of a series in any of its panels, one for each class of a map,
-// and the key of hollow, crossed and ringed points where there are such.
+// cells that are not known, and the key of hollow, crossed and ringed points where there are such.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace touchdown {
 class StudyLegend {
 public:
     struct Entry {
-        enum class Kind { Series, WrongState, Failed, Chosen, Class };
+        enum class Kind { Series, WrongState, Failed, Chosen, Class, Unknown };
         Kind kind = Kind::Series;
         QString text;
         ChartSeries look{}; // of a series, without its points

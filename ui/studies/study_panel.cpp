@@ -205,7 +205,7 @@ QString StudyPanel::reading(const PanelHit& hit) const
         const auto cell = static_cast<std::size_t>(hit.cell);
         const int which = map.cells[cell];
         lines << QStringLiteral("<b>%1</b>")
-                     .arg(which < 0 ? tr("Not known") : plain(map.classes[static_cast<std::size_t>(which)].name));
+                     .arg(which < 0 ? tr("Not computed") : plain(map.classes[static_cast<std::size_t>(which)].name));
         lines << valueLine(axes_.x, map.x[cell % map.x.size()], 0.0)
               << valueLine(axes_.y, map.y[cell / map.x.size()], 0.0);
         if (cell < map.details.size() && !map.details[cell].empty()) lines << plain(map.details[cell]);

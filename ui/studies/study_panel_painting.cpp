@@ -99,13 +99,15 @@ void StudyPanel::paintMap(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing, false);
     for (std::size_t c = 0; c < panel_.map->cells.size(); ++c) {
         const int which = panel_.map->cells[c];
-        if (which < 0) continue;
         // Whole pixels, so that neighbours meet, and a line of paper between cells that are large enough for it.
         const QRectF exact = cellBox(static_cast<int>(c));
         QRectF box(QPointF(std::round(exact.left()), std::round(exact.top())),
                    QPointF(std::round(exact.right()), std::round(exact.bottom())));
         if (std::min(box.width(), box.height()) >= 7.0) box.adjust(1.0, 1.0, 0.0, 0.0);
-        paintCell(painter, box, styles[static_cast<std::size_t>(which)], true);
+        if (which < 0)
+            paintUnknownCell(painter, box, theme_);
+        else
+            paintCell(painter, box, styles[static_cast<std::size_t>(which)], true);
     }
     painter.restore();
 }

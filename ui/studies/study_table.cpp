@@ -11,6 +11,7 @@
 #include <QLocale>
 
 #include "core/formats/units.h"
+#include "ui/case/choice_text.h"
 #include "ui/plot/plot_axis.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
@@ -61,7 +62,10 @@ int StudyTableModel::columnCount(const QModelIndex& parent) const
 
 QString StudyTableModel::text(const StudyColumn& column, const StudyValue& value) const
 {
-    if (const auto* words = std::get_if<std::string>(&value)) return readable(*words);
+    if (const auto* words = std::get_if<std::string>(&value)) {
+        const QString choice = choiceText(column.longName, *words).name; // where the column has a key of the case
+        return choice.isEmpty() ? readable(*words) : choice;
+    }
     const auto* number = std::get_if<double>(&value);
     if (number == nullptr) return QString(QChar(0x2013));
     return numberText(column.displayUnit.empty() ? *number : *number / unitFactor(column.displayUnit));

@@ -16,11 +16,22 @@
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr int pilotDelay = 500; // after the last change of the study [ms]
+
+int threads() { return std::max(1, QThread::idealThreadCount()); }
+
+/// Whether two plans perform the same.
+bool alike(const StudyPlan& a, const StudyPlan& b)
+{
+    return a.kind == b.kind && a.text == b.text && caseDifference(a.start.value, b.start.value).isEmpty();
+}
 
 QString writeOutcome(const StudyOutcome& outcome, const QString& file)
 {
@@ -56,17 +67,29 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
         if (results_->report() && results_->report()->found)
             emit applyRequested(*results_->report()->found, QString::fromStdString(results_->report()->title));
     });
+    pilotSoon_.setSingleShot(true);
+    pilotSoon_.setInterval(pilotDelay);
+    connect(&pilotSoon_, &QTimer::timeout, this, &StudyWindow::startPilot);
+    connect(editor_, &StudyEditor::planned, this, &StudyWindow::updateDuration);
+    connect(&pilot_, &StudyPilot::estimated, this, [this](std::optional<double> seconds) {
+        duration_ = seconds ? tr("Takes %1.").arg(roughTime(*seconds))
+                            : tr("How long it takes cannot be told: no part of it is done within seconds.");
+        editor_->setDuration(duration_);
+    });
     shown_ = editor_->kind().toStdString();
 }
 
 bool StudyWindow::perform()
 {
     controller_.stopAndWait();
+    pilotSoon_.stop();
+    pilot_.stopAndWait();
     const StudyPlan& plan = editor_->plan();
     if (!plan.valid() || !plan.perform) return false;
     performing_ = plan.kind;
     StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0};
-    outcome.number = controller_.start(outcome.plan.perform, std::max(1, QThread::idealThreadCount()));
+    outcome.number = controller_.start(outcome.plan.perform, threads());
+    updateDuration();
     show();
     emit started();
     return true;
@@ -82,7 +105,38 @@ void StudyWindow::onFinished(const StudyReport& report)
     else
         outcomes_[performing_].report = report;
     if (shown_ == performing_) show();
+    updateDuration();
     emit ended(report);
+}
+
+void StudyWindow::updateDuration()
+{
+    const StudyPlan& plan = editor_->plan();
+    pilotSoon_.stop();
+    const auto say = [&](const QString& sentence) {
+        pilot_.stop();
+        editor_->setDuration(sentence);
+    };
+    if (!plan.valid() || controller_.active()) return say({}); // its own progress tells the time left
+    const StudyOutcome* last = outcome(plan.kind);
+    if (last != nullptr && last->report && last->report->status == StudyStatus::Completed && alike(last->plan, plan))
+        return say(tr("Took %1.").arg(timeText(last->report->wallSeconds)));
+    if (!plan.openEnd.empty()) return say(tr("How long it takes cannot be told: %1.").arg(readable(plan.openEnd)));
+    if (alike(estimated_, plan)) {
+        editor_->setDuration(duration_);
+        if (!duration_.isEmpty() || pilot_.state() == StudyPilot::State::Running) return;
+    }
+    estimated_ = plan;
+    duration_.clear();
+    say({});
+    pilotSoon_.start();
+}
+
+void StudyWindow::startPilot()
+{
+    if (!editor_->isVisible() || controller_.active() || !estimated_.perform) return;
+    editor_->setDuration(tr("Estimating the time…"));
+    pilot_.start(estimated_.perform, threads());
 }
 
 void StudyWindow::show()
@@ -100,9 +154,7 @@ void StudyWindow::updateStale()
 {
     const auto outcome = outcomes_.find(shown_);
     if (outcome == outcomes_.end() || underWay(shown_)) return;
-    const StudyPlan& now = editor_->plan();
-    const StudyPlan& then = outcome->second.plan;
-    results_->setStale(now.text != then.text || !caseDifference(then.start.value, now.start.value).isEmpty());
+    results_->setStale(!alike(outcome->second.plan, editor_->plan()));
 }
 
 const StudyOutcome* StudyWindow::outcome(const std::string& kind) const

@@ -8,9 +8,11 @@
 #include <optional>
 
 #include <QObject>
+#include <QTimer>
 
 #include "core/studies/study_plan.h"
 #include "ui/studies/study_controller.h"
+#include "ui/studies/study_pilot.h"
 
 namespace touchdown {
 
@@ -66,9 +68,16 @@ private:
     /// The results of the chosen kind, if there are any.
     void show();
     void updateStale();
+    /// Says how long the study in the editor takes; asks the pilot where that is not known.
+    void updateDuration();
+    void startPilot();
     void chooseSave();
 
     StudyController controller_;
+    StudyPilot pilot_;
+    QTimer pilotSoon_;
+    StudyPlan estimated_; // of which the duration was asked
+    QString duration_;    // of it, in a sentence
     StudyEditor* editor_;
     StudyResults* results_;
     ProgressStrip* progress_;

@@ -130,6 +130,7 @@ private:
     void updateRecentMenu();
     void chooseRecording(bool on);
     void makeFigure();
+    void showGallery();
     void endSlowMotion();
     void useParametersOf(int number);
     void useSolution(int number);

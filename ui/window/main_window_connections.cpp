@@ -62,6 +62,7 @@ void MainWindow::connectFiles()
 {
     connect(actions_->newCase, &QAction::triggered, files_, &CaseFiles::newCase);
     connect(actions_->open, &QAction::triggered, files_, &CaseFiles::chooseFile);
+    connect(actions_->caseGallery, &QAction::triggered, this, &MainWindow::showGallery);
     connect(actions_->save, &QAction::triggered, files_, &CaseFiles::save);
     connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
     connect(actions_->importCml, &QAction::triggered, files_, &CaseFiles::chooseImport);

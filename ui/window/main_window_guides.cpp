@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What helps a person along: first steps, lesson, help, and the figure for a paper.
+// What helps a person along: first steps, gallery, lesson, help, and the figure for a paper.
 #include "ui/window/main_window.h"
 
 #include <QMessageBox>
@@ -9,6 +9,7 @@
 #include "ui/case/case_files.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
+#include "ui/window/case_gallery.h"
 #include "ui/window/figure_dialog.h"
 #include "ui/window/guides.h"
 #include "ui/window/start_card.h"
@@ -86,6 +87,14 @@ void MainWindow::makeFigure()
     auto* dialog = new FigureDialog(*page(), QStringLiteral("%1 %2").arg(int(pages_->page())).arg(source),
                                     files_->shortName().section(u'.', 0, 0), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void MainWindow::showGallery()
+{
+    auto* dialog = new CaseGallery(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CaseGallery::chosen, files_, &CaseFiles::open);
     dialog->open();
 }
 

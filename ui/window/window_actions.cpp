@@ -66,6 +66,8 @@ void WindowActions::buildFile(QMainWindow& window)
         action->setData(name);
         connect(action, &QAction::triggered, this, [this, name] { emit sampleChosen(name); });
     }
+    caseGallery = add(menu, tr("Galler&y of cases…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G), {},
+                      tr("All sample cases with small pictures, by theme"));
     recent = menu->addMenu(tr("Open &recent"));
     menu->addSeparator();
     save =

@@ -13,6 +13,7 @@
 #include "core/studies/convergence/film_convergence_report.h"
 #include "core/studies/convergence/film_convergence_task.h"
 #include "core/studies/runs/parallel.h"
+#include "core/studies/runs/work_done.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
@@ -148,8 +149,7 @@ StudyTable observedOf(const ConvergenceStudy& study)
 StudyReport perform(const Case& start, ConvergenceOptions options, int jobs, const StudyCallback& callback)
 {
     options.jobs = jobs;
-    const auto done = [&](int solved) {
-        const double share = double(solved) / options.levels;
+    const auto done = [&](int solved, double share) {
         return !callback ||
                callback({.share = share,
                          .doing = std::to_string(solved) + " of " + std::to_string(options.levels) + " levels"});
@@ -193,7 +193,7 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
 }
 
 ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
-                                  const std::function<bool(int)>& done)
+                                  const std::function<bool(int, double)>& done)
 {
     ConvergenceStudy study;
     study.separation = c.approach.closest;
@@ -203,12 +203,16 @@ ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& optio
         study.levels.back().cell = cellOf(c, level, options.levels);
         study.levels.back().problem = "not solved";
     }
-    // The finest takes longest and goes first.
+    // The finest takes longest and goes first: it has four times the cells of the next one.
+    std::vector<double> costs;
+    for (int level = options.levels; level-- > 0;) costs.push_back(std::pow(4.0, level));
+    WorkDone work(std::move(costs));
     const auto solve = [&](std::size_t i, const GoOn& goOn) {
         ConvergenceLevel& level = study.levels[study.levels.size() - 1 - i];
         level = solveLevel(c, level.cell, goOn);
+        work.teller(i)(1.0);
     };
-    const auto poll = [&](std::size_t count) { return !done || done(static_cast<int>(count)); };
+    const auto poll = [&](std::size_t count) { return !done || done(static_cast<int>(count), work.share()); };
     if (!runParallel(study.levels.size(), options.jobs, solve, poll)) study.status = StudyStatus::Cancelled;
     if (study.status == StudyStatus::Cancelled) {
         study.message = "stopped before all levels were solved";

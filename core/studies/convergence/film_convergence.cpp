@@ -80,13 +80,21 @@ public:
 
 private:
     static constexpr const char* notSolved = "not solved";
+    static constexpr double usualPace = 2e-5; // of a node, until the first solution tells it [s]
+    static constexpr double mostOfOne = 0.95; // counted before it is solved
 
     /// Time is about proportional to the number of cells.
     static double costOf(int nodes) { return double(nodes) * nodes; }
 
-    bool tell(double done, const std::string& doing) const
+    /// Solutions of `cost` are under way since `begin` [wall clock], beyond what is done: a part of them counts by the
+    /// time that they are expected to take at the pace so far.
+    bool tell(double cost, double begin, const std::string& doing)
     {
-        return !callback_ || callback_({.share = done / all_, .doing = doing});
+        const double passed = wallClock() - begin_, now = wallClock() - begin;
+        const double pace = done_ > 0.0 ? passed / done_ : usualPace; // [s]
+        const double part = std::min(now / (cost * pace), mostOfOne);
+        told_ = std::max(told_, std::min((done_ + part * cost) / all_, 1.0)); // it never falls
+        return !callback_ || callback_({.share = told_, .doing = doing});
     }
 
     bool solveReferences()
@@ -94,9 +102,15 @@ private:
         const auto solve = [&](std::size_t s, const GoOn& goOn) {
             study_.references[s] = task_.methods.front().solve(sliders_[s], task_.reference, goOn);
         };
+        double begin = wallClock();
         return runParallel(sliders_.size(), jobs_, solve, [&](std::size_t done) {
-            done_ = double(done) * costOf(task_.reference);
-            return tell(done_, std::to_string(done) + " of " + std::to_string(sliders_.size()) + " references");
+            if (const double now = double(done) * costOf(task_.reference); now > done_) {
+                done_ = now;
+                begin = wallClock();
+            }
+            const std::size_t atATime = std::min<std::size_t>(std::size_t(std::max(jobs_, 1)), sliders_.size() - done);
+            return tell(double(std::max<std::size_t>(atATime, 1)) * costOf(task_.reference), begin,
+                        std::to_string(done) + " of " + std::to_string(sliders_.size()) + " references");
         });
     }
 
@@ -108,7 +122,9 @@ private:
                 run.state = method.solve(sliders_[run.slider], run.nodes, goOn);
             };
             const std::string doing = method.name + ", " + std::to_string(run.nodes) + " lines";
-            if (!runParallel(1, 1, solve, [&](std::size_t) { return tell(done_, doing); })) return false;
+            const double begin = wallClock();
+            if (!runParallel(1, 1, solve, [&](std::size_t) { return tell(costOf(run.nodes), begin, doing); }))
+                return false;
             done_ += costOf(run.nodes);
         }
         return true;
@@ -131,6 +147,7 @@ private:
     std::vector<Case> sliders_;
     FilmConvergence study_;
     double all_ = 0.0, done_ = 0.0; // cost
+    double begin_ = wallClock(), told_ = 0.0;
 };
 
 } // namespace

@@ -331,7 +331,9 @@ void addBouncingMap(const MarkedMapTask& task, int jobs, const StudyCallback& ca
     const std::size_t columns = task.x.values.size(), count = columns * task.y.values.size();
     std::vector<MapCell> cells(count);
     std::vector<std::atomic<bool>> written(count); // a cell may be read from then on
-    const auto judge = [&](std::size_t i, const GoOn& goOn) {
+    const std::vector<std::size_t> order = scatteredOrder(count);
+    const auto judge = [&](std::size_t k, const GoOn& goOn) {
+        const std::size_t i = order[k];
         cells[i] = judgeCell(task, task.x.values[i % columns], task.y.values[i / columns], goOn);
         written[i].store(true, std::memory_order_release);
     };

@@ -110,6 +110,7 @@ private:
 
     bool linearise(const Vector3& x, double p, ContinuationProblem::Linearised& at)
     {
+        if (trace_.reached) trace_.reached(std::clamp(p, 0.0, 1.0));
         const Return& here = returnOf(x, p);
         if (!here.returned || !here.derivative.allFinite()) return false;
         at.byState = here.derivative - Matrix3::Identity();

@@ -25,7 +25,8 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t mostBranches = 12;
-constexpr double perturbation = 1e-3; // of an unstable cycle, so that a run leaves it [-]
+constexpr double perturbation = 1e-3;  // of an unstable cycle, so that a run leaves it [-]
+constexpr double mostOfBranches = 0.5; // of the time for them, when the range has been followed once
 constexpr const char* standardKey = "ono_yamane.meniscus_force";
 
 /// From no adhesion to twice the meniscus force at which W = 0, at most that of the case where there is none [N].
@@ -94,9 +95,16 @@ private:
     /// In the order of the runs; a cycle on a branch that is known is not followed again.
     void traceAll(const GoOn& goOn)
     {
-        const CycleTrace trace{[this](double value) { return caseAt(value); }, task_.from, task_.to, task_.units, goOn};
+        double low = 1.0, high = 0.0; // of the range, between which branches have been followed
+        const auto reached = [&](double share) {
+            low = std::min(low, share);
+            high = std::max(high, share);
+            traced_ = std::max(traced_.load(), mostOfBranches * (high - low));
+        };
+        const CycleTrace trace{
+            [this](double value) { return caseAt(value); }, task_.from, task_.to, task_.units, goOn, reached};
         for (std::size_t i = 0; i < result_.runs.size() && result_.branches.size() < mostBranches && goOn(); ++i) {
-            traced_ = double(i) / double(result_.runs.size());
+            traced_ = std::max(traced_.load(), double(i) / double(result_.runs.size()));
             const std::optional<LimitCycle>& cycle = result_.runs[i].cycle;
             if (!cycle) continue;
             const auto known = [&](const CycleBranch& branch) { return liesOn(branch, *cycle); };
@@ -190,7 +198,10 @@ StudyCallback partOf(const StudyCallback& callback, double from, double to)
 StudyReport performAll(const std::optional<CyclesTask>& cycles, const std::optional<MarkedMapTask>& map, int jobs,
                        const StudyCallback& callback)
 {
-    const double mapBegins = cycles ? (map ? 0.5 : 1.0) : 0.0;
+    // Runs; following the cycles takes about as long as they do.
+    const double ofCycles = cycles ? 2.0 * double(cycles->values.size()) * cycles->starts : 0.0;
+    const double ofMap = map ? double(map->x.values.size() * map->y.values.size()) * map->starts : 0.0;
+    const double mapBegins = ofCycles > 0.0 ? ofCycles / (ofCycles + ofMap) : 0.0;
     StudyReport report;
     if (cycles) {
         const StudyCallback part = partOf(callback, 0.0, mapBegins);

@@ -81,7 +81,7 @@ void carryOver(Case& next, const HeldEnd& before)
 }
 
 HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings,
-                   const GoOn& goOn)
+                   const GoOn& goOn, const ShareTeller& tell)
 {
     HeldStep step;
     step.value = value;
@@ -98,7 +98,7 @@ HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vec
     step.anew = !last.valid;
     if (last.valid) carryOver(c, last);
     const std::string spacing(spacingOf(c));
-    MeasuredRun run = measureRun(c, {spacing}, goOn);
+    MeasuredRun run = measureRun(c, {spacing}, goOn, {}, tell);
     step.done = run.summary.status != RunStatus::Cancelled;
     if (!step.done) return step;
     step.problem = run.summary.message;
@@ -117,13 +117,14 @@ HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vec
 }
 
 bool holdAll(const HeldSteps& steps, const GoOn& goOn, const std::function<void(std::size_t, HeldStep&&)>& done,
-             std::vector<std::string>& warnings)
+             std::vector<std::string>& warnings, const std::function<ShareTeller(std::size_t)>& tellerOf)
 {
     HeldEnd last;
     const std::size_t count = steps.values.size();
     for (std::size_t i = 0; i < 2 * count; ++i) {
         const bool back = i >= count;
-        HeldStep step = holdValue(steps, steps.values[back ? 2 * count - 1 - i : i], last, warnings, goOn);
+        HeldStep step = holdValue(steps, steps.values[back ? 2 * count - 1 - i : i], last, warnings, goOn,
+                                  tellerOf ? tellerOf(i) : ShareTeller());
         if (goOn && !goOn()) return false;
         step.back = back;
         step.done = true;

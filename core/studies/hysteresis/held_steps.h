@@ -54,10 +54,10 @@ void carryOver(Case& next, const HeldEnd& before);
 
 /// One run, its state carried from `last` unless that is not valid; `last` becomes it.
 HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vector<std::string>& warnings,
-                   const GoOn& goOn);
+                   const GoOn& goOn, const ShareTeller& tell = {});
 
-/// All of them in turn, there and back; `done` receives each. False when stopped.
+/// All of them in turn, there and back; `done` receives each. `tellerOf` gives the teller of each. False when stopped.
 bool holdAll(const HeldSteps& steps, const GoOn& goOn, const std::function<void(std::size_t, HeldStep&&)>& done,
-             std::vector<std::string>& warnings);
+             std::vector<std::string>& warnings, const std::function<ShareTeller(std::size_t)>& tellerOf = {});
 
 } // namespace touchdown

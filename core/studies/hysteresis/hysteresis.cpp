@@ -17,6 +17,7 @@
 #include "core/studies/hysteresis/hysteresis_report.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
 #include "core/studies/runs/parallel.h"
+#include "core/studies/runs/work_done.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
@@ -24,7 +25,8 @@ namespace touchdown {
 namespace {
 
 constexpr int mostValues = 1000;
-constexpr int filmLooks = 3; // values at which equilibria of a film are sought, from which they are followed
+constexpr double traceShare = 0.2; // of the time, for the equilibria, on one thread
+constexpr int filmLooks = 3;       // values at which equilibria of a film are sought, from which they are followed
 
 struct Range {
     std::string key;
@@ -101,7 +103,7 @@ struct Plan {
 class HysteresisPerformance {
 public:
     HysteresisPerformance(const Plan& plan, const StudyCallback& callback)
-        : plan_(plan), task_(plan.steps), callback_(callback)
+        : plan_(plan), task_(plan.steps), callback_(callback), work_(std::vector(task_.count(), 1.0))
     {
         result_.steps.resize(task_.count());
         for (std::size_t i = 0; i < result_.steps.size(); ++i)
@@ -112,17 +114,19 @@ public:
     {
         const std::size_t sweeps = task_.fresh ? task_.values.size() : 1;
         stepWarnings_.resize(sweeps);
-        const std::size_t tasks = sweeps + (plan_.equilibria ? 1 : 0);
-        // There and back is one task, since each value needs the one before; the equilibria are another.
+        const std::size_t traces = plan_.equilibria ? 1 : 0;
+        const std::size_t tasks = traces + sweeps;
+        beside_ = jobs > 1;
+        // The equilibria are one task; there and back is another, since each value needs the one before.
         const auto work = [&](std::size_t i, const GoOn& goOn) {
-            if (i >= sweeps)
+            if (i < traces)
                 trace(goOn);
             else if (task_.fresh)
-                holdFresh(i, goOn);
+                holdFresh(i - traces, goOn);
             else
                 holdAll(
                     task_, goOn, [this](std::size_t k, HeldStep&& step) { take(k, std::move(step)); },
-                    stepWarnings_[i]);
+                    stepWarnings_.front(), [this](std::size_t k) { return work_.teller(k); });
         };
         const bool whole = runParallel(tasks, jobs, work, [this](std::size_t) { return tell(); });
         if (!task_.fresh && task_.start.model == ModelKind::Film)
@@ -153,7 +157,7 @@ private:
     void holdFresh(std::size_t i, const GoOn& goOn)
     {
         HeldEnd none;
-        HeldStep step = holdValue(task_, task_.values[i], none, stepWarnings_[i], goOn);
+        HeldStep step = holdValue(task_, task_.values[i], none, stepWarnings_[i], goOn, work_.teller(i));
         if (!goOn()) return;
         step.done = true;
         take(i, std::move(step));
@@ -195,13 +199,20 @@ private:
         traced_ = 1.0;
     }
 
+    /// Of two tasks beside each other, the slower one decides.
+    double share() const
+    {
+        const double held = work_.share(), traced = traced_;
+        if (!plan_.equilibria) return held;
+        return beside_ ? std::min(held, traced) : std::lerp(held, traced, traceShare);
+    }
+
     bool tell()
     {
         if (!callback_) return true;
         const std::lock_guard lock(mutex_);
-        const double sweep = static_cast<double>(held_) / static_cast<double>(result_.steps.size());
         StudyProgress progress;
-        progress.share = plan_.equilibria ? 0.5 * (sweep + traced_) : sweep;
+        progress.share = share();
         progress.doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
                          std::to_string(result_.steps.size()) + " values";
         if (const std::string time = expectedTime(task_.start, static_cast<int>(task_.count()), task_.hold);
@@ -220,7 +231,9 @@ private:
     const Plan& plan_;
     const HeldSteps& task_;
     const StudyCallback& callback_;
-    std::mutex mutex_; // of all below
+    WorkDone work_;       // of the values that are held
+    bool beside_ = false; // the equilibria are sought beside the runs, not before them
+    std::mutex mutex_;    // of all below
     HysteresisResult result_;
     std::vector<std::vector<std::string>> stepWarnings_; // each by its own task; not of the mutex
     std::size_t held_ = 0, told_ = 0;

@@ -19,11 +19,11 @@ namespace touchdown {
 
 namespace {
 
-EnsembleEnd runStart(const Case& c, const Parameter& key, double value, const GoOn& goOn)
+EnsembleEnd runStart(const Case& c, const Parameter& key, double value, const GoOn& goOn, const ShareTeller& tell)
 {
     Case started = c;
     if (setFromNumber(started, key, value)) return {.state = {}, .failure = RunFailure::Other};
-    const MeasuredRun run = measureRun(started, {}, goOn);
+    const MeasuredRun run = measureRun(started, {}, goOn, {}, tell);
     return {run.end, run.summary.failure, workOf(c, run.summary)};
 }
 
@@ -81,20 +81,23 @@ std::vector<double> startsOf(const Case& c, const EnsembleTask& task)
 }
 
 bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs,
-                  const std::function<bool(std::size_t)>& poll)
+                  const std::function<bool(std::size_t, double)>& poll)
 {
-    const auto count = static_cast<std::size_t>(task.starts);
-    const Parameter& key = *findParameter(task.key);
+    const std::size_t count = std::size_t(task.starts);
     std::vector<std::vector<double>> starts;
+    std::vector<double> costs;
     for (Ensemble& ensemble : ensembles) {
+        costs.insert(costs.end(), count, expectedCost(ensemble.c));
         ensemble.ends.assign(count, {});
         starts.push_back(startsOf(ensemble.c, task));
     }
+    WorkDone work(costs);
     const auto runOne = [&](std::size_t i, const GoOn& goOn) {
-        const std::size_t which = i / count, start = i % count;
-        ensembles[which].ends[start] = runStart(ensembles[which].c, key, starts[which][start], goOn);
+        Ensemble& own = ensembles[i / count];
+        const double start = starts[i / count][i % count];
+        own.ends[i % count] = runStart(own.c, *findParameter(task.key), start, goOn, work.teller(i));
     };
-    return runParallel(count * ensembles.size(), jobs, runOne, poll);
+    return runParallel(costs.size(), jobs, runOne, [&](std::size_t done) { return poll(done, work.share()); });
 }
 
 EndClasses classifyEnds(const std::vector<Ensemble>& ensembles)
@@ -204,13 +207,9 @@ std::vector<double> valuesOf(const Ensemble& ensemble, Take take)
         if (const std::optional<double> value = take(s)) values.push_back(*value);
     return values;
 }
-StudyValue meanOf(const std::vector<double>& values)
+StudyValue momentOf(const std::vector<double>& values, double Moments::*moment)
 {
-    return values.empty() ? StudyValue() : StudyValue(momentsOf(values).mean);
-}
-StudyValue deviationOf(const std::vector<double>& values)
-{
-    return values.empty() ? StudyValue() : StudyValue(momentsOf(values).deviation);
+    return values.empty() ? StudyValue() : StudyValue(momentsOf(values).*moment);
 }
 
 /// "300 random starts with FH(0) within 0.5 nm of 250 nm".
@@ -356,9 +355,9 @@ private:
                 difference.difference,
                 difference.error,
                 std::string(e > 0 && difference.significant ? "yes" : ""),
-                meanOf(spacing),
-                deviationOf(spacing),
-                meanOf(among(&EndState::spread))};
+                momentOf(spacing, &Moments::mean),
+                momentOf(spacing, &Moments::deviation),
+                momentOf(among(&EndState::spread), &Moments::mean)};
     }
 
     StudyTable ensembles() const
@@ -379,8 +378,8 @@ private:
             });
             table.rows.push_back({all_[e].method, all_[e].setting, static_cast<double>(starts()),
                                   static_cast<double>(otherwise(ends_.of[e], ends_.of[0])),
-                                  static_cast<double>(starts() - spacing.size()), meanOf(spacing), deviationOf(spacing),
-                                  meanWork(all_[e])});
+                                  static_cast<double>(starts() - spacing.size()), momentOf(spacing, &Moments::mean),
+                                  momentOf(spacing, &Moments::deviation), meanWork(all_[e])});
         }
         return table;
     }

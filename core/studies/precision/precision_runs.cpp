@@ -9,14 +9,14 @@
 #include "core/numerics/wall_clock.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/simulation/static_state/steady_quantities.h"
+#include "core/studies/precision/precision_pace.h"
 #include "core/studies/precision/precision_task.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double shareOfReference = 0.15, shareOfFirstRuns = 0.5; // of the progress that is shown
-constexpr double budgetOfFirstRuns = 0.7;                         // the rest is for repeats
+constexpr double budgetOfFirstRuns = 0.7; // the rest is for repeats
 constexpr double budgetOfReferences = 0.6;
 constexpr double shortRun = 5e-3; // [s]
 constexpr double sameState = 0.5; // a film's spacings in one state differ by no more than this share, whatever the grid
@@ -52,9 +52,12 @@ MeasuredRun measureSteady(const Case& c, const std::vector<std::string>& names, 
     return run;
 }
 
-MeasuredRun measure(const PrecisionTask& task, const Case& c, const GoOn& goOn)
+MeasuredRun measure(const PrecisionTask& task, const Case& c, const GoOn& goOn, const ShareTeller& tell = {})
 {
-    return task.inTime ? measureRun(c, namesOf(task), goOn) : measureSteady(c, namesOf(task), goOn);
+    if (task.inTime) return measureRun(c, namesOf(task), goOn, {}, tell);
+    MeasuredRun run = measureSteady(c, namesOf(task), goOn);
+    if (tell) tell(1.0);
+    return run;
 }
 
 /// Springs take milliseconds, of which their samples take most.
@@ -84,7 +87,12 @@ double distanceOfEnds(const PrecisionTask& task, const MeasuredRun& reference)
 class Performance {
 public:
     Performance(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback)
-        : task_(task), jobs_(jobs), runs_(runs), callback_(callback), begin_(wallClock())
+        : task_(task),
+          jobs_(jobs),
+          runs_(runs),
+          callback_(callback),
+          begin_(wallClock()),
+          pace_(task, jobs, casesOf(task))
     {
         for (std::size_t m = 0; m < task.methods.size(); ++m)
             for (std::size_t s = 0; s < task.methods[m].settings.size(); ++s) {
@@ -120,7 +128,17 @@ private:
     bool tell(const std::string& doing)
     {
         const bool changed = std::exchange(changed_, false);
-        return callback_(share_, doing, changed);
+        runs_.secondsPerCost = pace_.secondsPerCost();
+        return callback_(std::clamp(task_.budget - spent(), 0.0, pace_.left()), doing, changed);
+    }
+
+    /// Point by point.
+    static std::vector<const Case*> casesOf(const PrecisionTask& task)
+    {
+        std::vector<const Case*> cases;
+        for (const SweptMethod& method : task.methods)
+            for (const MethodSetting& setting : method.settings) cases.push_back(&setting.c);
+        return cases;
     }
 
     bool findReference()
@@ -129,11 +147,11 @@ private:
         for (MeasuredRun& each : found) each.summary.status = RunStatus::Cancelled; // until it ends
         const Ended ended = runTasks(
             found.size(), jobs_, budgetOfReferences * task_.budget,
-            [&](std::size_t i, const GoOn& goOn) { found[i] = measure(task_, task_.references[i].c, goOn); },
-            [&](std::size_t done) {
-                share_ = shareOfReference * static_cast<double>(done) / static_cast<double>(found.size());
-                return "reference: " + task_.references[std::min(done, found.size() - 1)].label;
-            });
+            [&](std::size_t i, const GoOn& goOn) {
+                found[i] = measure(task_, task_.references[i].c, goOn, pace_.tellerOfReference(i));
+            },
+            [&](std::size_t done) { return "reference: " + task_.references[std::min(done, found.size() - 1)].label; });
+        pace_.endReferences();
         if (ended == Ended::Stopped) return false;
         runs_.referencesLate = ended == Ended::Late;
         const auto ran = [](const MeasuredRun& run) { return run.summary.status != RunStatus::Cancelled; };
@@ -148,7 +166,6 @@ private:
         runs_.reference = proveReference(task_.references, std::move(found), task_.agreement, sameDistance_);
         if (runs_.reference.problem.empty())
             runs_.uncertainty = errorsOf(task_, runs_.reference.check, runs_.reference);
-        share_ = shareOfReference;
         changed_ = true;
         return proveEnd();
     }
@@ -193,7 +210,10 @@ private:
             // What others have cooled since its last run makes the first of two short ones slower.
             if (run.valid() && secondsOf(task_, run.summary) < shortRun) run = measure(task_, caseOf(point), goOn);
         };
-        return runTasks(1, 1, until, runIt, [&](std::size_t) { return nameOf(task_, point); });
+        pace_.beginPoint(static_cast<std::size_t>(&point - runs_.points.data()));
+        const Ended ended = runTasks(1, 1, until, runIt, [&](std::size_t) { return nameOf(task_, point); });
+        pace_.endPoint();
+        return ended;
     }
 
     bool runEach()
@@ -209,8 +229,6 @@ private:
                 break;
             }
             record(*order[i], run);
-            share_ =
-                shareOfReference + shareOfFirstRuns * static_cast<double>(i + 1) / static_cast<double>(order.size());
             changed_ = true;
         }
         return true;
@@ -236,14 +254,11 @@ private:
         std::vector<PrecisionPoint*> order = byFineness();
         std::erase_if(order,
                       [&](const PrecisionPoint* point) { return !point->ran || point->fastest() > task_.timeLimit; });
-        const double first = share_;
-        const std::size_t all = order.size() * static_cast<std::size_t>(task_.repeats);
+        pace_.beginRepeats();
         std::vector<std::vector<double>> timed(order.size());
-        std::size_t done = 0;
         Ended ended = Ended::Well;
         for (int round = 0; round < task_.repeats && ended == Ended::Well; ++round)
-            for (std::size_t i = 0; i < order.size() && ended == Ended::Well; ++i, ++done) {
-                share_ = first + (1.0 - first) * static_cast<double>(done) / static_cast<double>(all);
+            for (std::size_t i = 0; i < order.size() && ended == Ended::Well; ++i) {
                 MeasuredRun run;
                 ended = spent() < task_.budget ? runAlone(*order[i], task_.budget, run) : Ended::Late;
                 if (ended == Ended::Well) timed[i].push_back(secondsOf(task_, run.summary));
@@ -261,8 +276,8 @@ private:
     int jobs_;
     PrecisionRuns& runs_;
     const RunsCallback& callback_;
-    double begin_;                      // wall clock [s]
-    double share_ = 0.0;                // done
+    double begin_; // wall clock [s]
+    PrecisionPace pace_;
     bool changed_ = false;              // since the last call
     double sameDistance_ = sameSpacing; // of ends [m]
 };

@@ -44,13 +44,15 @@ struct PrecisionRuns {
     ProvenReference reference;
     std::vector<TrajectoryError> uncertainty; // what the reference does not know, as PrecisionPoint::errors
     std::vector<PrecisionPoint> points;       // method by method
+    double secondsPerCost = 0.0;              // wall time of a run of unit cost (work_done.h) [s]
     bool late = false;                        // the budget was spent before
     bool referencesLate =
         false; // not all of the runs that may prove the reference, or its end, ended in their share of the budget
 };
 
-/// Tells how far it is, 0 to 1, and what it does; false stops. `changed`: there is more to show than at the last call.
-using RunsCallback = std::function<bool(double share, const std::string& doing, bool changed)>;
+/// Tells the time that is left [s], as far as it can be expected, and what it does; false stops. `changed`: there is
+/// more to show than at the last call.
+using RunsCallback = std::function<bool(double left, const std::string& doing, bool changed)>;
 
 /// `runs` is filled as it goes. Returns false where the callback stopped it.
 bool performRuns(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback);

@@ -19,6 +19,7 @@ namespace touchdown {
 namespace {
 
 constexpr double secondsBetweenReports = 0.5;
+constexpr double knownShare = 0.02; // of the ensembles that tells their pace
 
 class PrecisionStudy {
 public:
@@ -28,19 +29,11 @@ public:
 
     StudyReport perform()
     {
-        const double runsShare = task_.ensembleWanted ? 0.4 : 1.0; // of the progress, for the timed runs
-        bool went = performRuns(task_, jobs_, runs_, [&](double share, const std::string& doing, bool changed) {
+        bool went = performRuns(task_, jobs_, runs_, [&](double left, const std::string& doing, bool changed) {
             if (changed) renew();
-            return tell(runsShare * share, doing);
+            return tell(left + (wantsEnsembles() ? secondsOfEnsembles() : 0.0), doing);
         });
-        // Of a film, which takes long, and whose references may part by their grids, they are made where they are asked
-        // for.
-        const ProvenReference& reference = runs_.reference;
-        const bool undetermined =
-            !runs_.referencesLate && (reference.horizon || !reference.problem.empty() || !reference.endKnown);
-        const bool ensembles =
-            task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
-        if (went && ensembles) went = performEnsembles(runsShare < 1.0 ? runsShare : 0.9);
+        if (went && wantsEnsembles()) went = performEnsembles();
         StudyReport report = reportNow();
         if (went && !ensembles_.empty()) reportEnsembles(task_.start, task_.ensemble, ensembles_, report);
         if (!went) {
@@ -63,18 +56,45 @@ public:
     }
 
 private:
-    bool performEnsembles(double share)
+    /// Of a film, which takes long, and whose references may part by their grids, they are made where they are asked
+    /// for.
+    bool wantsEnsembles() const
     {
-        ensembles_.push_back({"reference", task_.ensembleReference.label, task_.ensembleReference.c, {}});
+        const ProvenReference& reference = runs_.reference;
+        const bool known = !reference.label.empty() || !reference.problem.empty();
+        const bool undetermined =
+            known && !runs_.referencesLate && (reference.horizon || !reference.problem.empty() || !reference.endKnown);
+        return task_.inTime && (task_.ensembleWanted || (undetermined && task_.start.model == ModelKind::Springs));
+    }
+
+    std::vector<Ensemble> plannedEnsembles() const
+    {
+        std::vector<Ensemble> all{{"reference", task_.ensembleReference.label, task_.ensembleReference.c, {}}};
         for (const SweptMethod& method : task_.methods)
             for (const MethodSetting& setting : method.settings)
-                if (setting.inEnsemble) ensembles_.push_back({method.name, setting.label, setting.c, {}});
-        const std::size_t all = ensembles_.size() * static_cast<std::size_t>(task_.ensemble.starts);
-        const auto poll = [&](std::size_t done) {
+                if (setting.inEnsemble) all.push_back({method.name, setting.label, setting.c, {}});
+        return all;
+    }
+
+    /// All of them at the pace of the timed runs [s].
+    double secondsOfEnsembles() const
+    {
+        double cost = expectedCost(task_.ensembleReference.c);
+        for (const SweptMethod& method : task_.methods)
+            for (const MethodSetting& setting : method.settings)
+                if (setting.inEnsemble) cost += expectedCost(setting.c);
+        return runs_.secondsPerCost * cost * task_.ensemble.starts / std::max(jobs_, 1);
+    }
+
+    bool performEnsembles()
+    {
+        ensembles_ = plannedEnsembles();
+        const double begin = wallClock(), expected = secondsOfEnsembles();
+        const auto poll = [&](std::size_t done, double share) {
             const Ensemble& now =
                 ensembles_[std::min(done / static_cast<std::size_t>(task_.ensemble.starts), ensembles_.size() - 1)];
-            return tell(share + (1.0 - share) * static_cast<double>(done) / static_cast<double>(all),
-                        "ensemble: " + now.method + ", " + now.setting);
+            const double all = share > knownShare ? (wallClock() - begin) / share : expected;
+            return tell((1.0 - share) * all, "ensemble: " + now.method + ", " + now.setting);
         };
         return runEnsembles(ensembles_, task_.ensemble, jobs_, poll);
     }
@@ -97,9 +117,11 @@ private:
         reported_ = wallClock();
     }
 
-    bool tell(double share, const std::string& doing)
+    /// `left`: the time to the end, as expected [s].
+    bool tell(double left, const std::string& doing)
     {
         const std::unique_ptr<StudyReport> report = std::exchange(soFar_, nullptr);
+        const double passed = wallClock() - begin_, share = passed > 0.0 ? passed / (passed + left) : 0.0;
         return !callback_ || callback_({share, doing, report.get()});
     }
 
@@ -110,6 +132,7 @@ private:
     std::vector<Ensemble> ensembles_;    // the first one is the reference
     std::unique_ptr<StudyReport> soFar_; // not told yet
     double reported_ = 0.0;
+    double begin_ = wallClock();
 };
 
 } // namespace

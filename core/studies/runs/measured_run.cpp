@@ -17,7 +17,7 @@ std::string_view spacingOf(const Case& c)
 }
 
 MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn,
-                       const RunOptions& options)
+                       const RunOptions& options, const ShareTeller& tell)
 {
     Case c = given;
     c.run.stepCheck = false;
@@ -45,9 +45,11 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
                 if (batch.time[i] < tailBegin || spacing < 0) continue;
                 tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
             }
+            if (tell) tell(update.time / c.run.duration);
             return !goOn || goOn();
         },
         options);
+    if (tell) tell(1.0);
     if (!run.valid() || tail.empty()) return run;
     const Moments moments = momentsOf(tail);
     run.end = {endKindOf(run.summary.verdict.touch), moments.mean, moments.deviation, run.summary.verdict.motion};

@@ -10,6 +10,7 @@
 
 #include "core/simulation/recording/run_summary.h"
 #include "core/studies/runs/parallel.h"
+#include "core/studies/runs/work_done.h"
 
 namespace touchdown {
 
@@ -56,9 +57,9 @@ struct MeasuredRun {
 std::string_view spacingOf(const Case& c);
 
 /// Runs the case without the check of its step and without maps, which cost time; keeps the samples of `quantities`,
-/// names of recordedQuantities(c). `goOn` may be empty.
+/// names of recordedQuantities(c). `goOn` and `tell` may be empty; `tell` hears 1 at the end, however the run ends.
 MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {},
-                       const RunOptions& options = {});
+                       const RunOptions& options = {}, const ShareTeller& tell = {});
 
 /// Spacings that count as one [m].
 inline constexpr double sameSpacing = 0.1e-9;

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -67,6 +68,17 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     threads.clear();
     if (failure) std::rethrow_exception(failure);
     return !stopped;
+}
+
+std::vector<std::size_t> scatteredOrder(std::size_t count)
+{
+    // By steps of the golden section, which leave no large gap whatever their number; coprime, so that all are met.
+    auto step = static_cast<std::size_t>(0.6180339887498949 * static_cast<double>(count));
+    step = std::max<std::size_t>(step, 1);
+    while (std::gcd(step, count) > 1) ++step;
+    std::vector<std::size_t> order(count);
+    for (std::size_t i = 0; i < count; ++i) order[i] = i * step % count;
+    return order;
 }
 
 } // namespace touchdown

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 namespace touchdown {
 
@@ -18,5 +19,9 @@ using GoOn = std::function<bool()>;
 /// that. Threads are joined before it returns. What a task throws ends all others, too, and is thrown on.
 bool runParallel(std::size_t count, int jobs, const std::function<void(std::size_t, const GoOn& goOn)>& task,
                  const std::function<bool(std::size_t done)>& poll);
+
+/// 0 .. count - 1, each once, so that any part of the list is spread evenly over all: what the first tasks take tells
+/// what all of them take, and a map that is made in this order shows its whole early.
+std::vector<std::size_t> scatteredOrder(std::size_t count);
 
 } // namespace touchdown

@@ -23,7 +23,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double pictureShare = 0.1;    // of the time
+constexpr double pictureShare = 0.02;   // of the time, before a map
 constexpr double longestSilence = 0.03; // between calls [s]
 
 StudyReport cancelled(StudyReport report)
@@ -56,10 +56,19 @@ StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& ca
     if (task.map) {
         const double from = task.picture ? pictureShare : 0.0;
         StabilityMap map;
-        if (!performMap(task, jobs, map, [&](double share, const std::string& doing) {
-                return tell(from + (1.0 - from) * share, doing, nullptr);
-            }))
+        const auto grow = [&](double share, const std::string& doing, const StabilityMap* soFar) {
+            const double done = std::lerp(from, 1.0, share);
+            if (soFar == nullptr) return tell(done, doing, nullptr);
+            StudyReport part = report;
+            part.charts.push_back(mapChart(task, *soFar));
+            return tell(done, doing, &part);
+        };
+        if (!performMap(task, jobs, map, grow)) {
+            // What is known of the map stays: the references are, and each cell that is done.
+            const bool some = std::ranges::any_of(map.cells, &StabilityCell::done);
+            if (some) report.charts.push_back(mapChart(task, map));
             return cancelled(std::move(report));
+        }
         StudyReport whole;
         tellMap(task, map, whole);
         // What became of the runs comes first; the linear picture explains it.

@@ -3,10 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numeric>
+#include <utility>
 
+#include "core/numerics/wall_clock.h"
 #include "core/studies/runs/parallel.h"
 #include "core/studies/runs/trajectory_error.h"
+#include "core/studies/runs/work_done.h"
 
 namespace touchdown {
 
@@ -14,24 +18,48 @@ namespace {
 
 constexpr double mostSamples = 20000; // of a run
 constexpr double tenth = 0.1;         // of a setting, which the paper's criterion compares
+constexpr double nudgedShare = 0.05;  // of the progress, for starts that hardly differ, if any are needed
+constexpr double betweenNews = 0.25;  // while the map is made [s]
 
 /// One run that is to be made.
 struct Job {
     const Case* c = nullptr;
     MeasuredRun* result = nullptr;
     std::string doing;
-    double cost = 0.0; // expected, in right-hand sides
+    double cost = 0.0;    // expected, in right-hand sides
+    std::size_t cell = 0; // of the map, whose run it is
 };
 
-double expectedCost(const Case& c)
-{
-    const bool fixed = c.model == ModelKind::Film ? c.run.steps == StepControl::Fixed : hasFixedStep(c.run.integrator);
-    if (fixed) return 4.0 * c.run.duration / c.run.step;
-    // Of fifth order, an oscillation of a microsecond at a time.
-    if (c.model == ModelKind::Springs)
-        return 60.0 * c.run.duration / 1e-6 * std::pow(1e-8 / std::max(c.run.tolerance, 1e-14), 0.2);
-    return 4.0 * c.run.duration / 0.2e-6 * std::cbrt(5e-12 / c.run.stepError);
-}
+/// The classes of the cells so far, for the thread of the study.
+class CellsSoFar {
+public:
+    explicit CellsSoFar(const std::vector<StabilityCell>& all) { map_.cells = all; }
+
+    void take(std::size_t i, const StabilityCell& cell)
+    {
+        const std::lock_guard lock(mutex_);
+        map_.cells[i].verdict = cell.verdict;
+        map_.cells[i].done = true;
+        changed_ = true;
+    }
+    /// A copy, which the next call replaces; nullptr where there is nothing new, or the last news are young.
+    const StabilityMap* news()
+    {
+        const double now = wallClock();
+        if (now - toldAt_ < betweenNews) return nullptr;
+        const std::lock_guard lock(mutex_);
+        if (!std::exchange(changed_, false)) return nullptr;
+        toldAt_ = now;
+        told_ = map_;
+        return &told_;
+    }
+
+private:
+    std::mutex mutex_; // of map_ and changed_
+    StabilityMap map_, told_;
+    bool changed_ = true; // the empty map is the first news
+    double toldAt_ = 0.0; // wall clock [s]
+};
 
 /// With no more samples than a trajectory needs to be told from another.
 Case lean(Case c)
@@ -40,23 +68,27 @@ Case lean(Case c)
     return c;
 }
 
-bool performJobs(std::vector<Job>& jobs, int threads, double begin, double end, const MapCallback& callback)
+/// `ended` may be called on any thread, with the number of a job of the sorted list.
+bool performJobs(std::vector<Job>& jobs, int threads, const std::function<void(const Job&)>& ended,
+                 const std::function<bool(double share, const std::string& doing)>& tell)
 {
     std::ranges::stable_sort(jobs, std::greater{}, &Job::cost); // so that no long one is left for the end
-    const double all =
-        std::accumulate(jobs.begin(), jobs.end(), 0.0, [](double sum, const Job& job) { return sum + job.cost; });
-    std::vector<double> before{0.0};
-    for (const Job& job : jobs) before.push_back(before.back() + job.cost);
+    std::vector<double> costs;
+    for (const Job& job : jobs) costs.push_back(job.cost);
+    WorkDone work(std::move(costs));
     return runParallel(
         jobs.size(), threads,
         [&](std::size_t i, const GoOn& goOn) {
             const Case c = lean(*jobs[i].c);
-            *jobs[i].result = measureRun(c, {std::string(spacingOf(c))}, goOn, {.energyBalance = true});
+            *jobs[i].result = measureRun(c, {std::string(spacingOf(c))}, goOn, {.energyBalance = true}, work.teller(i));
+            if (goOn()) ended(jobs[i]);
         },
-        [&](std::size_t done) {
-            const std::string doing = done < jobs.size() ? jobs[done].doing : std::string();
-            return !callback || callback(begin + (end - begin) * (all > 0.0 ? before[done] / all : 1.0), doing);
-        });
+        [&](std::size_t done) { return tell(work.share(), done < jobs.size() ? jobs[done].doing : std::string()); });
+}
+
+double costOf(const std::vector<Job>& jobs)
+{
+    return std::accumulate(jobs.begin(), jobs.end(), 0.0, [](double sum, const Job& job) { return sum + job.cost; });
 }
 
 /// Compares with the run whose setting is a tenth.
@@ -93,49 +125,60 @@ bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const Ma
     for (std::size_t row = 0; row < task.rows.size(); ++row)
         for (std::size_t method = 0; method < task.rows[row].methods.size(); ++method)
             for (std::size_t setting = 0; setting < task.rows[row].methods[method].settings.size(); ++setting)
-                map.cells.push_back(
-                    {.row = row, .method = method, .setting = setting, .run = {}, .verdict = {}, .criterion = {}});
+                map.cells.push_back({row, method, setting, false, {}, {}, {}});
+    CellsSoFar soFar(map.cells);
 
-    std::vector<Job> all;
-    std::vector<std::vector<MeasuredRun>> references(task.rows.size()), nudged(task.rows.size());
+    std::vector<Job> references, nudges, runs;
+    std::vector<std::vector<MeasuredRun>> found(task.rows.size()), nudged(task.rows.size());
     const auto at = [&](std::size_t row) {
         return task.rows[row].label.empty() ? std::string() : " at " + task.rows[row].label;
     };
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
         const std::vector<ReferenceCase>& cases = task.rows[row].references;
-        references[row].resize(cases.size());
+        found[row].resize(cases.size());
         for (std::size_t k = 0; k < cases.size(); ++k)
-            all.push_back({&cases[k].c, &references[row][k], "reference" + at(row) + ": " + cases[k].label,
-                           expectedCost(cases[k].c)});
+            references.push_back({&cases[k].c, &found[row][k], "reference" + at(row) + ": " + cases[k].label,
+                                  expectedCost(cases[k].c), 0});
     }
-    for (StabilityCell& cell : map.cells) {
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+        StabilityCell& cell = map.cells[i];
         const SweptMethod& method = task.rows[cell.row].methods[cell.method];
         const MethodSetting& setting = method.settings[cell.setting];
-        all.push_back(
-            {&setting.c, &cell.run, nameOf(method.name, setting.label) + at(cell.row), expectedCost(setting.c)});
+        runs.push_back(
+            {&setting.c, &cell.run, nameOf(method.name, setting.label) + at(cell.row), expectedCost(setting.c), i});
     }
-    constexpr double nudgedFrom = 0.9; // of the way
-    if (!performJobs(all, jobs, 0.0, nudgedFrom, callback)) return false;
+    const double all = costOf(references) + costOf(runs);
+    const double proven = all > 0.0 ? (1.0 - nudgedShare) * costOf(references) / all : 0.0;
+    const auto between = [&](double from, double to) {
+        return [&, from, to](double share, const std::string& doing) {
+            return !callback || callback(std::lerp(from, to, share), doing, soFar.news());
+        };
+    };
+    const auto nothing = [](const Job&) {};
+    if (!performJobs(references, jobs, nothing, between(0.0, proven))) return false;
 
-    all.clear();
     std::vector<std::vector<Case>> starts(task.rows.size());
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
         const std::vector<ReferenceCase>& cases = task.rows[row].references;
         const ProvenReference& reference = map.references[row] =
-            proveReference(cases, std::move(references[row]), task.rule.agreement);
+            proveReference(cases, std::move(found[row]), task.rule.agreement);
         if (!reference.horizon || !reference.endKnown) continue;
         starts[row] = nudgedStarts(cases[reference.which].c);
         nudged[row].resize(starts[row].size());
         for (std::size_t k = 0; k < starts[row].size(); ++k)
-            all.push_back({&starts[row][k], &nudged[row][k], "starts that hardly differ" + at(row),
-                           expectedCost(starts[row][k])});
+            nudges.push_back({&starts[row][k], &nudged[row][k], "starts that hardly differ" + at(row),
+                              expectedCost(starts[row][k]), 0});
     }
-    if (!performJobs(all, jobs, nudgedFrom, 1.0, callback)) return false;
+    if (!performJobs(nudges, jobs, nothing, between(proven, proven + nudgedShare))) return false;
     for (std::size_t row = 0; row < task.rows.size(); ++row) proveEnd(map.references[row], nudged[row]);
-    for (StabilityCell& cell : map.cells) {
-        const Case& c = task.rows[cell.row].methods[cell.method].settings[cell.setting].c;
-        cell.verdict = classify(c, cell.run, map.references[cell.row], task.rule);
-    }
+
+    const auto classified = [&](const Job& job) {
+        StabilityCell& cell = map.cells[job.cell];
+        cell.verdict = classify(*job.c, cell.run, map.references[cell.row], task.rule);
+        cell.done = true;
+        soFar.take(job.cell, cell);
+    };
+    if (!performJobs(runs, jobs, classified, between(proven + nudgedShare, 1.0))) return false;
     judgeByCriterion(task, map);
     return true;
 }

@@ -8,6 +8,9 @@
 //   false alarm      it changes, though it is the reference's with the longer step already
 //   right            it does not change and is the reference's, or changes from one that is not
 //   not determined   the end of the reference is not determined
+//
+// All references are made before the first cell, so that a cell has its class, which does not change any more, as soon
+// as its run ends.
 #pragma once
 
 #include <array>
@@ -60,6 +63,7 @@ struct CriterionResult {
 
 struct StabilityCell {
     std::size_t row = 0, method = 0, setting = 0;
+    bool done = false; // its run has ended, and its class is final
     MeasuredRun run;
     RunVerdict verdict;
     std::optional<CriterionResult> criterion; // where there is a run with a tenth of its step
@@ -70,8 +74,9 @@ struct StabilityMap {
     std::vector<StabilityCell> cells;        // row by row, method by method
 };
 
-/// Asked with the share that is done, by expected time, and what is done next; false stops.
-using MapCallback = std::function<bool(double share, const std::string& doing)>;
+/// Asked with the share that is done, by expected time, and what is done next; false stops. `soFar`: the map without
+/// references, and its cells without their runs, where there is more to show than before.
+using MapCallback = std::function<bool(double share, const std::string& doing, const StabilityMap* soFar)>;
 
 /// On up to `jobs` threads, on which the outcome does not depend. Returns false where the callback stopped it.
 bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback);

@@ -75,22 +75,20 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
     chart.y = ys;
     std::ranges::sort(chart.x);
     std::ranges::sort(chart.y);
-    std::array<int, runClasses> index;
-    index.fill(-1);
+    // All classes, so that each keeps its pattern and letter while the map grows.
+    for (int k = 0; k < runClasses; ++k) {
+        const auto kind = static_cast<RunClass>(k);
+        chart.classes.push_back({std::string(name(kind)), severity(kind)});
+    }
     for (const std::size_t row : orderOf(ys))
         for (const std::size_t setting : orderOf(xs)) {
             const StabilityCell* cell = cellAt(map, row, method, setting);
-            if (cell == nullptr) {
+            if (cell == nullptr || !cell->done) {
                 chart.cells.push_back(-1);
                 chart.details.emplace_back();
                 continue;
             }
-            int& kind = index[static_cast<std::size_t>(cell->verdict.kind)];
-            if (kind < 0) {
-                kind = static_cast<int>(chart.classes.size());
-                chart.classes.push_back({std::string(name(cell->verdict.kind)), severity(cell->verdict.kind)});
-            }
-            chart.cells.push_back(kind);
+            chart.cells.push_back(static_cast<int>(cell->verdict.kind));
             chart.details.push_back(placeOf(task, *cell) + ": " + cell->verdict.sentence);
         }
     return panel;
@@ -148,7 +146,7 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
 StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
 {
     StudyTable table{"references",
-                     {{"parameter"},
+                     {{"parameter", "", "", task.parameter ? task.parameter->key : "Parameter"},
                       {"reference"},
                       {"checked_by"},
                       {"apart", "m", "nm", "Largest distance of the two"},

@@ -12,6 +12,7 @@
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/studies/runs/parallel.h"
+#include "core/studies/runs/work_done.h"
 
 namespace touchdown {
 
@@ -228,32 +229,36 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         return task.statements[i].like ? shared.at(like[i], sampledBy(task.statements[i])) : SampledRun{};
     };
     std::vector<char> made(shared.all.size(), 0);
+    std::vector<double> costs;
+    for (const Work& work : shared.all) costs.push_back(expectedCost(work.c));
+    for (const Drawn& each : drawn) costs.push_back(expectedCost(task.statements[each.statement].c));
+    WorkDone done(std::move(costs));
     const auto runShared = [&](std::size_t i, const GoOn& goOn) {
         Work& work = shared.all[i];
-        work.run = measureRun(work.c, work.sampled, goOn);
+        work.run = measureRun(work.c, work.sampled, goOn, {}, done.teller(i));
         made[i] = work.run.summary.status != RunStatus::Cancelled;
     };
-    const auto runDrawn = [&](Drawn& each, const GoOn& goOn) {
+    const auto runDrawn = [&](std::size_t i, const GoOn& goOn) {
+        Drawn& each = drawn[i];
         const Statement& statement = task.statements[each.statement];
         Case c = statement.c;
         setFromNumber(c, *findParameter(statement.ensemble->key), each.start);
         const std::optional<std::string> sampled = sampledBy(statement);
         const std::vector<std::string> names = sampled ? std::vector{*sampled} : std::vector<std::string>{};
-        const MeasuredRun run = measureRun(c, names, goOn);
+        const MeasuredRun run = measureRun(c, names, goOn, {}, done.teller(shared.all.size() + i));
         each.agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
         each.done = run.summary.status != RunStatus::Cancelled;
     };
     const std::size_t total = shared.all.size() + drawn.size();
-    const auto tell = [&](std::size_t done) {
-        const std::string doing = "run " + std::to_string(std::min(done + 1, total)) + " of " + std::to_string(total);
-        return !callback || callback({.share = double(done) / double(total), .doing = doing, .soFar = nullptr});
+    const auto tell = [&](std::size_t ended) {
+        const std::string doing = "run " + std::to_string(std::min(ended + 1, total)) + " of " + std::to_string(total);
+        return !callback || callback({.share = done.share(), .doing = doing, .soFar = nullptr});
     };
     // Ensembles may compare with runs of the cases themselves, which end first.
     CheckedStatements result;
-    const bool whole = runParallel(shared.all.size(), jobs, runShared, tell) &&
-                       runParallel(
-                           drawn.size(), jobs, [&](std::size_t i, const GoOn& goOn) { runDrawn(drawn[i], goOn); },
-                           [&](std::size_t done) { return tell(shared.all.size() + done); });
+    const bool whole =
+        runParallel(shared.all.size(), jobs, runShared, tell) &&
+        runParallel(drawn.size(), jobs, runDrawn, [&](std::size_t ended) { return tell(shared.all.size() + ended); });
     if (!whole) result.status = StudyStatus::Cancelled;
     for (std::size_t i = 0; i < count; ++i) {
         const Statement& statement = task.statements[i];

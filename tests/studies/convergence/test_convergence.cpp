@@ -73,7 +73,7 @@ private slots:
     void stops()
     {
         const ConvergenceStudy study =
-            studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1}, [](int) { return false; });
+            studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1}, [](int, double) { return false; });
         QCOMPARE(study.status, StudyStatus::Cancelled);
         QVERIFY(study.observed.empty());
         QVERIFY(!study.message.empty());

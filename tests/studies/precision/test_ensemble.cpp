@@ -15,7 +15,7 @@ namespace test_ensemble {
 EnsembleEnd flying(double spacing) { return {.state = {EndKind::Flying, spacing, 0.0}}; }
 EnsembleEnd failed(RunFailure how) { return {.state = {}, .failure = how}; }
 
-const auto always = [](std::size_t) { return true; };
+const auto always = [](std::size_t, double) { return true; };
 
 class TestEnsemble : public QObject {
     Q_OBJECT
@@ -136,7 +136,7 @@ private slots:
     {
         std::vector<Ensemble> all{{"dopri5", "", sample("fig10a"), {}}};
         QVERIFY(!runEnsembles(all, {.key = "initial.flying_height", .starts = 1000, .spread = 0.5e-9}, 2,
-                              [](std::size_t) { return false; }));
+                              [](std::size_t, double) { return false; }));
     }
 };
 

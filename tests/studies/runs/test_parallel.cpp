@@ -2,6 +2,7 @@
 #include "core/studies/runs/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <new>
 #include <numeric>
@@ -88,6 +89,22 @@ private slots:
         };
         QVERIFY(!runParallel(10, 2, waitForStop, [&](std::size_t done) { return done > 0 || begun < 2; }));
         QCOMPARE(begun.load(), 2);
+    }
+
+    /// Each number once; of 100, the first 20 lie in all five fifths, four each but for one.
+    void aScatteredOrderIsSpreadEvenly()
+    {
+        for (const std::size_t count : {0, 1, 2, 3, 6, 100, 441}) {
+            std::vector<std::size_t> order = scatteredOrder(count);
+            std::ranges::sort(order);
+            std::vector<std::size_t> all(count);
+            std::iota(all.begin(), all.end(), std::size_t{0});
+            QVERIFY(order == all);
+        }
+        std::array<int, 5> fifths{};
+        const std::vector<std::size_t> order = scatteredOrder(100);
+        for (std::size_t i = 0; i < 20; ++i) ++fifths[order[i] / 20];
+        for (const int count : fifths) QVERIFY(count >= 3 && count <= 5);
     }
 };
 

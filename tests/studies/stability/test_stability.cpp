@@ -170,6 +170,43 @@ private slots:
         for (const StudyTable& table : report.tables)
             for (const auto& row : table.rows) QCOMPARE(row.size(), table.columns.size());
     }
+    /// The map grows: cells without a class become known, and a class that was shown stays.
+    void theMapFillsInAsItsCellsCome()
+    {
+        const Read plan = read("parameter = \"initial.flying_height\"\nvalues = [\"230 nm\", \"200 nm\", \"150 nm\", "
+                               "\"100 nm\", \"50 nm\", \"20 nm\"]\npicture = false\n" +
+                                   twoMethods,
+                               naive());
+        std::vector<StudyReport> parts;
+        const StudyReport whole = plan.perform(2, [&](const StudyProgress& progress) {
+            if (progress.soFar != nullptr) parts.push_back(*progress.soFar);
+            return true;
+        });
+        parts.push_back(whole);
+        QVERIFY(parts.size() > 2);
+        const auto known = [](const StudyReport& report) {
+            std::ptrdiff_t count = 0;
+            for (const ChartPanel& panel : report.charts[0].panels)
+                count += std::ranges::count_if(panel.map->cells, [](int cell) { return cell >= 0; });
+            return count;
+        };
+        QCOMPARE(known(parts.front()), std::ptrdiff_t{0});
+        QCOMPARE(known(parts.back()), std::ptrdiff_t{36});
+        bool some = false;
+        for (std::size_t k = 0; k + 1 < parts.size(); ++k) {
+            some = some || (known(parts[k]) > 0 && known(parts[k]) < 36);
+            QVERIFY(known(parts[k]) <= known(parts[k + 1]));
+            for (std::size_t p = 0; p < whole.charts[0].panels.size(); ++p) {
+                const ChartMap &before = *parts[k].charts[0].panels[p].map, &last = *whole.charts[0].panels[p].map;
+                QVERIFY(std::ranges::equal(before.classes, last.classes, {}, &ChartClass::name, &ChartClass::name));
+                for (std::size_t i = 0; i < before.cells.size(); ++i) {
+                    QVERIFY(before.cells[i] < 0 || before.cells[i] == last.cells[i]);
+                    QVERIFY(before.cells[i] >= 0 || before.details[i].empty());
+                }
+            }
+        }
+        QVERIFY(some);
+    }
     /// A parameter that is a choice counts its values.
     void aParameterThatIsNoNumber()
     {

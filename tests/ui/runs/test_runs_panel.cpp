@@ -91,7 +91,7 @@ void TestRunsPanel::saysWhatChanged()
     QCOMPARE(changes(1), QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
     QCOMPARE(changes(2), QStringLiteral("same parameters as run 2"));
     // d_e is used by run 3 only, and still differs.
-    QVERIFY2(changes(3).startsWith(QStringLiteral("contact ono-yamane → none")), qPrintable(changes(3)));
+    QVERIFY2(changes(3).startsWith(QStringLiteral("contact Ono & Yamane → none")), qPrintable(changes(3)));
     // What neither run uses is no change.
     Case before, after;
     after.run.step = 1e-9; // of fixed-step methods; both use dopri5

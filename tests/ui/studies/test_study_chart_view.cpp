@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/studies/study_chart_view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -57,6 +58,7 @@ private slots:
     void aBoxZoomsAndADoubleClickFits();
     void aGrowingChartKeepsItsZoom();
     void classesDifferByMoreThanColour();
+    void theLegendNamesCellsThatAreNotComputed();
     void aUnitOfXIsAsLongAsOneOfY();
     void isDrawnOnDark();
     void savesPictures_data();
@@ -148,7 +150,7 @@ void TestStudyChartView::pointingTellsPointCellAndBand()
     QVERIFY2(view_->reading().contains(QStringLiteral("<b>energy drifts</b>")), qPrintable(view_->reading()));
     QVERIFY(view_->reading().contains(QStringLiteral("Cell of class 2.")));
     QTest::mouseMove(view_.get(), panel().toPixel(1e-7, 1e8).toPoint());
-    QVERIFY(view_->reading().contains(QStringLiteral("Not known")));
+    QVERIFY(view_->reading().contains(QStringLiteral("Not computed")));
 }
 
 void TestStudyChartView::arrowKeysGoFromPointToPoint()
@@ -197,6 +199,18 @@ void TestStudyChartView::aGrowingChartKeepsItsZoom()
     view_->setChart(sampleMapChart());
     view_->setChart(grown);
     QVERIFY(panel(0).axes().range() != zoomed);
+}
+
+void TestStudyChartView::theLegendNamesCellsThatAreNotComputed()
+{
+    const QString unknown = QStringLiteral("not computed");
+    StudyChart chart = sampleMapChart(); // one cell of which is not
+    view_->setChart(chart);
+    QCOMPARE(legendTexts(view_->drawing()).back(), unknown);
+    std::ranges::replace(chart.panels[0].map->cells, -1, 0);
+    view_->setChart(chart);
+    QVERIFY(!legendTexts(view_->drawing()).contains(unknown));
+    QVERIFY(legendTexts(view_->drawing()).contains(QStringLiteral("chatters")));
 }
 
 void TestStudyChartView::classesDifferByMoreThanColour()

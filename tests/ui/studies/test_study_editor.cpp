@@ -235,25 +235,28 @@ private slots:
     }
     void samples()
     {
-        QVERIFY(editor_->gallery()->count() >= 3);
-        const QString text = editor_->gallery()->item(0)->text();
+        Gallery* gallery = editor_->samples()->gallery();
+        QVERIFY(gallery->count() >= 3);
+        QCOMPARE(gallery->item(0)->text(), editor_->kinds()->currentText()); // the chosen kind comes first
+        const QString text = gallery->item(1)->text();
         QCOMPARE(text.count(QLatin1Char('\n')), 1);
         QVERIFY2(text.endsWith(QLatin1Char('.')), qPrintable(text));
-        editor_->tabs()->setCurrentWidget(editor_->gallery());
-        emit editor_->gallery()->itemClicked(editor_->gallery()->item(0));
+        editor_->tabs()->setCurrentWidget(editor_->samples());
+        emit gallery->itemClicked(gallery->item(1));
         QVERIFY(!editor_->toText().contains(QStringLiteral("SPDX")));
         QVERIFY(editor_->plan().valid());
         editor_->findChild<QPlainTextEdit*>()->undo(); // what stood there before
         QVERIFY(editor_->toText().startsWith(QStringLiteral("kind = \"hysteresis\"\n")));
     }
-    void firstSentences()
+    /// A sample of another kind chooses that kind.
+    void samplesOfAllKinds()
     {
-        QCOMPARE(firstSentence("# SPDX-License-Identifier: X\n#\n# One 5.3 nm step\n# more. Two.\n\nkind = 1\n"),
-                 QStringLiteral("One 5.3 nm step more."));
-        QCOMPARE(firstSentence("# As in Fig. 12, or Figs. 5 to 8. Two.\n"),
-                 QStringLiteral("As in Fig. 12, or Figs. 5 to 8."));
-        QCOMPARE(firstSentence("kind = 1\n"), QString());
-        QCOMPARE(withoutLicence("# SPDX-License-Identifier: X\n#\n# A.\n"), QStringLiteral("# A.\n"));
+        editor_->samples()->words()->setText(QStringLiteral("criterion start height"));
+        const QStringList shown = editor_->samples()->gallery()->shownNames();
+        QCOMPARE(shown, QStringList{QStringLiteral("stability_start_height")});
+        emit editor_->samples()->gallery()->chosen(shown.front());
+        QCOMPARE(editor_->kind(), QStringLiteral("stability"));
+        QVERIFY(editor_->plan().valid());
     }
 
 private:

@@ -127,6 +127,8 @@ private slots:
     void beginsWithAWordAndTheDefaults();
     void showsAReport();
     void showsWhatThereIsWhileUnderWay();
+    void saysHowLongAStudyTakes();
+    void saysWhereThatCannotBeTold();
     void stops();
     void saysWhatIsWrongWhileItIsWritten();
     void keepsTheTextAndTheReportOfEachKind();
@@ -192,6 +194,42 @@ void TestStudyPage::showsWhatThereIsWhileUnderWay()
     QVERIFY(!f.results().isEmpty());
     f.window.actions().stop->trigger();
     QTRY_COMPARE(f.window.studies().controller().state(), State::Idle);
+}
+
+/// The endless one is at a quarter at once: after the second that the pilot takes at least, four are expected.
+void TestStudyPage::saysHowLongAStudyTakes()
+{
+    Fixture f;
+    QTRY_COMPARE(f.editor().duration(), QStringLiteral("Takes less than 1 s."));
+    f.editor().setText(QStringLiteral("wrong"));
+    QTRY_COMPARE(f.editor().duration(), QString());
+    f.editor().setText(QStringLiteral("endless"));
+    QTRY_COMPARE_WITH_TIMEOUT(f.editor().duration(), QStringLiteral("Takes about 4 s."), 20'000);
+    QCOMPARE(f.charts(), 0); // nothing of the pilot is shown
+    f.window.actions().study->trigger();
+    QCOMPARE(f.editor().duration(), QString());
+    f.window.actions().stop->trigger();
+    QTRY_COMPARE(f.editor().duration(), QStringLiteral("Takes about 4 s.")); // still known
+    f.editor().setText(QStringLiteral("another"));
+    f.perform();
+    QCOMPARE(f.editor().duration(), QStringLiteral("Took 1.500\u00a0s.")); // as its report says
+}
+
+void TestStudyPage::saysWhereThatCannotBeTold()
+{
+    StudyCatalogue catalogue = madeUp();
+    catalogue.plan = [](const std::string& kind, const std::string& text, const std::string& name,
+                        const std::filesystem::path& folder, const Case& c) {
+        StudyPlan plan = planned(kind, text, name, folder, c);
+        plan.openEnd = "the search ends when its targets are reached";
+        return plan;
+    };
+    MainWindow window(std::move(catalogue));
+    window.show();
+    window.files().openNow(QStringLiteral("fig10a"));
+    window.setPage(Page::Studies);
+    QTRY_COMPARE(window.studies().editor()->duration(),
+                 QStringLiteral("How long it takes cannot be told: the search ends when its targets are reached."));
 }
 
 void TestStudyPage::stops()

@@ -22,6 +22,7 @@ private slots:
     void init() { QLocale::setDefault(QLocale::c()); }
     void isAProperModel();
     void showsDisplayUnits();
+    void showsReadableChoices();
     void writesNumbers_data();
     void writesNumbers();
     void writesADecimalComma();
@@ -50,6 +51,18 @@ void TestStudyTable::showsDisplayUnits()
     QCOMPARE(model.index(1, 2).data().toString(), QStringLiteral("0.03"));
     QCOMPARE(model.index(2, 2).data().toString(), QStringLiteral("–"));
     QVERIFY(!model.index(2, 2).data(StudyTableModel::SortRole).isValid());
+}
+
+/// Where the column says of which key its texts are values.
+void TestStudyTable::showsReadableChoices()
+{
+    StudyTable table{"references", {{"parameter", "", "", "contact"}, {"method", "", "", "Method"}}, {}};
+    table.rows = {{"ono-yamane", "ono-yamane"}, {"1 nm", "rk4"}};
+    StudyTableModel model;
+    model.setTable(table);
+    QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("Ono & Yamane"));
+    QCOMPARE(model.index(0, 1).data().toString(), QStringLiteral("ono-yamane"));
+    QCOMPARE(model.index(1, 0).data().toString(), QStringLiteral("1 nm"));
 }
 
 void TestStudyTable::writesNumbers_data()

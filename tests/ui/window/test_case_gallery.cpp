@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/case_gallery.h"
+
+#include <set>
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/case_files/case_file.h"
+#include "tests/support/test_program.h"
+#include "ui/case/case_files.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+
+using namespace touchdown;
+
+namespace test_case_gallery {
+
+class TestCaseGallery : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { QSettings().clear(); }
+
+    void everySampleCaseIsOfOneTheme()
+    {
+        std::set<QString> names, themes;
+        QString theme;
+        for (const GalleryItem& item : sampleCaseItems()) {
+            QVERIFY2(names.insert(item.name).second, qPrintable(item.name));
+            if (item.theme != theme) QVERIFY2(themes.insert(item.theme).second, qPrintable(item.theme));
+            theme = item.theme;
+        }
+        QCOMPARE(names.size(), sampleCases().size());
+        QCOMPARE(themes.size(), std::size_t{5});
+    }
+    void wordsAndEnterChoose()
+    {
+        CaseGallery dialog(nullptr);
+        const QSignalSpy chosen(&dialog, &CaseGallery::chosen);
+        dialog.open();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        QVERIFY(!dialog.openButton()->isEnabled());
+        QTest::keyClicks(dialog.words(), QStringLiteral("exact period"));
+        QCOMPARE(dialog.gallery()->shownNames(), QStringList{QStringLiteral("textbook_bounce")});
+        QVERIFY(dialog.openButton()->isEnabled());
+        QTest::keyClick(dialog.words(), Qt::Key_Return);
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosen.front().front().toString(), QStringLiteral("textbook_bounce"));
+        QVERIFY(!dialog.isVisible());
+    }
+    void wordsOfNoCaseChooseNothing()
+    {
+        CaseGallery dialog(nullptr);
+        dialog.words()->setText(QStringLiteral("no such words"));
+        QVERIFY(!dialog.openButton()->isEnabled());
+    }
+    void theWindowOpensTheCase()
+    {
+        MainWindow window;
+        window.show();
+        window.files().openNow(QStringLiteral("fig10a"));
+        window.actions().caseGallery->trigger();
+        auto* dialog = window.findChild<CaseGallery*>();
+        QVERIFY(dialog != nullptr);
+        const QSignalSpy opened(&window.files(), &CaseFiles::opened);
+        emit dialog->gallery()->chosen(QStringLiteral("contact_hertz"));
+        QTRY_COMPARE(opened.count(), 1);
+        QCOMPARE(window.files().sample(), QStringLiteral("contact_hertz"));
+    }
+};
+
+TOUCHDOWN_TEST(TestCaseGallery)
+
+} // namespace test_case_gallery
+
+#include "test_case_gallery.moc"

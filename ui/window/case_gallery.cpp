@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/case_gallery.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include <QDialogButtonBox>
+#include <QKeyEvent>
+#include <QVBoxLayout>
+
+#include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
+#include "ui/style/readable.h"
+
+namespace touchdown {
+
+namespace {
+
+struct Theme {
+    const char* title;
+    std::vector<const char*> prefixes; // of the names of its cases
+};
+const std::array<Theme, 5> themes{{
+    {QT_TRANSLATE_NOOP("CaseGallery", "Figures of the paper"), {"fig", "table"}},
+    {QT_TRANSLATE_NOOP("CaseGallery", "Films"), {"film"}},
+    {QT_TRANSLATE_NOOP("CaseGallery", "Contacts"), {"contact"}},
+    {QT_TRANSLATE_NOOP("CaseGallery", "Advice"), {"advise"}},
+    {QT_TRANSLATE_NOOP("CaseGallery", "Textbook"), {""}}, // all others
+}};
+
+std::size_t themeOf(const QString& name)
+{
+    const auto fits = [&name](const char* prefix) { return name.startsWith(QLatin1String(prefix)); };
+    const auto found =
+        std::ranges::find_if(themes, [&](const Theme& theme) { return std::ranges::any_of(theme.prefixes, fits); });
+    return static_cast<std::size_t>(found - themes.begin());
+}
+
+} // namespace
+
+std::vector<GalleryItem> sampleCaseItems()
+{
+    std::array<std::vector<GalleryItem>, themes.size()> byTheme;
+    for (const SampleCase& sample : sampleCases()) {
+        const QString name = QString::fromStdString(sample.name);
+        const std::size_t theme = themeOf(name);
+        byTheme[theme].push_back({name, CaseGallery::tr(themes[theme].title),
+                                  readable(parseCase(sample.text, sample.name).value.title), firstSentence(sample.text),
+                                  galleryPicture(QStringLiteral("case_") + name)});
+    }
+    std::vector<GalleryItem> all;
+    for (std::vector<GalleryItem>& items : byTheme) std::ranges::move(items, std::back_inserter(all));
+    return all;
+}
+
+CaseGallery::CaseGallery(QWidget* parent) : QDialog(parent), words_(new QLineEdit(this)), gallery_(new Gallery(this))
+{
+    setWindowTitle(tr("Gallery of cases"));
+    words_->setPlaceholderText(tr("Words to look for, as menisci or rough disk"));
+    words_->setAccessibleName(tr("Words that a sample case has"));
+    words_->setClearButtonEnabled(true);
+    words_->installEventFilter(this);
+    gallery_->setAccessibleName(tr("Sample cases"));
+    gallery_->setItems(sampleCaseItems());
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
+    open_ = buttons->button(QDialogButtonBox::Open);
+    open_->setText(tr("Open"));
+    open_->setDefault(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(words_);
+    layout->addWidget(gallery_, 1);
+    layout->addWidget(buttons);
+    resize(720, 640);
+    connect(words_, &QLineEdit::textChanged, this, [this](const QString& words) {
+        gallery_->setWords(words);
+        chooseFirst();
+    });
+    connect(gallery_, &Gallery::currentRowChanged, this, &CaseGallery::updateOpen);
+    connect(gallery_, &Gallery::chosen, this, &CaseGallery::choose);
+    connect(open_, &QPushButton::clicked, this, [this] {
+        if (const GalleryItem* item = gallery_->at(gallery_->currentRow())) choose(item->name);
+    });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    updateOpen();
+}
+
+void CaseGallery::choose(const QString& name)
+{
+    accept();
+    emit chosen(name);
+}
+
+/// So that the key Enter opens it.
+void CaseGallery::chooseFirst()
+{
+    int row = 0;
+    while (row < gallery_->count() && (gallery_->at(row) == nullptr || gallery_->item(row)->isHidden())) ++row;
+    gallery_->setCurrentRow(row < gallery_->count() ? row : -1);
+    updateOpen();
+}
+
+void CaseGallery::updateOpen() { open_->setEnabled(gallery_->at(gallery_->currentRow()) != nullptr); }
+
+bool CaseGallery::eventFilter(QObject* watched, QEvent* event)
+{
+    // The arrow leads from the words to the first case that has them.
+    if (watched == words_ && event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Down) {
+        gallery_->setFocus();
+        if (gallery_->currentRow() < 0) chooseFirst();
+        return true;
+    }
+    return QDialog::eventFilter(watched, event);
+}
+
+} // namespace touchdown
