@@ -106,25 +106,29 @@ void drawImage(LiveSpectrogram::Shown& shown, const QSize& pixels, const PlotAxi
     shown.image.fill(Qt::transparent);
     shown.x = x.range();
     shown.y = y.range();
-    std::vector<double> mean(bins);
+    std::vector<std::pair<std::size_t, std::size_t>> rows; // the frequencies of each row
+    for (int row = 0; row < pixels.height(); ++row) {
+        const double high = y.valueAt(1.0 - row / static_cast<double>(pixels.height()));
+        const double low = y.valueAt(1.0 - (row + 1) / static_cast<double>(pixels.height()));
+        rows.push_back(cellsWithin(low, high, -0.5 * binWidth, binWidth, high < 0.0 ? 0 : bins));
+    }
+    std::vector<double> sum(bins);
     for (int column = 0; column < pixels.width(); ++column) {
         const double left = x.valueAt(column / static_cast<double>(pixels.width()));
         const double right = x.valueAt((column + 1) / static_cast<double>(pixels.width()));
         const auto [first, end] = cellsWithin(left, right, shown.columnStart(0), data.step, data.columns);
         if (first >= end || right < shown.columnStart(0)) continue;
-        std::ranges::fill(mean, 0.0);
+        std::ranges::fill(sum, 0.0);
         for (std::size_t c = first; c < end; ++c)
-            for (std::size_t k = 0; k < bins; ++k) mean[k] += data.at(c, k) / static_cast<double>(end - first);
+            for (std::size_t k = 0; k < bins; ++k) sum[k] += data.at(c, k);
         for (int row = 0; row < pixels.height(); ++row) {
-            const double high = y.valueAt(1.0 - row / static_cast<double>(pixels.height()));
-            const double low = y.valueAt(1.0 - (row + 1) / static_cast<double>(pixels.height()));
-            const auto [from, to] = cellsWithin(low, high, -0.5 * binWidth, binWidth, bins);
-            if (from >= to || high < 0.0) continue;
+            const auto [from, to] = rows[static_cast<std::size_t>(row)];
+            if (from >= to) continue;
             double power = 0.0;
-            for (std::size_t k = from; k < to; ++k) power += mean[k] / static_cast<double>(to - from);
-            const double shownPower = power / shown.factor;
-            const double value = shownPower > 0.0 ? decibels(shownPower) : shown.scale.low();
-            shown.image.setPixel(column, row, shown.scale.colour(value) | 0xff000000U);
+            for (std::size_t k = from; k < to; ++k) power += sum[k];
+            power /= shown.factor * static_cast<double>((to - from) * (end - first));
+            const double value = power > 0.0 ? decibels(power) : shown.scale.low();
+            reinterpret_cast<QRgb*>(shown.image.scanLine(row))[column] = shown.scale.colour(value) | 0xff000000U;
         }
     }
 }
