@@ -64,7 +64,8 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     connect(&runs_, &RunsModel::namesChanged, this, &LivePlots::rebuild);
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
         noteHiddenCurves();
-        for (const Entry& entry : entries_) entry.plot->clearCurves();
+        for (std::size_t s = 0; s < specs_.size(); ++s) // a curve against another quantity stays as it is
+            if (!specs_[s].across) entries_[s].plot->clearCurves();
         differences_->clear();
         rebuild();
         group_->fit();

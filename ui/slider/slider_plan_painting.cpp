@@ -45,7 +45,7 @@ void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) co
     painter.drawText(QRectF(outline.left(), outline.bottom() + PlotFrame::gap, outline.width(), text), Qt::AlignCenter,
                      tr("inner edge"));
     painter.drawText(QRectF(outline.left(), outline.top() - PlotFrame::gap - text, outline.width(), text),
-                     Qt::AlignCenter, tr("outer edge"));
+                     paper_ ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignCenter, tr("outer edge"));
     const auto drawUpright = [&](double x, double turn, const QString& name) {
         painter.save();
         painter.translate(x, outline.center().y());
