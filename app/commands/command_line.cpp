@@ -262,11 +262,15 @@ int commandLine(int argc, char** argv)
 
     std::string listed;
     CLI::App& list =
-        *app.add_subcommand("list", "Lists the sample cases and sample studies, or the steps of the lesson");
-    list.add_option("WHAT", listed, "\"lesson\" for a lesson in six steps; without it the samples")
+        *app.add_subcommand("list", "Lists the sample cases and sample studies, the lesson, or the demonstrations");
+    list.add_option("WHAT", listed,
+                    "\"lesson\" for a lesson in six steps, \"demonstrations\" for the figures of the paper; without it "
+                    "the samples")
         ->check([](const std::string& word) {
-            return word == "lesson" ? std::string()
-                                    : inQuotes(word) + " is no list; `touchdown list lesson` prints the lesson";
+            return word == "lesson" || word == "demonstrations"
+                       ? std::string()
+                       : inQuotes(word) + " is no list; `touchdown list lesson` prints the lesson, `touchdown list "
+                                          "demonstrations` the figures of the paper";
         });
     addJson(list, arguments);
 
@@ -306,7 +310,10 @@ int commandLine(int argc, char** argv)
         if (!arguments.kind.empty()) return studyCommand(arguments);
         if (convert.parsed()) return convertCommand(arguments, to, force);
         if (validate.parsed()) return validateCommand(arguments);
-        if (list.parsed()) return listed.empty() ? listCommand(arguments.json) : lessonCommand(arguments.json);
+        if (list.parsed()) {
+            if (listed.empty()) return listCommand(arguments.json);
+            return listed == "lesson" ? lessonCommand(arguments.json) : demonstrationsCommand(arguments.json);
+        }
         return describeCommand(joined(key, "."), arguments.json);
     };
     int code = exitDone;

@@ -37,22 +37,26 @@ Json jsonStep(const LessonStep& step)
             {"runs", runs},        {"change", step.change}, {"answer", step.answer}};
 }
 
+int printJson(const std::vector<LessonStep>& steps)
+{
+    Json all = Json::array();
+    for (const LessonStep& step : steps) all.push_back(jsonStep(step));
+    print(jsonText({{"steps", all}}));
+    return exitDone;
+}
+
 } // namespace
 
 int lessonCommand(bool json)
 {
-    if (json) {
-        Json steps = Json::array();
-        for (const LessonStep& step : lessonSteps()) steps.push_back(jsonStep(step));
-        print(jsonText({{"steps", steps}}));
-        return exitDone;
-    }
+    const std::vector<LessonStep>& steps = lessonSteps();
+    if (json) return printJson(steps);
     const std::size_t width = std::min(outputWidth(), std::size_t(100));
-    std::string text = "The lesson: " + counted(lessonSteps().size(), "step") +
+    std::string text = "The lesson: " + counted(steps.size(), "step") +
                        ". Each asks a question. The commands help you to answer it. The answers are at the end.\n";
     std::string answers = "\nAnswers\n";
     int number = 0;
-    for (const LessonStep& step : lessonSteps()) {
+    for (const LessonStep& step : steps) {
         const std::string title = '\n' + std::to_string(++number) + ". " + step.title + '\n';
         text += title + paragraphs(step.text, width) + wrapped("Question: " + step.question, indent, width);
         for (const LessonRun& run : step.runs) text += runText(run, width);
@@ -60,6 +64,23 @@ int lessonCommand(bool json)
         answers += title + paragraphs(step.answer, width);
     }
     print(text + answers);
+    return exitDone;
+}
+
+int demonstrationsCommand(bool json)
+{
+    const std::vector<LessonStep>& steps = demonstrationSteps();
+    if (json) return printJson(steps);
+    const std::size_t width = std::min(outputWidth(), std::size_t(100));
+    std::string text = "The figures of the paper: " + counted(steps.size(), "demonstration") + ".\n";
+    for (const LessonStep& step : steps) {
+        text += '\n' + step.title + '\n' + wrapped("What the paper reports: " + step.text, indent, width);
+        for (const LessonRun& run : step.runs) text += runText(run, width);
+        text += wrapped("What to watch: " + step.question, indent, width) +
+                wrapped("How sure it is: " + step.answer, indent, width) +
+                wrapped("What to try: " + step.change, indent, width);
+    }
+    print(text);
     return exitDone;
 }
 

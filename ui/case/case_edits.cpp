@@ -69,7 +69,7 @@ void CaseEdits::resetAll()
     if (anyChanged()) push(tr("reset all parameters"), {opened_, {}});
 }
 
-void CaseEdits::setAll(const Case& value, const QString& text) { push(text, {value, {}}); }
+void CaseEdits::setAll(const Case& value, const QString& text, int merge) { push(text, {value, {}}, merge); }
 
 void CaseEdits::setSurface(const AirBearingSurface& surface, const QString& text, int merge)
 {

@@ -40,9 +40,9 @@ public:
     void enter(const Parameter& parameter, const QString& typed);
     void reset(const Parameter& parameter);
     void resetAll();
-    /// All values at once, as one edit.
-    void setAll(const Case& value, const QString& text);
-    /// The surface alone. Edits in a row with the same `merge` other than 0 are one for undo.
+    /// All values at once, as one edit. Edits in a row with the same `merge` other than 0 are one for undo.
+    void setAll(const Case& value, const QString& text, int merge = 0);
+    /// The surface alone.
     void setSurface(const AirBearingSurface& surface, const QString& text, int merge = 0);
 
     bool changed(const Parameter& parameter) const;

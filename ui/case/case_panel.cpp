@@ -208,12 +208,26 @@ bool CasePanel::showFirstProblem()
         return editor->wrong() && editor->parameter().used(edits_.value());
     });
     if (bad == editors_.end()) return false;
-    search_->clear();
-    std::ranges::find(groups_, (*bad)->parameter().group(), &Group::name)->open = true;
-    refreshVisibility();
-    scroll_->ensureWidgetVisible(*bad);
-    (*bad)->setFocus();
+    bringIntoView(**bad);
     return true;
+}
+
+bool CasePanel::showParameter(std::string_view key)
+{
+    ParameterEditor* found = editor(key);
+    if (!found || !found->parameter().used(edits_.value())) return false;
+    bringIntoView(*found);
+    found->flash();
+    return true;
+}
+
+void CasePanel::bringIntoView(ParameterEditor& editor)
+{
+    search_->clear();
+    std::ranges::find(groups_, editor.parameter().group(), &Group::name)->open = true;
+    refreshVisibility();
+    scroll_->ensureWidgetVisible(&editor);
+    editor.setFocus();
 }
 
 void CasePanel::showEveryMatch()

@@ -34,6 +34,8 @@ public:
     void showEveryMatch();
     /// Brings the first parameter that prevents a run into view; false: none has a field here.
     bool showFirstProblem();
+    /// Brings the field of a parameter into view, with the keyboard in it, and lets it flash; false: it has none here.
+    bool showParameter(std::string_view key);
 
 signals:
     void presetChosen(const QString& sampleName);
@@ -50,6 +52,7 @@ private:
         bool open = true;
     };
 
+    void bringIntoView(ParameterEditor& editor);
     void buildPresets();
     void buildGroups(QWidget* page);
     std::vector<Group>::iterator addGroup(const std::string& name, QWidget* page);

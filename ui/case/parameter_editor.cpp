@@ -5,6 +5,7 @@
 
 #include <QGridLayout>
 #include <QKeyEvent>
+#include <QPainter>
 #include <QRegularExpression>
 
 #include "ui/case/case_edits.h"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr int inputCharacters = 9; // wide enough for "0.0032 um"
 constexpr int spacing = 4;         // [px]
+constexpr int flashTime = 1600;    // [ms]
 
 bool isStandIn(const Parameter& parameter)
 {
@@ -110,6 +112,7 @@ ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
     grid->setColumnStretch(0, 1);
 
     connect(reset_, &QToolButton::clicked, this, &ParameterEditor::resetRequested);
+    connect(&flash_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
     describe();
     colour();
 }
@@ -255,6 +258,23 @@ void ParameterEditor::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) colour();
     if (event->type() == QEvent::FontChange && line_ && !isWide(parameter_)) line_->setFixedWidth(inputWidth());
+}
+
+void ParameterEditor::flash()
+{
+    flash_.setStartValue(1.0);
+    flash_.setEndValue(0.0);
+    flash_.setDuration(flashTime);
+    flash_.start();
+}
+
+void ParameterEditor::paintEvent(QPaintEvent* event)
+{
+    QWidget::paintEvent(event);
+    if (flash_.state() != QAbstractAnimation::Running) return;
+    QColor colour = palette().color(QPalette::Highlight);
+    colour.setAlphaF(0.6 * flash_.currentValue().toDouble());
+    QPainter(this).fillRect(rect(), colour);
 }
 
 void ParameterEditor::commitLine()

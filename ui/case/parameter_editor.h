@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
+#include <QVariantAnimation>
 
 namespace touchdown {
 
@@ -38,6 +39,8 @@ public:
     QString reason() const { return reason_->isHidden() ? QString() : reason_->text(); }
     bool wrong() const { return wrong_; }
     int unitWidth() const { return unit_->sizeHint().width(); }
+    /// Its background has the colour of a selection for a moment.
+    void flash();
     /// Lines up the columns of all rows.
     void setUnitWidth(int width);
 
@@ -48,6 +51,7 @@ signals:
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     void buildInput();
@@ -67,7 +71,8 @@ private:
     QLabel* reason_;
     QString shown_; // text last put into line_
     bool changed_ = false;
-    bool wrong_ = false; // the entry cannot be taken; else `reason_` warns
+    QVariantAnimation flash_; // from 1 to 0
+    bool wrong_ = false;      // the entry cannot be taken; else `reason_` warns
 };
 
 } // namespace touchdown

@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
+#include "ui/lesson/live_values.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -32,7 +33,14 @@ QString html(const std::string& text)
     html.replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
     html.replace(amount, QStringLiteral("\\1\u00a0\\2\\3"))
         .replace(QStringLiteral("\u00a0u"), QStringLiteral("\u00a0µ"));
-    html.replace(key, QStringLiteral("<code>\\1</code>"));
+    qsizetype from = 0;
+    for (auto found = key.match(html); found.hasMatch(); found = key.match(html, from)) {
+        const QString name = found.captured(1);
+        const QString shown = findParameter(name.toStdString()) ? QStringLiteral("<a href='%1'>%1</a>").arg(name)
+                                                                : QStringLiteral("<code>%1</code>").arg(name);
+        html.replace(found.capturedStart(), found.capturedLength(), shown);
+        from = found.capturedStart() + shown.size();
+    }
     return html;
 }
 
@@ -52,7 +60,8 @@ QLabel* textLabel(QWidget* parent)
     auto* label = new QLabel(parent);
     label->setWordWrap(true);
     label->setTextFormat(Qt::RichText);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
+                                   Qt::LinksAccessibleByKeyboard);
     return label;
 }
 
@@ -71,16 +80,21 @@ QString subject(const LessonRun& run)
 
 } // namespace
 
-LessonPane::LessonPane(std::vector<LessonStep> steps, QWidget* parent)
+LessonPane::LessonPane(Kind kind, std::vector<LessonStep> steps, QWidget* parent)
     : QWidget(parent),
+      kind_(kind),
       steps_(std::move(steps)),
       scroll_(new QScrollArea(this)),
       runs_(new QWidget(this)),
+      live_(new LiveValues(this)),
       show_(new QPushButton(this)),
       back_(new QPushButton(tr("&Back"), this)),
       next_(new QPushButton(tr("&Next"), this))
 {
-    for (QLabel** label : {&place_, &title_, &text_, &question_, &change_, &answer_}) *label = textLabel(this);
+    for (QLabel** label : {&place_, &title_, &text_, &question_, &change_, &answer_}) {
+        *label = textLabel(this);
+        connect(*label, &QLabel::linkActivated, this, &LessonPane::keyChosen);
+    }
     build();
     connect(show_, &QPushButton::toggled, this, &LessonPane::showAnswer);
     connect(back_, &QPushButton::clicked, this, [this] { go(step_ - 1); });
@@ -91,28 +105,30 @@ LessonPane::LessonPane(std::vector<LessonStep> steps, QWidget* parent)
 void LessonPane::build()
 {
     show_->setCheckable(true);
-    place_->setAccessibleName(tr("Place in the lesson"));
+    const bool lesson = kind_ == Kind::Lesson;
+    place_->setAccessibleName(lesson ? tr("Place in the lesson") : tr("Place in the demonstrations"));
     title_->setAccessibleName(tr("Title of the step"));
-    text_->setAccessibleName(tr("Text of the step"));
-    question_->setAccessibleName(tr("Question"));
-    change_->setAccessibleName(tr("What to change"));
-    answer_->setAccessibleName(tr("Answer"));
+    text_->setAccessibleName(lesson ? tr("Text of the step") : tr("What the paper reports"));
+    question_->setAccessibleName(lesson ? tr("Question") : tr("What to watch"));
+    change_->setAccessibleName(lesson ? tr("What to change") : tr("What to try"));
+    answer_->setAccessibleName(lesson ? tr("Answer") : tr("How sure it is"));
 
     auto* content = new QWidget(scroll_);
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(10, 8, 10, 10);
     column->setSpacing(8);
     for (QWidget* part : {static_cast<QWidget*>(title_), static_cast<QWidget*>(text_), static_cast<QWidget*>(question_),
-                          runs_, static_cast<QWidget*>(change_)})
+                          runs_, static_cast<QWidget*>(live_), static_cast<QWidget*>(change_)})
         column->addWidget(part);
     column->addWidget(show_, 0, Qt::AlignLeft);
+    show_->setVisible(lesson);
     column->addWidget(answer_);
     column->addStretch(1);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setWidgetResizable(true);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll_->setWidget(content);
-    scroll_->setAccessibleName(tr("Lesson"));
+    scroll_->setAccessibleName(lesson ? tr("Lesson") : tr("Demonstrations"));
 
     auto* row = new QHBoxLayout;
     row->setContentsMargins(10, 6, 10, 8);
@@ -134,8 +150,12 @@ void LessonPane::go(std::size_t step)
     back_->setEnabled(step_ > 0);
     next_->setEnabled(step_ + 1 < steps_.size());
     show_->setChecked(false);
+    const LessonStep& shown = steps_[step_];
+    const bool ofCase = !shown.runs.empty() && shown.runs.front().kind.empty();
+    live_->setValues(ofCase ? shown.live : std::vector<LiveValue>(), ofCase ? caseOf(shown.runs.front()) : Case());
+    results_.assign(shown.runs.size(), {});
     buildRuns();
-    showAnswer(false);
+    showAnswer(kind_ == Kind::Demonstrations);
     write();
     scroll_->verticalScrollBar()->setValue(0);
     emit stepShown(step_);
@@ -162,7 +182,9 @@ void LessonPane::buildRuns()
         setTabOrder(last, button);
         last = button;
     }
-    for (QWidget* next : {show_, back_, next_}) {
+    std::vector<QWidget*> rest = live_->inputs();
+    rest.insert(rest.end(), {show_, back_, next_});
+    for (QWidget* next : rest) {
         setTabOrder(last, next);
         last = next;
     }
@@ -170,20 +192,33 @@ void LessonPane::buildRuns()
 
 void LessonPane::write()
 {
+    const bool lesson = kind_ == Kind::Lesson;
     const LessonStep& step = steps_.at(step_);
     const MeaningColours colours = meaningColours(palette());
     place_->setText(QStringLiteral("<span style='color:%1'>%2</span>")
-                        .arg(colours.muted.name(), tr("Step %1 of %2").arg(step_ + 1).arg(steps_.size())));
-    title_->setText(QStringLiteral("<h3 style='margin:0'>%1. %2</h3>").arg(step_ + 1).arg(html(step.title)));
-    text_->setText(block({}, step.text, colours.muted));
-    question_->setText(block(tr("Question"), step.question, colours.change));
-    change_->setText(block(tr("Then change it yourself"), step.change, colours.muted));
-    answer_->setText(block(tr("Answer"), step.answer, colours.success));
+                        .arg(colours.muted.name(),
+                             (lesson ? tr("Step %1 of %2") : tr("%1 of %2")).arg(step_ + 1).arg(steps_.size())));
+    const QString number = lesson ? QStringLiteral("%1. ").arg(step_ + 1) : QString();
+    title_->setText(QStringLiteral("<h3 style='margin:0'>%1%2</h3>").arg(number, html(step.title)));
+    text_->setText(block(lesson ? QString() : tr("What the paper reports"), step.text, colours.muted));
+    question_->setText(block(lesson ? tr("Question") : tr("What to watch"), step.question, colours.change));
+    change_->setText(block(lesson ? tr("Then change it yourself") : tr("What to try"), step.change, colours.muted));
+    answer_->setText(block(lesson ? tr("Answer") : tr("How sure it is"), step.answer, colours.success));
     for (std::size_t i = 0; i < purposes_.size(); ++i) {
         const LessonRun& run = step.runs.at(i);
-        purposes_[i]->setText(QStringLiteral("%1<br><span style='color:%2'>%3</span>")
-                                  .arg(html(run.purpose), colours.muted.name(), subject(run)));
+        QString text = QStringLiteral("%1<br><span style='color:%2'>%3</span>")
+                           .arg(html(run.purpose), colours.muted.name(), subject(run));
+        if (!results_[i].isEmpty())
+            text += QStringLiteral("<br><span style='color:%1'>→ %2</span>")
+                        .arg(colours.success.name(), results_[i].toHtmlEscaped());
+        purposes_[i]->setText(text);
     }
+}
+
+void LessonPane::showResult(std::size_t run, const QString& result)
+{
+    results_.at(run) = result;
+    write();
 }
 
 void LessonPane::showAnswer(bool shown)
@@ -191,7 +226,8 @@ void LessonPane::showAnswer(bool shown)
     answer_->setVisible(shown);
     show_->setText(shown ? tr("Hide the &answer") : tr("Show the &answer"));
     // After the layout has made room for it.
-    if (shown) QTimer::singleShot(0, this, [this] { scroll_->verticalScrollBar()->setValue(show_->y() - 8); });
+    if (shown && kind_ == Kind::Lesson)
+        QTimer::singleShot(0, this, [this] { scroll_->verticalScrollBar()->setValue(show_->y() - 8); });
 }
 
 void LessonPane::changeEvent(QEvent* event)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The lesson, one step at a time: text, question, a button for each run, what to change, and the answer when it is
-// asked for.
+// The lesson or the demonstrations, one step at a time: text, a button for each run, values to move, what to change.
+// The lesson asks a question and answers it when it is asked to; a demonstration says what to watch, and how sure it
+// is.
 #pragma once
 
 #include <vector>
@@ -15,20 +16,30 @@
 
 namespace touchdown {
 
+class LiveValues;
+
 class LessonPane : public QWidget {
     Q_OBJECT
 
 public:
-    explicit LessonPane(std::vector<LessonStep> steps, QWidget* parent = nullptr);
+    enum class Kind { Lesson, Demonstrations };
+
+    explicit LessonPane(Kind kind, std::vector<LessonStep> steps, QWidget* parent = nullptr);
 
     std::size_t step() const { return step_; }
+    std::size_t count() const { return steps_.size(); }
     const LessonStep& shown() const { return steps_[step_]; }
     /// The first step is 0.
     void go(std::size_t step);
+    LiveValues& live() { return *live_; }
+    /// What a run of the shown step gave, in a few words; "" takes it back.
+    void showResult(std::size_t run, const QString& result);
 
 signals:
     void stepShown(std::size_t step);
     void runRequested(const touchdown::LessonRun& run);
+    /// A key of a parameter in the text was chosen.
+    void keyChosen(const QString& key);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -39,12 +50,15 @@ private:
     void buildRuns();
     void showAnswer(bool shown);
 
+    Kind kind_;
     std::vector<LessonStep> steps_;
     std::size_t step_ = 0;
     QScrollArea* scroll_;
     QLabel *place_, *title_, *text_, *question_, *change_, *answer_;
     QWidget* runs_; // a row for each run
+    LiveValues* live_;
     std::vector<QLabel*> purposes_;
+    std::vector<QString> results_; // of the runs of the shown step
     QPushButton *show_, *back_, *next_;
 };
 

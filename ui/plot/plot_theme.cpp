@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/plot_theme.h"
 
+#include <algorithm>
 #include <array>
+
+#include <QApplication>
+
+#include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr double widest = 4.0; // times the usual width of a line
 
 QColor mixed(const QColor& a, const QColor& b, double part)
 {
@@ -42,13 +49,16 @@ PlotTheme darkPlotTheme() { return themeFrom(QColor("#1d2024"), QColor("#eef1f4"
 
 PlotTheme plotTheme(const QPalette& palette)
 {
-    return themeFrom(palette.color(QPalette::Base), palette.color(QPalette::Text), palette.color(QPalette::Highlight));
+    PlotTheme theme =
+        themeFrom(palette.color(QPalette::Base), palette.color(QPalette::Text), palette.color(QPalette::Highlight));
+    theme.width = std::clamp(QApplication::font().pointSizeF() / systemPointSize(), 1.0, widest);
+    return theme;
 }
 
 QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed)
 {
     static const std::array<QList<qreal>, 4> dashes{{{}, {5.0, 3.0}, {1.2, 2.2}, {6.0, 2.5, 1.2, 2.5}}};
-    QPen pen(theme.colour(style), 1.5);
+    QPen pen(theme.colour(style), 1.5 * theme.width);
     pen.setJoinStyle(Qt::RoundJoin);
     pen.setCapStyle(Qt::SquareCap); // Qt fills a single line with round ends some ten times slower
     const auto& dash = dashes[static_cast<std::size_t>(style.dash) % dashes.size()];
@@ -61,7 +71,7 @@ QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed)
 
 QPen palePen(const CurveStyle& style, const PlotTheme& theme)
 {
-    QPen pen(theme.paleColour(style), 1.0);
+    QPen pen(theme.paleColour(style), theme.width);
     pen.setJoinStyle(Qt::BevelJoin); // the cheapest, and none can be seen on a thin line
     pen.setCapStyle(Qt::FlatCap);
     return pen;

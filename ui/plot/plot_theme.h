@@ -31,6 +31,7 @@ struct PlotTheme {
     QColor cursor;
     QColor selection; // the box that is being dragged
     QList<QColor> curves;
+    double width = 1.0; // of lines, where they grow with the text
 
     QColor colour(const CurveStyle& style) const { return curves[style.colour % curves.size()]; }
     /// The same, faint.
@@ -39,10 +40,11 @@ struct PlotTheme {
 
 PlotTheme lightPlotTheme(); // also of everything that is printed
 PlotTheme darkPlotTheme();
-/// The one that fits the palette of the application.
+/// The one that fits the palette and the font of the application.
 PlotTheme plotTheme(const QPalette& palette);
 
-/// 1.5 wide. `dashed` false draws a dashed curve solid: a dash says nothing where the line folds within a pixel.
+/// 1.5 times the width of the theme. `dashed` false draws a dashed curve solid: a dash says nothing where the line
+/// folds within a pixel.
 QPen curvePen(const CurveStyle& style, const PlotTheme& theme, bool dashed = true);
 
 /// Thin, faint and solid: for curves behind the wide ones.

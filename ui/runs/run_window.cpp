@@ -45,20 +45,23 @@ RunWindow::~RunWindow()
     controller_.disconnect();
 }
 
-void RunWindow::start(RunRequest request)
+void RunWindow::start(RunRequest request, int inPlaceOf)
 {
     controller_.stopAndWait();
-    add(request);
+    add(request, inPlaceOf);
     controller_.start(std::move(request));
 }
 
-void RunWindow::add(const RunRequest& request)
+void RunWindow::add(const RunRequest& request, int inPlaceOf)
 {
+    const int replaced = runs_.rowOf(inPlaceOf);
+    const int number = replaced < 0 ? runs_.nextNumber() : inPlaceOf;
+    if (replaced >= 0) runs_.remove(replaced);
     // Another model has other quantities over another time.
     for (int row = 0; row < runs_.count(); ++row)
         if (runs_.record(row).shown && runs_.record(row).value.model != request.value.model)
             runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
-    auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
+    auto record = std::make_unique<RunRecord>(number, request.value, request.caseText,
                                               recordedQuantities(request.value), recordedFields(request.value));
     number_ = runs_.add(std::move(record)).number;
     runs_.setFile(number_, QString::fromStdString(request.recordTo.string()));

@@ -34,8 +34,9 @@ public:
     /// nullptr: none is.
     RunRecord* runUnderWay() { return runs_.find(number_); }
 
-    /// An active run ends, with its signals, before the new one is in the list.
-    void start(RunRequest request);
+    /// An active run ends, with its signals, before the new one is in the list. `inPlaceOf`: the number of a run of the
+    /// list that makes room for it.
+    void start(RunRequest request, int inPlaceOf = -1);
 
 signals:
     void started(int number);
@@ -43,7 +44,7 @@ signals:
     void ended(int number, const touchdown::Summary& summary);
 
 private:
-    void add(const RunRequest& request);
+    void add(const RunRequest& request, int inPlaceOf);
     void onDelivered(const RunDelivery& delivery);
     void onFinished(const Summary& summary);
 

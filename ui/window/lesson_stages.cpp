@@ -33,9 +33,17 @@ void LessonStages::tick(int row, bool shown)
         runs_.setData(runs_.index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
 }
 
-void LessonStages::show(std::size_t step, const LessonStage& stage)
+bool LessonStages::hasRuns(const LessonStep& step) const
 {
-    const std::set<int>& own = numbers_[step];
+    const auto found = numbers_.find(step.title);
+    return found != numbers_.end() &&
+           std::ranges::any_of(found->second, [this](int number) { return runs_.find(number) != nullptr; });
+}
+
+void LessonStages::show(const LessonStep& step)
+{
+    const LessonStage& stage = step.stage;
+    const std::set<int>& own = numbers_[step.title];
     int newest = -1;
     for (int row = 0; row < runs_.count(); ++row) {
         const int number = runs_.record(row).number;
@@ -45,7 +53,7 @@ void LessonStages::show(std::size_t step, const LessonStage& stage)
         tick(row, own.contains(number));
         if (own.contains(number)) newest = number;
     }
-    step_ = step;
+    step_ = step.title;
     for (SideView* side : view_.sides()) side->showRun(newest);
     view_.setPage(RunView::Page::Plots);
     PlotStage plots;

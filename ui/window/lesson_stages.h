@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The stage of the lesson: each step shows its own runs alone, in the plots and ranges that it names. A step that is
-// left keeps its runs, and they come back with it.
+// The stage of the lesson and of the demonstrations: each step shows its own runs alone, in the plots and ranges that
+// it names. A step that is left keeps its runs, and they come back with it.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 
 #include <QObject>
 
@@ -24,7 +25,9 @@ public:
     /// Both must outlive this.
     LessonStages(RunView& view, RunsModel& runs, QObject* parent);
 
-    void show(std::size_t step, const LessonStage& stage);
+    void show(const LessonStep& step);
+    /// Whether a run of this step is in the list.
+    bool hasRuns(const LessonStep& step) const;
     /// The plots and the earlier runs are again as the user chose; without such runs those of the step stay.
     void end();
     bool active() const { return step_.has_value(); }
@@ -34,8 +37,8 @@ private:
 
     RunView& view_;
     RunsModel& runs_;
-    std::optional<std::size_t> step_;
-    std::map<std::size_t, std::set<int>> numbers_; // of the runs of each step
+    std::optional<std::string> step_;              // its title
+    std::map<std::string, std::set<int>> numbers_; // of the runs of each step
     std::set<int> before_;                         // numbers of the runs that were shown before the lesson
 };
 

@@ -22,7 +22,6 @@
 #include "ui/film/film_window.h"
 #include "ui/film/same_film.h"
 #include "ui/film/solution_files.h"
-#include "ui/lesson/lesson_pane.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_spectrum.h"
@@ -35,7 +34,8 @@
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/closing_question.h"
-#include "ui/window/lesson_stages.h"
+#include "ui/window/guides.h"
+#include "ui/window/presenter.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
@@ -54,7 +54,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
       film_(new FilmWindow(steady, actions_->solve, this)),
       studies_(new StudyWindow(std::move(studies), this)),
       messages_(new MessageStrip(this)),
-      startCard_(new StartCard(actions_->figures, this))
+      startCard_(new StartCard(this))
 {
     setObjectName(QStringLiteral("workbench"));
     setWindowIcon(programIcon());
@@ -64,6 +64,8 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
         {*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_, *startCard_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
+    guides_ = new Guides(*this, *pages_);
+    presenter_ = new Presenter(*this, *pages_);
     closing_ = new ClosingQuestion(sessionParts(), *this);
     connectFiles();
     connectRuns();
@@ -130,11 +132,13 @@ void MainWindow::solveStaticState(bool atGivenAttitude)
     film_->solve(edits_->value(), atGivenAttitude);
 }
 
-void MainWindow::startRun()
+void MainWindow::startRun() { startRunInPlaceOf(-1); }
+
+void MainWindow::startRunInPlaceOf(int number)
 {
     if (!readyToRun()) return;
     endSlowMotion();
-    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
+    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()}, number);
 }
 
 void MainWindow::performStudy()
@@ -149,8 +153,7 @@ void MainWindow::performStudy()
 
 void MainWindow::onCaseOpened()
 {
-    caseOfLesson_ = false;
-    if (stages_) stages_->end(); // a step of the lesson that opens a case begins its stage anew
+    guides_->leave();
     casePanel_->setPreset(files_->sample());
     if (pages_->page() != Page::Studies) setPage(Page::StaticState);
     aboutCase_->setResult({});
@@ -266,8 +269,9 @@ void MainWindow::look()
 {
     const QAction* theme = actions_->theme->checkedAction();
     const QAction* size = actions_->fontSize->checkedAction();
+    const int own = systemPointSize() + (size ? size->data().toInt() : 0);
     applyTheme(theme ? themeFromName(theme->data().toString()) : Theme::System,
-               systemPointSize() + (size ? size->data().toInt() : 0));
+               presenter_->on() ? std::max(own, presenter_->pointSize()) : own);
 }
 
 void MainWindow::changeEvent(QEvent* event)

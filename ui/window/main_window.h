@@ -20,9 +20,9 @@ class CaseFiles;
 class CasePanel;
 class ClosingQuestion;
 class FilmWindow;
-class LessonPane;
-class LessonStages;
+class Guides;
 class MessageStrip;
+class Presenter;
 class RunController;
 class RunFiles;
 class RunView;
@@ -65,7 +65,9 @@ public:
     void solveStaticState(bool atGivenAttitude = false);
     /// Performs the study in the editor of studies.
     void performStudy();
-    /// Opens and runs what a step of the lesson asks for.
+    /// Runs the case in place of a run of the list; -1: as a new one.
+    void startRunInPlaceOf(int number);
+    /// Opens and runs what a step of the lesson or a demonstration asks for.
     void performLessonRun(const LessonRun& run);
     /// A case that was read elsewhere; `file` is empty for a sample case.
     void openCase(const CaseDocument& document, const QString& file);
@@ -91,6 +93,8 @@ public:
     MessageStrip& messages() { return *messages_; }
     StartCard& startCard() { return *startCard_; }
     AboutCasePane& aboutCase() { return *aboutCase_; }
+    Guides& guides() { return *guides_; }
+    Presenter& presenter() { return *presenter_; }
     FilmWindow& film() { return *film_; }
     StudyWindow& studies() { return *studies_; }
 
@@ -131,7 +135,6 @@ private:
     void useSolution(int number);
     void runFromSolution(int number);
     void showHelp(HelpWindow::Page page);
-    void showLesson();
     void look();
     SessionParts sessionParts();
     void listSessions();
@@ -152,10 +155,9 @@ private:
     StartCard* startCard_;
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
-    LessonPane* lesson_ = nullptr;
-    LessonStages* stages_ = nullptr; // of the lesson
-    bool caseOfLesson_ = false;      // the lesson opened the case that is edited
-    bool slowMotion_ = false;        // of the first steps
+    Guides* guides_ = nullptr;
+    Presenter* presenter_ = nullptr;
+    bool slowMotion_ = false; // of the first steps
     QString recordTo_;
     Session* session_ = nullptr; // none in a window that only draws pictures
     ClosingQuestion* closing_ = nullptr;

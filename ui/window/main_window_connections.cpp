@@ -40,6 +40,8 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/window/apply_question.h"
+#include "ui/window/guides.h"
+#include "ui/window/presenter.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -241,6 +243,10 @@ void MainWindow::connectView()
 
     connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
+    connect(actions_->presenter, &QAction::toggled, presenter_, &Presenter::set);
+    connect(presenter_, &Presenter::changed, this, &MainWindow::look);
+    connect(guides_, &Guides::stepShown, presenter_, &Presenter::showCaption);
+    connect(files_, &CaseFiles::opened, presenter_, &Presenter::showCaption);
     connect(actions_->fullScreen, &QAction::triggered, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
 }
 

@@ -4,18 +4,13 @@
 #include "ui/window/main_window.h"
 
 #include <QMessageBox>
-#include <QSettings>
 
 #include "core/case_files/case_file.h"
-#include "core/studies/study/sample_study.h"
 #include "ui/case/case_files.h"
-#include "ui/lesson/lesson_pane.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
-#include "ui/studies/study_editor.h"
-#include "ui/studies/study_window.h"
 #include "ui/window/figure_dialog.h"
-#include "ui/window/lesson_stages.h"
+#include "ui/window/guides.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
@@ -25,7 +20,6 @@ namespace {
 
 constexpr double greetedPart = 0.3e-3; // of the default case that a newcomer sees in slow motion [s]
 constexpr double greetedPace = 3e-5;   // [simulated seconds per second]
-constexpr auto lessonStepKey = "lesson/step";
 
 } // namespace
 
@@ -33,12 +27,18 @@ void MainWindow::connectHelp()
 {
     connect(actions_->help, &QAction::triggered, this, [this] { showHelp(HelpWindow::Page::Use); });
     connect(actions_->firstSteps, &QAction::triggered, this, [this] { files_->whenSettled([this] { greet(); }); });
-    connect(actions_->lesson, &QAction::triggered, this, &MainWindow::showLesson);
-    connect(startCard_, &StartCard::lessonRequested, this, &MainWindow::showLesson);
+    const auto open = [this](LessonPane::Kind kind) {
+        startCard_->close();
+        guides_->open(kind);
+    };
+    connect(actions_->lesson, &QAction::triggered, this, [open] { open(LessonPane::Kind::Lesson); });
+    connect(actions_->demonstrations, &QAction::triggered, this, [open] { open(LessonPane::Kind::Demonstrations); });
+    connect(startCard_, &StartCard::lessonRequested, this, [open] { open(LessonPane::Kind::Lesson); });
+    connect(startCard_, &StartCard::demonstrationsRequested, this, [open] { open(LessonPane::Kind::Demonstrations); });
     connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
     connect(startCard_, &StartCard::closed, this, [this] {
         endSlowMotion();
-        if (!stages_ || !stages_->active()) runView().setStage({});
+        if (!guides_->staged()) runView().setStage({});
     });
     connect(files_, &CaseFiles::opened, startCard_, &StartCard::close);
     // Slow where it bounces.
@@ -89,21 +89,7 @@ void MainWindow::makeFigure()
     dialog->open();
 }
 
-void MainWindow::performLessonRun(const LessonRun& run)
-{
-    if (run.kind.empty()) {
-        // What the reader tried with a sample case of the lesson; a file of the reader's own is asked about.
-        if (caseOfLesson_ && files_->file().isEmpty()) files_->leaveUnsaved();
-        files_->openChanged(QString::fromStdString(run.name), run.settings, [this] {
-            caseOfLesson_ = true;
-            if (stages_) stages_->show(lesson_->step(), lesson_->shown().stage);
-            startRun();
-        });
-    } else {
-        studies_->editor()->openSample(*findSampleStudy(run.kind, run.name));
-        performStudy();
-    }
-}
+void MainWindow::performLessonRun(const LessonRun& run) { guides_->perform(run); }
 
 void MainWindow::showHelp(HelpWindow::Page page)
 {
@@ -116,26 +102,6 @@ void MainWindow::showHelp(HelpWindow::Page page)
         help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
     }
     help_->open(page);
-}
-
-void MainWindow::showLesson()
-{
-    startCard_->close();
-    if (!lesson_) {
-        lesson_ = new LessonPane(lessonSteps(), this);
-        stages_ = new LessonStages(runView(), runs(), this);
-        connect(lesson_, &LessonPane::runRequested, this, &MainWindow::performLessonRun);
-        connect(lesson_, &LessonPane::stepShown, this, [this](std::size_t step) {
-            QSettings().setValue(lessonStepKey, static_cast<int>(step));
-            setPage(Page::Run);
-            stages_->show(step, lesson_->shown().stage);
-        });
-        connect(pages_, &WindowPages::lessonToggled, this,
-                [this](bool open) { open ? stages_->show(lesson_->step(), lesson_->shown().stage) : stages_->end(); });
-        lesson_->go(QSettings().value(lessonStepKey, 0).toUInt());
-    }
-    if (!stages_->active()) stages_->show(lesson_->step(), lesson_->shown().stage);
-    pages_->showLesson(*lesson_);
 }
 
 } // namespace touchdown

@@ -32,17 +32,16 @@ bool StartCard::wanted()
     return settings.value(startCardKey, !settings.contains(QStringLiteral("files/last"))).toBool();
 }
 
-StartCard::StartCard(QMenu* figures, QWidget* parent)
+StartCard::StartCard(QWidget* parent)
     : QFrame(parent),
       title_(cardLabel(this)),
       watch_(cardLabel(this)),
       tries_(cardLabel(this)),
       lesson_(new QPushButton(tr("Start the lesson"), this)),
-      figure_(new QPushButton(tr("Open a figure of the paper"), this)),
+      figure_(new QPushButton(tr("See the figures of the paper"), this)),
       open_(new QPushButton(tr("Open your slider…"), this))
 {
     setAccessibleName(tr("First steps"));
-    figure_->setMenu(figures);
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
     close->setAutoRaise(true);
@@ -50,6 +49,7 @@ StartCard::StartCard(QMenu* figures, QWidget* parent)
     close->setToolTip(tr("Close this; Help, First steps brings it back"));
     connect(close, &QToolButton::clicked, this, &StartCard::close);
     connect(lesson_, &QPushButton::clicked, this, &StartCard::lessonRequested);
+    connect(figure_, &QPushButton::clicked, this, &StartCard::demonstrationsRequested);
     connect(open_, &QPushButton::clicked, this, &StartCard::fileRequested);
 
     auto* head = new QHBoxLayout;

@@ -5,7 +5,6 @@
 
 #include <QFrame>
 #include <QLabel>
-#include <QMenu>
 #include <QPushButton>
 
 namespace touchdown {
@@ -17,20 +16,21 @@ public:
     /// Whether this is the first start of a newcomer.
     static bool wanted();
 
-    /// `figures` are the sample cases to choose from; they must outlive the card.
-    StartCard(QMenu* figures, QWidget* parent);
+    explicit StartCard(QWidget* parent);
 
     /// Shown; the next start does without it.
     void open();
     void close();
 
     QPushButton* lesson() const { return lesson_; }
+    QPushButton* figures() const { return figure_; }
     QPushButton* openFile() const { return open_; }
     /// What it says, without its marks.
     QString text() const;
 
 signals:
     void lessonRequested();
+    void demonstrationsRequested();
     void fileRequested();
     void closed();
 

@@ -21,6 +21,8 @@ WindowActions::WindowActions(QMainWindow& window, QUndoStack& stack) : QObject(&
     buildView(window);
     buildHelp(window);
     buildToolBar(window);
+    // Their keys work without the menus, too.
+    window.addActions({presenter, run, pause, step, stop, lesson, demonstrations});
     updateIcons(window.palette());
 }
 
@@ -57,14 +59,11 @@ void WindowActions::buildFile(QMainWindow& window)
     newCase = add(menu, tr("&New case"), QKeySequence::New);
     open = add(menu, tr("&Open…"), QKeySequence::Open, QStringLiteral("open"), tr("Open a case file or a saved run"));
     samples = menu->addMenu(tr("Open sample &case"));
-    figures = new QMenu(&window);
     for (const SampleCase& sample : sampleCases()) {
         const QString name = QString::fromStdString(sample.name);
         const CaseDocument document = parseCase(sample.text, sample.name);
         QAction* action = samples->addAction(QString::fromStdString(document.value.title));
         action->setData(name);
-        if (name.startsWith(QLatin1String("fig")) || name.startsWith(QLatin1String("table")))
-            figures->addAction(action);
         connect(action, &QAction::triggered, this, [this, name] { emit sampleChosen(name); });
     }
     recent = menu->addMenu(tr("Open &recent"));
@@ -180,8 +179,10 @@ void WindowActions::buildView(QMainWindow& window)
     fontSize = choices(menu->addMenu(tr("Font si&ze")),
                        {{0, tr("&Normal")}, {2, tr("&Large")}, {5, tr("&Projector")}, {9, tr("Lecture &hall")}});
     menu->addSeparator();
-    fullScreen = add(menu, tr("F&ull screen"), QKeySequence(Qt::Key_F11));
-    fullScreen->setCheckable(true);
+    presenter = add(menu, tr("P&resenter"), QKeySequence(Qt::Key_F11), {},
+                    tr("For a lecture: the whole screen, large text, no panes; again to leave it (F11)"));
+    fullScreen = add(menu, tr("F&ull screen"), QKeySequence(Qt::SHIFT | Qt::Key_F11));
+    for (QAction* action : {presenter, fullScreen}) action->setCheckable(true);
 }
 
 void WindowActions::buildHelp(QMainWindow& window)
@@ -191,6 +192,8 @@ void WindowActions::buildHelp(QMainWindow& window)
     firstSteps =
         add(menu, tr("&First steps"), {}, {}, tr("The default case in slow motion, and where to go from there"));
     lesson = add(menu, tr("&Lesson in six steps"), QKeySequence(Qt::SHIFT | Qt::Key_F1));
+    demonstrations = add(menu, tr("&Demonstrations of the paper's figures"), QKeySequence(Qt::SHIFT | Qt::Key_F2), {},
+                         tr("Each figure with what to watch, what to try, and values to move"));
     shortcuts = add(menu, tr("&Shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_F1));
     menu->addSeparator();
     aboutProgram = add(menu, tr("&About Touchdown"));

@@ -29,10 +29,9 @@ public:
         *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
-    QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *fullScreen;
-    QAction *help, *firstSteps, *lesson, *shortcuts, *aboutProgram, *aboutQt;
+    QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *presenter, *fullScreen;
+    QAction *help, *firstSteps, *lesson, *demonstrations, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
-    QMenu* figures;             // those of the samples that are figures and tables of the paper
     QMenu* sessions;            // earlier ones that can be restored
     QAction* reopen;            // whether the next start opens the last case
     QActionGroup* runMemory;    // data: bytes that runs may take; 0: a quarter of the machine

@@ -137,7 +137,8 @@ void WindowPages::showModel(ModelKind model)
 void WindowPages::showPage()
 {
     for (Pane& pane : panes_)
-        if (std::ranges::find(pane.pages, shown_) != pane.pages.end()) pane.wanted = !pane.dock->isHidden();
+        if (!panesHidden_ && std::ranges::find(pane.pages, shown_) != pane.pages.end())
+            pane.wanted = !pane.dock->isHidden();
     shown_ = page();
     pages_->setCurrentIndex(static_cast<int>(shown_));
     parts_.actions.setPage(model_, shown_ == Page::Run);
@@ -145,6 +146,7 @@ void WindowPages::showPage()
     // The table of the attitude is long, the description of a film case is short.
     if (shown_ == Page::StaticState)
         parts_.window.resizeDocks({about_, solutions_, attitude_}, {130, 220, 400}, Qt::Vertical);
+    makeRoomForGuide();
     emit shown();
 }
 
@@ -153,21 +155,58 @@ void WindowPages::showPanesOfPage()
     for (const Pane& pane : panes_) {
         const bool here = std::ranges::find(pane.pages, shown_) != pane.pages.end();
         pane.dock->toggleViewAction()->setVisible(here);
-        pane.dock->setVisible(here && pane.wanted);
+        pane.dock->setVisible(here && pane.wanted && !panesHidden_);
     }
 }
 
-void WindowPages::showLesson(QWidget& lesson)
+void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& title)
 {
-    if (lesson_ == nullptr) {
-        lesson_ = addPane(QStringLiteral("lesson"), tr("Lesson"), &lesson, Qt::RightDockWidgetArea);
-        parts_.window.tabifyDockWidget(about_, lesson_);
-        connect(lesson_->toggleViewAction(), &QAction::toggled, this, &WindowPages::lessonToggled);
-        // The text is long, the list of runs is short.
-        parts_.window.resizeDocks({lesson_, runs_, values_}, {600, 150, 150}, Qt::Vertical);
+    QDockWidget*& dock = guides_[&guide];
+    if (dock == nullptr) {
+        dock = addPane(name, title, &guide, Qt::RightDockWidgetArea);
+        parts_.window.tabifyDockWidget(about_, dock);
+        connect(dock->toggleViewAction(), &QAction::toggled, this,
+                [this, &guide](bool open) { emit guideToggled(&guide, open); });
     }
-    lesson_->show();
-    lesson_->raise();
+    if (panesHidden_) {
+        hiddenPanes_.push_back(dock);
+        dock->hide();
+        return;
+    }
+    dock->show();
+    dock->raise();
+    makeRoomForGuide();
+}
+
+void WindowPages::hideGuide(QWidget& guide)
+{
+    if (const auto found = guides_.find(&guide); found != guides_.end()) found->second->hide();
+}
+
+void WindowPages::setPanesHidden(bool hidden)
+{
+    if (hidden == panesHidden_) return;
+    if (hidden) {
+        panesHidden_ = true; // before they are hidden: nobody closes them
+        hiddenPanes_.clear();
+        for (auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+            if (dock->isHidden()) continue;
+            hiddenPanes_.push_back(dock);
+            dock->hide();
+        }
+        return;
+    }
+    for (QDockWidget* dock : hiddenPanes_)
+        if (std::ranges::find(panes_, dock, &Pane::dock) == panes_.end()) dock->show();
+    panesHidden_ = false;
+    showPanesOfPage();
+}
+
+/// Its text is long, the list of runs is short.
+void WindowPages::makeRoomForGuide()
+{
+    for (const auto& [guide, dock] : guides_)
+        if (!dock->isHidden()) parts_.window.resizeDocks({dock, runs_, values_}, {600, 150, 150}, Qt::Vertical);
 }
 
 void WindowPages::updateProgress()

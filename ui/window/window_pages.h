@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QTabBar>
 
+#include <map>
 #include <vector>
 
 #include "core/case/case.h"
@@ -54,7 +55,12 @@ public:
     /// Only the panes of the page that is shown, as after an arrangement was restored.
     void showPanesOfPage();
     /// In a pane of its own, which begins in front of the description of the case.
-    void showLesson(QWidget& lesson);
+    /// A pane that guides the reader, beside the description of the case; `name` of its dock.
+    void showGuide(QWidget& guide, const QString& name, const QString& title);
+    void hideGuide(QWidget& guide);
+    /// For a lecture: all panes are hidden, and come back as they were.
+    void setPanesHidden(bool hidden);
+    bool panesHidden() const { return panesHidden_; }
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
     /// What the runs of the list take of the memory; hidden without runs.
@@ -65,14 +71,15 @@ public:
 signals:
     /// Another model or another page may be shown.
     void shown();
-    /// The pane of the lesson was opened or closed.
-    void lessonToggled(bool open);
+    /// The pane of a guide was opened or closed.
+    void guideToggled(QWidget* guide, bool open);
 
 private:
     void buildCentre();
     void buildPanes();
     QDockWidget* addPane(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void showPage();
+    void makeRoomForGuide();
 
     Parts parts_;
     QTabBar* tabs_;
@@ -87,7 +94,9 @@ private:
     std::vector<Pane> panes_; // those that belong to some pages
     QDockWidget *solutions_ = nullptr, *attitude_ = nullptr;
     QDockWidget* study_ = nullptr;
-    QDockWidget* lesson_ = nullptr; // none until it is asked for
+    bool panesHidden_ = false;
+    std::vector<QDockWidget*> hiddenPanes_;   // meanwhile
+    std::map<QWidget*, QDockWidget*> guides_; // those that were asked for
     ModelKind model_ = ModelKind::Springs;
     Page shown_ = Page::Run;
 };

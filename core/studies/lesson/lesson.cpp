@@ -2,9 +2,11 @@
 #include "core/studies/lesson/lesson.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 #include "core/case/case.h"
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/formats/quotation.h"
 #include "core/studies/study/sample_study.h"
@@ -44,6 +46,16 @@ LessonRun readRun(StudyReader& reader, const std::string& table)
     return run;
 }
 
+/// The case of the first run of a step; the default one where there is none.
+Case firstCase(StudyReader& reader, const std::string& table, const std::vector<LessonRun>& runs)
+{
+    if (runs.empty() || !runs.front().kind.empty()) return {};
+    Case c = openCase(runs.front().name).value;
+    if (const std::string problem = changeCase(c, runs.front().settings); !problem.empty())
+        reader.add(table + ".run[1].set", problem);
+    return c;
+}
+
 LessonStage readStage(StudyReader& reader, const std::string& table)
 {
     LessonStage stage;
@@ -61,17 +73,58 @@ LessonStage readStage(StudyReader& reader, const std::string& table)
     return stage;
 }
 
+/// `c`: the case of the step's first run.
+LiveValue readLive(StudyReader& reader, const std::string& table, const Case& c)
+{
+    LiveValue live;
+    const std::string keys = table + ".keys";
+    live.keys = reader.texts(keys).value_or(std::vector<std::string>());
+    if (live.keys.empty()) {
+        if (!reader.has(keys)) reader.add(keys, "is missing");
+        return live;
+    }
+    for (const std::string& key : live.keys)
+        if (const Parameter* parameter = findParameter(key); !parameter || !std::isfinite(numberOf(*parameter, c)))
+            reader.add(keys, inQuotes(key) + " is no parameter with a number");
+        else if (!parameter->used(c))
+            reader.add(keys, unusedMessage(c, *parameter));
+    const Parameter* parameter = findParameter(live.keys.front());
+    if (!parameter) return live;
+    const auto end = [&](const std::string& key) {
+        if (!reader.has(table + key)) reader.add(table + key, "is missing");
+        return reader
+            .number(table + key, parameter->unit, parameter->displayUnit, parameter->minimum, parameter->maximum)
+            .value_or(0.0);
+    };
+    live.from = end(".from");
+    live.until = end(".until");
+    if (const double own = numberOf(*parameter, c); own < live.from || own > live.until)
+        reader.add(table + ".from", "and the other end do not enclose the value of the case");
+    return live;
+}
+
 LessonStep readStep(StudyReader& reader, const std::string& table)
 {
     LessonStep step;
     step.title = requiredText(reader, table + ".title");
-    step.text = requiredText(reader, table + ".text");
-    step.question = requiredText(reader, table + ".question");
+    for (const std::string& run : reader.tables(table + ".run")) step.runs.push_back(readRun(reader, run));
+    const Case c = firstCase(reader, table, step.runs);
+    const auto textOrThat = [&](const std::string& key, const std::string& ofCase) {
+        return ofCase.empty() || reader.has(key) ? requiredText(reader, key) : ofCase;
+    };
+    step.text = textOrThat(table + ".text", c.about.paper);
+    step.question = textOrThat(table + ".question", c.about.watch);
     step.change = requiredText(reader, table + ".change");
     step.answer = requiredText(reader, table + ".answer");
     step.stage = readStage(reader, table + ".stage");
-    for (const std::string& run : reader.tables(table + ".run")) step.runs.push_back(readRun(reader, run));
+    for (const std::string& live : reader.tables(table + ".live")) step.live.push_back(readLive(reader, live, c));
     return step;
+}
+
+std::vector<LessonStep> builtIn(std::string_view name)
+{
+    const auto found = std::ranges::find(lessonTexts(), name, &LessonText::name);
+    return readLesson(found->text, found->name).steps;
 }
 
 } // namespace
@@ -93,8 +146,21 @@ Lesson readLesson(std::string_view text, const std::string& name)
 
 const std::vector<LessonStep>& lessonSteps()
 {
-    static const std::vector<LessonStep> steps = readLesson(lessonTexts().front().text, "the lesson").steps;
+    static const std::vector<LessonStep> steps = builtIn("lesson");
     return steps;
+}
+
+const std::vector<LessonStep>& demonstrationSteps()
+{
+    static const std::vector<LessonStep> steps = builtIn("demonstrations");
+    return steps;
+}
+
+Case caseOf(const LessonRun& run)
+{
+    Case c = openCase(run.name).value;
+    changeCase(c, run.settings);
+    return c;
 }
 
 std::string commandOf(const LessonRun& run)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The lesson for a newcomer: steps with a text, a question, runs and an answer. It is data, in
-// sample_cases/lesson/lesson.toml:
+// What the program teaches with, in steps with a text, a question, runs and an answer: the lesson for a newcomer, and a
+// demonstration of each figure of the paper. Both are data, in sample_cases/lesson:
 //
 //   [[step]]
 //   title = "..."
@@ -10,11 +10,18 @@
 //   change = "..."     # what to change next
 //   answer = "..."     # with the numbers that the program gives
 //
+// The texts of a demonstration are what the paper reports, what to watch, what to try, and how sure the result is. It
+// leaves out `text` and `question`: they are those of the case of its first run.
+//
 //   [step.stage]       # what the window shows of the step's runs
 //   plots = ["spacing", "energy"]       # names of plots over time
 //   from = "0 ms", until = "0.3 ms"     # of the time axis; may be left out
 //   lowest = "-6 nm", highest = "20 nm" # of the minimum spacing; may be left out
 //   side = true, spectrum = true        # the side view above the plots, the spectrum below; false if left out
+//
+//   [[step.live]]      # a value that the reader moves; the case of the first run has it within these ends
+//   keys = ["springs.front_damping_ratio", "springs.rear_damping_ratio"]   # that get the same number
+//   from = "0.001", until = "0.1"
 //
 //   [[step.run]]
 //   purpose = "..."
@@ -27,6 +34,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/case/case.h"
 #include "core/case_files/case_settings.h"
 #include "core/formats/input_problem.h"
 
@@ -37,6 +45,16 @@ struct LessonRun {
     std::string name;                  // of a sample case, or of a sample study
     std::string kind;                  // of the study; "" for a run
     std::vector<CaseSetting> settings; // of the case
+    bool operator==(const LessonRun&) const = default;
+};
+
+/// A number that the reader moves between two ends, so that the case runs again at once.
+struct LiveValue {
+    std::vector<std::string> keys;  // of parameters with the same unit: they get the same number
+    double from = 0.0, until = 0.0; // [unit of the parameters]; from < until
+
+    /// Where a movement has steps of equal ratio: the ends are positive and at least a factor of 20 apart.
+    bool logarithmic() const { return from > 0.0 && until >= 20.0 * from; }
 };
 
 /// Where two ends are equal, an axis follows the data.
@@ -55,6 +73,7 @@ struct LessonStep {
     std::string answer;
     LessonStage stage;
     std::vector<LessonRun> runs;
+    std::vector<LiveValue> live;
 };
 
 struct Lesson {
@@ -63,8 +82,12 @@ struct Lesson {
 };
 Lesson readLesson(std::string_view text, const std::string& name);
 
-/// The lesson that is built into the program.
+/// Built into the program: the lesson, and the figures of the paper.
 const std::vector<LessonStep>& lessonSteps();
+const std::vector<LessonStep>& demonstrationSteps();
+
+/// The case that a run of a sample case performs.
+Case caseOf(const LessonRun& run);
 
 /// "touchdown run fig10a --set 'springs.flying_height=5 nm'", as a shell takes it.
 std::string commandOf(const LessonRun& run);

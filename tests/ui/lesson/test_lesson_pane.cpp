@@ -12,12 +12,14 @@
 #include "tests/ui/named_widget.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/theme.h"
+#include "ui/window/guides.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 
@@ -36,8 +38,9 @@ std::vector<LessonStep> sampleSteps()
              "Try run.step.",
              "Because.",
              {},
-             {caught, study}},
-            {"Second", "More.", "How?", "Nothing.", "So.", {}, {study}}};
+             {caught, study},
+             {}},
+            {"Second", "More.", "How?", "Nothing.", "So.", {}, {study}, {}}};
 }
 
 QPushButton* button(const QWidget& parent, const char* name)
@@ -79,7 +82,7 @@ private slots:
 
     void goesThroughTheSteps()
     {
-        LessonPane pane(sampleSteps());
+        LessonPane pane(LessonPane::Kind::Lesson, sampleSteps());
         QVERIFY(shownText(pane, "Place in the lesson").contains(QStringLiteral("Step 1 of 2")));
         QVERIFY(shownText(pane, "Title of the step").contains(QStringLiteral("1. First")));
         QVERIFY(!button(pane, "Back")->isEnabled());
@@ -95,7 +98,7 @@ private slots:
 
     void showsTheAnswerWhenAsked()
     {
-        LessonPane pane(sampleSteps());
+        LessonPane pane(LessonPane::Kind::Lesson, sampleSteps());
         QVERIFY(shownText(pane, "Answer").isEmpty());
         button(pane, "Show the answer")->click();
         QVERIFY(shownText(pane, "Answer").contains(QStringLiteral("Because.")));
@@ -109,16 +112,64 @@ private slots:
 
     void typesetsTheTexts()
     {
-        const LessonPane pane(sampleSteps());
+        const LessonPane pane(LessonPane::Kind::Lesson, sampleSteps());
         const QString text = shownText(pane, "Text of the step");
         for (const char* part : {"7\u00a0nm", "f<sub>m</sub>", "W ≥ 0", "−5\u00a0µs"})
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
-        QVERIFY(shownText(pane, "What to change").contains(QStringLiteral("<code>run.step</code>")));
+        QVERIFY(shownText(pane, "What to change").contains(QStringLiteral("<a href='run.step'>run.step</a>")));
+    }
+
+    void showsResults()
+    {
+        LessonPane pane(LessonPane::Kind::Lesson, sampleSteps());
+        const auto purposes = [&pane] {
+            QString all;
+            for (const QLabel* label : pane.findChildren<QLabel*>())
+                if (label->text().contains(QStringLiteral("Menisci"))) all += label->text();
+            return all;
+        };
+        QVERIFY(!purposes().contains(QStringLiteral("→")));
+        pane.showResult(0, QStringLiteral("ends at 7 nm"));
+        QVERIFY(purposes().contains(QStringLiteral("→ ends at 7 nm")));
+        pane.showResult(0, QString());
+        QVERIFY(!purposes().contains(QStringLiteral("→")));
+    }
+
+    /// A key in the text leads to its field; each step shows what its runs gave.
+    void leadsToFieldsAndResults()
+    {
+        Fixture f;
+        LessonPane* pane = f.window.guides().pane(LessonPane::Kind::Lesson);
+        f.window.casePanel().search()->setText(QStringLiteral("friction"));
+        emit pane->keyChosen(QStringLiteral("springs.front_damping_ratio"));
+        const ParameterEditor* editor = f.window.casePanel().editor("springs.front_damping_ratio");
+        QVERIFY(f.window.casePanel().search()->text().isEmpty());
+        QVERIFY(editor->isVisible() && !editor->visibleRegion().isEmpty());
+        QVERIFY(editor->input()->hasFocus() || editor->isAncestorOf(f.window.focusWidget()));
+        QVERIFY(!f.window.casePanel().showParameter("film.nodes")); // not of this case
+
+        QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+        button(*pane, "Run: A lower start, with the static pitch.")->click();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        const auto text = [pane] {
+            QString all;
+            for (const QLabel* label : pane->findChildren<QLabel*>()) all += label->text();
+            return all;
+        };
+        QVERIFY2(text().contains(QStringLiteral("→ ends at 7.000 nm · 1 touch<")) ||
+                     text().contains(QStringLiteral("→ ends at 7.000 nm · 1 touch ")),
+                 qPrintable(text().mid(text().indexOf(u'→'), 80)));
+        button(*pane, "Next")->click();
+        QVERIFY(!text().contains(u'→'));
+        button(*pane, "Back")->click();
+        QVERIFY(text().contains(u'→'));
+        f.window.runs().remove(0);
+        QVERIFY(!text().contains(u'→'));
     }
 
     void followsTheTheme()
     {
-        LessonPane pane(sampleSteps());
+        LessonPane pane(LessonPane::Kind::Lesson, sampleSteps());
         pane.show();
         applyTheme(Theme::Light);
         const QString lightColour = meaningColours(QApplication::palette()).change.name();
@@ -193,7 +244,7 @@ private slots:
 
     void namesEveryControl()
     {
-        const LessonPane pane(lessonSteps());
+        const LessonPane pane(LessonPane::Kind::Lesson, lessonSteps());
         for (const QPushButton* each : pane.findChildren<QPushButton*>())
             QVERIFY(!each->accessibleName().isEmpty() || !each->text().isEmpty());
         for (const QLabel* each : pane.findChildren<QLabel*>()) QVERIFY(each->wordWrap());

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/live_runs.h"
+
+#include <QDockWidget>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include "core/case/parameters.h"
+#include "core/case_files/case_file.h"
+#include "core/simulation/run.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
+#include "ui/case/case_edits.h"
+#include "ui/case/case_files.h"
+#include "ui/lesson/lesson_pane.h"
+#include "ui/lesson/live_values.h"
+#include "ui/lesson/marked_slider.h"
+#include "ui/runs/run_controller.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/runs_model.h"
+#include "ui/window/guides.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+
+using namespace touchdown;
+
+namespace test_live_runs {
+
+const LiveValue height{{"initial.flying_height"}, 100e-9, 400e-9};
+
+class TestLiveRuns : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+        QCoreApplication::setApplicationName(QStringLiteral("test_live_runs"));
+    }
+    void init()
+    {
+        QSettings().clear();
+        window_ = std::make_unique<MainWindow>();
+        window_->resize(1400, 900);
+        window_->show();
+        window_->files().openNow("fig10a");
+        live_ = std::make_unique<LiveRuns>(*window_);
+    }
+    void cleanup()
+    {
+        live_.reset();
+        window_.reset();
+    }
+
+    /// One run of the list while the reader moves, with the newest value; an ordinary run at last.
+    void runsAtEachMovement()
+    {
+        QSignalSpy shown(live_.get(), &LiveRuns::shown);
+        live_->move(height, 300e-9);
+        QVERIFY(shown.wait());
+        QCOMPARE(window_->runs().count(), 1);
+        QVERIFY(!window_->controller().active());
+        QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 300e-9);
+        QVERIFY(sameAsARun(window_->runs().record(0)));
+        // Faster than the runs: the last value is always shown in the end.
+        for (int i = 1; i <= 50; ++i) live_->move(height, (300 + i) * 1e-9);
+        QTRY_VERIFY(!live_->busy() && window_->runs().count() == 1 &&
+                    window_->runs().record(0).value.initial.flyingHeight == 350e-9);
+        QVERIFY(shown.count() < 40);
+        QCOMPARE(window_->runs().record(0).number, 1);
+
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        live_->settle();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        QCOMPARE(window_->runs().count(), 1);
+        QCOMPARE(window_->runs().record(0).number, 1);
+        QCOMPARE(window_->runs().record(0).caseText, window_->files().wholeText());
+        QVERIFY(sameAsARun(window_->runs().record(0)));
+
+        // The next movement leaves that run, and undo takes a movement back as one.
+        live_->move(height, 200e-9);
+        live_->move(height, 210e-9);
+        QTRY_VERIFY(!live_->busy() && window_->runs().count() == 2);
+        window_->edits().undoStack().undo();
+        QCOMPARE(window_->edits().value().initial.flyingHeight, 350e-9);
+        window_->edits().undoStack().undo();
+        QCOMPARE(window_->edits().value().initial.flyingHeight, 250e-9);
+    }
+
+    void settlesWhileARunIsUnderWay()
+    {
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        live_->move(height, 300e-9);
+        live_->move(height, 310e-9);
+        live_->settle();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        QCOMPARE(window_->runs().count(), 1);
+        QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 310e-9);
+        live_->settle(); // nothing has moved
+        QVERIFY(!window_->controller().active());
+    }
+
+    /// A run that the user removed, or started meanwhile, is not replaced.
+    void leavesOtherRunsAlone()
+    {
+        live_->move(height, 300e-9);
+        QTRY_COMPARE(window_->runs().count(), 1);
+        window_->runs().remove(0);
+        live_->move(height, 310e-9);
+        QTRY_COMPARE(window_->runs().count(), 1);
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        window_->startRun();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        QCOMPARE(window_->runs().count(), 2);
+        live_->move(height, 320e-9);
+        QTRY_COMPARE(window_->runs().count(), 3);
+        QCOMPARE(window_->runs().record(1).value.initial.flyingHeight, 310e-9);
+    }
+
+    void movesValuesTogether()
+    {
+        const LiveValue damping{{"springs.front_damping_ratio", "springs.rear_damping_ratio"}, 0.001, 0.1};
+        live_->move(damping, 0.05);
+        QCOMPARE(window_->edits().value().springs.frontDampingRatio, 0.05);
+        QCOMPARE(window_->edits().value().springs.rearDampingRatio, 0.05);
+        live_->move(damping, -1.0); // out of range
+        QCOMPARE(window_->edits().value().springs.frontDampingRatio, 0.05);
+    }
+
+    void coarserGrid()
+    {
+        const Case fine = openCase("fig05_fm_3_62mN").value;
+        QCOMPARE(fine.film.nodes, (std::array{257, 257}));
+        const Case coarse = coarser(fine);
+        QCOMPARE(coarse.film.nodes, (std::array{129, 129}));
+        QVERIFY(checkCombinations(coarse).empty());
+        const Case rough = coarser(openCase("fig02_case_2_moving").value);
+        QCOMPARE(rough.film.nodes, (std::array{49, 49}));
+        QCOMPARE(rough.elastic.cell, 2e-6);
+        QCOMPARE(rough.diskSurface.cell, 2e-6);
+        Case coarsest = fine;
+        coarsest.film.nodes = {17, 33};
+        QCOMPARE(coarser(coarsest).film.nodes, (std::array{17, 17}));
+    }
+
+    /// First on the coarse grid, then on its own; the coarse run makes room.
+    void aFilmRunsWhenTheReaderLetsGo()
+    {
+        window_->files().openNow("film_plane");
+        Case c = window_->edits().value();
+        c.run.duration = 2e-6;
+        window_->edits().setAll(c, "short");
+        const LiveValue start{{"initial.nominal_trailing_edge_height"}, 1e-9, 1e-6};
+        const double moved = 1.02 * c.initial.nominalTrailingEdgeHeight;
+        std::vector<std::array<int, 2>> grids;
+        connect(&window_->runs(), &RunsModel::added, this,
+                [this, &grids](int number) { grids.push_back(window_->runs().find(number)->value.film.nodes); });
+        live_->move(start, moved);
+        QVERIFY(!window_->controller().active() && !live_->busy());
+        live_->settle();
+        QTRY_VERIFY_WITH_TIMEOUT(grids.size() == 2 && !window_->controller().active(), 60000);
+        QCOMPARE(grids[0], coarser(c).film.nodes);
+        QCOMPARE(grids[1], c.film.nodes);
+        QTRY_COMPARE(window_->runs().count(), 1);
+        QCOMPARE(window_->runs().record(0).value.film.nodes, c.film.nodes);
+        QCOMPARE(window_->runs().record(0).value.initial.nominalTrailingEdgeHeight, moved);
+    }
+
+    /// With the hand: a demonstration on springs is there at once, and follows its slider.
+    void aDemonstrationFollowsItsSlider()
+    {
+        QSettings().setValue("demonstrations/step", 5); // Fig. 10
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        window_->actions().demonstrations->trigger();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        QCOMPARE(window_->files().sample(), QString("fig10a"));
+        QCOMPARE(window_->runs().count(), 1);
+        LessonPane* pane = window_->guides().pane(LessonPane::Kind::Demonstrations);
+        QVERIFY(pane && pane->isVisible());
+        auto* slider = static_cast<MarkedSlider*>(pane->live().inputs().at(0));
+        slider->setFocus();
+        QTest::keyClick(slider, Qt::Key_Right);
+        QTRY_COMPARE(window_->runs().count(), 2); // the run of the figure stays
+        QTRY_COMPARE(ended.count(), 2);
+        QCOMPARE(window_->runs().record(1).value.initial.flyingHeight, window_->edits().value().initial.flyingHeight);
+        QVERIFY(window_->edits().value().initial.flyingHeight > 250e-9);
+        QVERIFY(window_->runs().record(0).shown && window_->runs().record(1).shown);
+        // The next figure owns its stage, and asks nothing.
+        namedWidget<QPushButton>(*pane, "Next")->click();
+        QTRY_COMPARE(ended.count(), 3);
+        QCOMPARE(window_->files().sample(), QString("fig11a"));
+        QVERIFY(!window_->runs().record(0).shown && window_->runs().record(2).shown);
+        // The lesson takes its place.
+        window_->actions().lesson->trigger();
+        QVERIFY(pane->isHidden() || !pane->isVisible());
+        QVERIFY(window_->findChild<QDockWidget*>("demonstrations")->isHidden());
+        QVERIFY(window_->runView().stage());
+        QVERIFY(!window_->runs().record(2).shown);
+    }
+
+    /// A film does not start by itself: it takes its time.
+    void aFilmWaitsForItsButton()
+    {
+        QSettings().setValue("demonstrations/step", 1); // Fig. 5
+        window_->actions().demonstrations->trigger();
+        QVERIFY(!window_->controller().active());
+        QCOMPARE(window_->files().sample(), QString("fig05_fm_3_62mN"));
+        LessonPane* pane = window_->guides().pane(LessonPane::Kind::Demonstrations);
+        QVERIFY(pane->live().inputs().size() == 1 && pane->live().inputs()[0]->isEnabled());
+    }
+
+private:
+    /// As the core runs the case.
+    static bool sameAsARun(const RunRecord& record)
+    {
+        std::vector<double> spacing;
+        const auto column = std::size_t(findQuantity(record.quantities, "minimum_spacing"));
+        const Summary summary = touchdown::run(record.value, [&](const RunUpdate& update) {
+            const std::vector<double>& added = update.samples.columns[column];
+            spacing.insert(spacing.end(), added.begin(), added.end());
+            return true;
+        });
+        std::vector<double> held;
+        for (std::size_t part = 0; part < record.parts(); ++part) {
+            const std::vector<double> piece = record.samples(part).columns[column];
+            held.insert(held.end(), piece.begin(), piece.end());
+        }
+        return !held.empty() && held == spacing && record.events.size() == summary.events.size();
+    }
+
+    std::unique_ptr<MainWindow> window_;
+    std::unique_ptr<LiveRuns> live_;
+};
+
+TOUCHDOWN_TEST(TestLiveRuns)
+
+} // namespace test_live_runs
+
+#include "test_live_runs.moc"

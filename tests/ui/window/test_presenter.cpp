@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/presenter.h"
+
+#include <map>
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QtTest>
+
+#include "tests/support/test_program.h"
+#include "ui/case/case_files.h"
+#include "ui/lesson/lesson_pane.h"
+#include "ui/runs/run_view.h"
+#include "ui/runs/runs_model.h"
+#include "ui/style/theme.h"
+#include "ui/window/guides.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+
+using namespace touchdown;
+
+namespace test_presenter {
+
+class TestPresenter : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
+        QCoreApplication::setApplicationName(QStringLiteral("test_presenter"));
+    }
+    void init()
+    {
+        QSettings().clear();
+        window_ = std::make_unique<MainWindow>();
+        window_->resize(1280, 720);
+        window_->restoreArrangement();
+        window_->show();
+        window_->files().openNow("fig10a");
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    }
+    void cleanup()
+    {
+        window_.reset();
+        applyTheme(Theme::System);
+    }
+
+    void showsThePageAlone()
+    {
+        present(true);
+        QVERIFY(window_->isFullScreen());
+        for (const QDockWidget* dock : docks()) QVERIFY2(!dock->isVisible(), qPrintable(dock->objectName()));
+        QVERIFY(!window_->menuBar()->isVisible() && !window_->statusBar()->isVisible());
+        QVERIFY(!window_->actions().toolBar->isVisible() && window_->presenter().bar()->isVisible());
+        QVERIFY(QApplication::font().pointSize() >= systemPointSize());
+        QVERIFY(window_->runView().isVisible());
+        // Nothing comes back with another page.
+        window_->setPage(MainWindow::Page::Studies);
+        for (const QDockWidget* dock : docks()) QVERIFY(!dock->isVisible());
+    }
+
+    /// Whatever was shown, at the size that it had.
+    void givesEverySizeBack_data()
+    {
+        QTest::addColumn<int>("points");
+        QTest::addColumn<bool>("lesson");
+        QTest::addColumn<QString>("closed");
+        QTest::newRow("as it opens") << 0 << false << QString();
+        QTest::newRow("large text") << 2 << false << QString();
+        QTest::newRow("with the lesson") << 0 << true << QString();
+        QTest::newRow("a pane closed") << 0 << false << QStringLiteral("values");
+    }
+    void givesEverySizeBack()
+    {
+        QFETCH(const int, points);
+        QFETCH(const bool, lesson);
+        QFETCH(const QString, closed);
+        for (QAction* size : window_->actions().fontSize->actions())
+            if (size->data().toInt() == points) size->trigger();
+        if (lesson) window_->actions().lesson->trigger();
+        if (!closed.isEmpty()) window_->findChild<QDockWidget*>(closed)->close();
+        QCoreApplication::processEvents();
+        const std::map<QString, QRect> before = places();
+        const QSize size = window_->size();
+        const int font = QApplication::font().pointSize();
+        present(true);
+        present(false);
+        QTRY_COMPARE(window_->size(), size);
+        QCOMPARE(QApplication::font().pointSize(), font);
+        QTRY_VERIFY2(places() == before, qPrintable(difference(before, places())));
+        QVERIFY(window_->menuBar()->isVisible() && !window_->presenter().bar()->isVisible());
+        QVERIFY(window_->guides().staged() == lesson);
+    }
+
+    void goesThroughTheSteps()
+    {
+        window_->actions().lesson->trigger();
+        const LessonPane* pane = window_->guides().pane(LessonPane::Kind::Lesson);
+        present(true);
+        QVERIFY(window_->guides().staged()); // without its pane
+        QVERIFY(caption().contains("A slider flies"));
+        QTest::keyClick(window_.get(), Qt::Key_PageDown);
+        QCOMPARE(pane->step(), std::size_t(1));
+        QVERIFY(caption().contains("Two states of rest"));
+        QTest::keyClick(window_.get(), Qt::Key_PageUp);
+        QTest::keyClick(window_.get(), Qt::Key_PageUp); // the first step stays
+        QCOMPARE(pane->step(), std::size_t(0));
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        QTest::keyClick(window_.get(), Qt::Key_F5);
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        QCOMPARE(window_->runs().count(), 1);
+        QTest::keyClick(window_.get(), Qt::Key_F11);
+        QVERIFY(!window_->presenter().on());
+        QTRY_VERIFY(window_->findChild<QDockWidget*>("lesson")->isVisible());
+        // Page Down is for the reader again.
+        QTest::keyClick(window_.get(), Qt::Key_PageDown);
+        QCOMPARE(pane->step(), std::size_t(0));
+    }
+
+    void namesTheCaseWithoutALesson()
+    {
+        present(true);
+        QVERIFY(caption().contains("Fig. 10 (a)"));
+        QVERIFY(!window_->presenter().next()->isVisible());
+        window_->files().openNow("fig12a");
+        QVERIFY(caption().contains("Fig. 12 (a)"));
+        // A guide that opens now shows itself on the page only.
+        window_->actions().demonstrations->trigger();
+        QVERIFY(caption().contains("Fig. 2"));
+        QVERIFY(window_->presenter().next()->isVisible());
+        for (const QDockWidget* dock : docks()) QVERIFY(!dock->isVisible());
+        present(false);
+        QTRY_VERIFY(window_->findChild<QDockWidget*>("demonstrations")->isVisible());
+    }
+
+private:
+    void present(bool on)
+    {
+        window_->actions().presenter->setChecked(on);
+        QCoreApplication::processEvents();
+        QCOMPARE(window_->presenter().on(), on);
+    }
+    QString caption() { return window_->presenter().bar()->findChild<QLabel*>()->text(); }
+    QList<QDockWidget*> docks() { return window_->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly); }
+    std::map<QString, QRect> places()
+    {
+        std::map<QString, QRect> all;
+        for (const QDockWidget* dock : docks())
+            if (dock->isVisible() && !dock->visibleRegion().isEmpty()) all[dock->objectName()] = dock->geometry();
+        all["page"] = window_->centralWidget()->geometry();
+        return all;
+    }
+    static QString difference(const std::map<QString, QRect>& before, const std::map<QString, QRect>& after)
+    {
+        QString text;
+        QDebug debug(&text);
+        for (const auto& [name, place] : before) {
+            const auto found = after.find(name);
+            debug << name << place << (found == after.end() ? QRect() : found->second);
+        }
+        return text;
+    }
+
+    std::unique_ptr<MainWindow> window_;
+};
+
+TOUCHDOWN_TEST(TestPresenter)
+
+} // namespace test_presenter
+
+#include "test_presenter.moc"

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Values of the case that the reader moves: a slider for each, with its unit, its ends, and a mark at the value that
+// the case was opened with. A double click on a slider takes the value back to the mark.
+#pragma once
+
+#include <vector>
+
+#include <QLabel>
+#include <QWidget>
+
+#include "core/case/case.h"
+#include "core/studies/lesson/lesson.h"
+
+namespace touchdown {
+
+class MarkedSlider;
+
+class LiveValues : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LiveValues(QWidget* parent = nullptr);
+    /// `own`: the case that these values are of.
+    void setValues(const std::vector<LiveValue>& values, const Case& own);
+    /// The case that is edited; a slider whose parameter it does not use is disabled.
+    void showCase(const Case& c);
+    /// In the order of Tab.
+    std::vector<QWidget*> inputs() const;
+
+signals:
+    /// `number` [unit of the parameters], with three digits.
+    void moved(const touchdown::LiveValue& value, double number);
+    /// The reader let go.
+    void settled();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        LiveValue value;
+        double own = 0.0; // [unit of the parameters]
+        MarkedSlider* slider;
+        QLabel* label; // with the number
+    };
+    void write();
+
+    std::vector<Row> rows_;
+    Case case_;
+};
+
+} // namespace touchdown

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/guides.h"
+
+#include <algorithm>
+#include <optional>
+
+#include <QDockWidget>
+#include <QSettings>
+
+#include "core/studies/study/sample_study.h"
+#include "ui/case/case_edits.h"
+#include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/lesson/live_values.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_window.h"
+#include "ui/studies/study_editor.h"
+#include "ui/studies/study_window.h"
+#include "ui/style/quantity_format.h"
+#include "ui/window/lesson_stages.h"
+#include "ui/window/live_runs.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_pages.h"
+
+namespace touchdown {
+
+namespace {
+
+using Kind = LessonPane::Kind;
+
+/// Of the pane, and of the setting with its last step.
+QString nameOf(Kind kind) { return kind == Kind::Lesson ? QStringLiteral("lesson") : QStringLiteral("demonstrations"); }
+
+constexpr double leastSwing = 1e-12; // that is said [m]
+
+QString settingOf(Kind kind) { return nameOf(kind) + QStringLiteral("/step"); }
+
+/// What a run gave, in a few words: "ends at 7.000 nm · 6 touches".
+QString resultOf(const RunRecord& run)
+{
+    const Summary& summary = *run.summary;
+    QStringList parts;
+    if (summary.status == RunStatus::Cancelled) return Guides::tr("stopped");
+    if (summary.status != RunStatus::Completed) parts << Guides::tr("fails");
+    if (const std::optional<EndHeight> end = endHeight(run))
+        parts << Guides::tr("ends at %1").arg(readout(end->value, *end->quantity));
+    for (const RunFigure& figure : summary.figures)
+        if (figure.quantity.name == "touch_downs")
+            parts << (figure.value == 1.0 ? Guides::tr("1 touch") : Guides::tr("%L1 touches").arg(figure.value));
+    for (const auto& [quantity, tail] : summary.tail)
+        if (quantity == "minimum_spacing" && tail.max - tail.min >= leastSwing) {
+            parts << Guides::tr("swings by %1 from peak to peak").arg(lengthText(tail.max - tail.min, 3));
+            parts << Guides::tr("standard deviation %1").arg(lengthText(tail.std, 3));
+            if (!summary.peaks.empty())
+                parts << Guides::tr("highest peak at %1").arg(frequencyText(summary.peaks.front().frequency));
+        }
+    return parts.join(QStringLiteral(" · "));
+}
+
+} // namespace
+
+Guides::Guides(MainWindow& window, WindowPages& pages)
+    : QObject(&window),
+      window_(window),
+      pages_(pages),
+      stages_(new LessonStages(window.runView(), window.runs(), this)),
+      live_(new LiveRuns(window))
+{
+    connect(&window_.edits(), &CaseEdits::edited, this, [this] {
+        for (LessonPane* pane : panes_)
+            if (pane) pane->live().showCase(window_.edits().value());
+    });
+    connect(&window_.runWindow(), &RunWindow::ended, this, &Guides::showResults);
+    connect(&window_.runs(), &RunsModel::rowsRemoved, this, &Guides::showResults);
+    connect(&pages_, &WindowPages::guideToggled, this, [this](QWidget* guide, bool open) {
+        if (pages_.panesHidden()) return; // it goes on without its pane
+        if (open) {
+            shown_ = static_cast<LessonPane*>(guide);
+            stage();
+        } else if (guide == shown_) {
+            shown_ = nullptr;
+            stages_->end();
+        }
+    });
+}
+
+bool Guides::staged() const { return stages_->active(); }
+
+void Guides::leave()
+{
+    ownCase_ = false;
+    stages_->end();
+}
+
+void Guides::go(int steps)
+{
+    if (!shown_) return;
+    const auto step = static_cast<int>(shown_->step()) + steps;
+    if (step >= 0 && step < static_cast<int>(shown_->count())) shown_->go(static_cast<std::size_t>(step));
+}
+
+void Guides::stage()
+{
+    if (shown_) stages_->show(shown_->shown());
+}
+
+LessonPane* Guides::build(Kind kind)
+{
+    const bool lesson = kind == Kind::Lesson;
+    auto* pane = new LessonPane(kind, lesson ? lessonSteps() : demonstrationSteps(), &window_);
+    connect(pane, &LessonPane::runRequested, this, &Guides::perform);
+    connect(pane, &LessonPane::stepShown, this, [this, kind] { onStep(kind); });
+    connect(pane, &LessonPane::keyChosen, this, [this](const QString& key) {
+        for (QDockWidget* dock : window_.findChildren<QDockWidget*>())
+            if (dock->widget() == &window_.casePanel()) dock->show();
+        window_.casePanel().showParameter(key.toStdString());
+    });
+    connect(&pane->live(), &LiveValues::moved, live_, &LiveRuns::move);
+    connect(&pane->live(), &LiveValues::settled, live_, &LiveRuns::settle);
+    return pane;
+}
+
+void Guides::open(Kind kind)
+{
+    LessonPane*& pane = panes_[static_cast<std::size_t>(kind)];
+    const bool first = pane == nullptr;
+    if (first) pane = build(kind);
+    const QString title = kind == Kind::Lesson ? tr("Lesson") : tr("Demonstrations");
+    for (LessonPane* other : panes_)
+        if (other && other != pane) pages_.hideGuide(*other);
+    shown_ = pane;
+    pages_.showGuide(*pane, nameOf(kind), title);
+    if (first)
+        pane->go(QSettings().value(settingOf(kind), 0).toUInt());
+    else if (!stages_->active())
+        stage();
+}
+
+void Guides::onStep(Kind kind)
+{
+    LessonPane* pane = this->pane(kind);
+    QSettings().setValue(settingOf(kind), static_cast<int>(pane->step()));
+    window_.setPage(MainWindow::Page::Run);
+    shown_ = pane;
+    stage();
+    showResults();
+    emit stepShown();
+    pane->live().showCase(window_.edits().value());
+    const LessonStep& step = pane->shown();
+    if (kind == Kind::Lesson || stages_->hasRuns(step) || step.runs.empty() || !step.runs.front().kind.empty()) return;
+    // A demonstration on springs is there at once; a film takes its time, and waits for the button.
+    openCaseOf(step.runs.front(), caseOf(step.runs.front()).model == ModelKind::Springs);
+}
+
+/// Of the runs of the step that are in the list and have ended.
+void Guides::showResults()
+{
+    if (!shown_) return;
+    for (const auto& [index, number] : numbers_[shown_->shown().title]) {
+        const RunRecord* run = window_.runs().find(number);
+        shown_->showResult(index, run && run->summary ? resultOf(*run) : QString());
+    }
+}
+
+void Guides::perform(const LessonRun& run)
+{
+    if (!run.kind.empty()) {
+        window_.studies().editor()->openSample(*findSampleStudy(run.kind, run.name));
+        window_.performStudy();
+        return;
+    }
+    openCaseOf(run, true);
+}
+
+void Guides::openCaseOf(const LessonRun& run, bool start)
+{
+    // What the reader tried with a sample case of a step; a file of the reader's own is asked about.
+    CaseFiles& files = window_.files();
+    if (ownCase_ && files.file().isEmpty()) files.leaveUnsaved();
+    files.openChanged(QString::fromStdString(run.name), run.settings, [this, start, run] {
+        ownCase_ = true;
+        window_.setPage(MainWindow::Page::Run);
+        stage();
+        if (!start) return;
+        window_.startRun();
+        const RunRecord* started = window_.runWindow().runUnderWay();
+        if (!started || !shown_) return;
+        const std::vector<LessonRun>& runs = shown_->shown().runs;
+        const auto found = std::ranges::find(runs, run);
+        if (found != runs.end())
+            numbers_[shown_->shown().title][static_cast<std::size_t>(found - runs.begin())] = started->number;
+        showResults();
+    });
+}
+
+} // namespace touchdown

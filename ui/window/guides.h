@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The lesson and the demonstrations in the window: their panes, their stages, the runs that they ask for, and the
+// values that the reader moves.
+#pragma once
+
+#include <array>
+#include <map>
+#include <string>
+
+#include <QObject>
+
+#include "ui/lesson/lesson_pane.h"
+
+namespace touchdown {
+
+class LessonStages;
+class LiveRuns;
+class MainWindow;
+class WindowPages;
+
+class Guides : public QObject {
+    Q_OBJECT
+
+public:
+    Guides(MainWindow& window, WindowPages& pages);
+
+    /// Opens the pane, at its last step; the other one is closed.
+    void open(LessonPane::Kind kind);
+    /// nullptr before it was opened.
+    LessonPane* pane(LessonPane::Kind kind) const { return panes_[static_cast<std::size_t>(kind)]; }
+    /// Opens and runs what a step asks for.
+    void perform(const LessonRun& run);
+    /// A case was opened: the stage ends, for perform() to begin it anew.
+    void leave();
+    bool staged() const;
+    /// The pane whose stage it is; nullptr: none.
+    const LessonPane* shown() const { return shown_; }
+    /// So many steps on in it.
+    void go(int steps);
+
+signals:
+    void stepShown();
+
+private:
+    /// Opens the case of a run, then runs it, or only shows it.
+    void openCaseOf(const LessonRun& run, bool start);
+    LessonPane* build(LessonPane::Kind kind);
+    void onStep(LessonPane::Kind kind);
+    void showResults();
+    void stage();
+
+    MainWindow& window_;
+    WindowPages& pages_;
+    LessonStages* stages_;
+    LiveRuns* live_;
+    std::array<LessonPane*, 2> panes_{};                        // by kind
+    LessonPane* shown_ = nullptr;                               // whose stage it is
+    std::map<std::string, std::map<std::size_t, int>> numbers_; // in the list, by title of a step: of its runs
+    bool ownCase_ = false;                                      // the case that is edited was opened by a step
+};
+
+} // namespace touchdown

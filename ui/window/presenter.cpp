@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/presenter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QEvent>
+#include <QMenuBar>
+#include <QScreen>
+#include <QStatusBar>
+
+#include "ui/case/case_edits.h"
+#include "ui/case/case_files.h"
+#include "ui/runs/run_view.h"
+#include "ui/style/readable.h"
+#include "ui/style/theme.h"
+#include "ui/window/guides.h"
+#include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
+#include "ui/window/window_pages.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double linesOnScreen = 42.0; // of text, from the top of the screen to its foot
+constexpr double iconLines = 1.3;      // height of an icon in lines of text
+constexpr double pointsPerInch = 72.0;
+
+} // namespace
+
+Presenter::Presenter(MainWindow& window, WindowPages& pages)
+    : QObject(&window),
+      window_(window),
+      pages_(pages),
+      bar_(new QToolBar(tr("Presenter"), &window)),
+      caption_(new QLabel(bar_)),
+      next_(new QAction(tr("Next"), this)),
+      back_(new QAction(tr("Back"), this))
+{
+    const WindowActions& actions = window_.actions();
+    next_->setShortcuts({QKeySequence(Qt::Key_PageDown)});
+    back_->setShortcuts({QKeySequence(Qt::Key_PageUp)});
+    next_->setToolTip(tr("The next step of the lesson or the demonstrations (Page Down)"));
+    back_->setToolTip(tr("The step before it (Page Up)"));
+    bar_->setObjectName(QStringLiteral("presenter"));
+    bar_->setMovable(false);
+    caption_->setAccessibleName(tr("What is shown"));
+    caption_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    caption_->setContentsMargins(12, 0, 12, 0);
+    bar_->addAction(back_);
+    bar_->addWidget(caption_);
+    bar_->addAction(next_);
+    bar_->addSeparator();
+    bar_->addActions({actions.run, actions.pause, actions.step, actions.presenter});
+    window_.addToolBar(bar_);
+    bar_->hide();
+    // Not among the panes that the user shows and hides.
+    bar_->toggleViewAction()->setVisible(false);
+    for (QAction* action : {next_, back_}) {
+        action->setEnabled(false);
+        window_.addAction(action);
+    }
+    connect(next_, &QAction::triggered, this, [this] { window_.guides().go(1); });
+    connect(back_, &QAction::triggered, this, [this] { window_.guides().go(-1); });
+    window_.installEventFilter(this);
+}
+
+void Presenter::set(bool on)
+{
+    if (on == on_) return;
+    on ? begin() : end();
+}
+
+void Presenter::begin()
+{
+    state_ = window_.windowState();
+    geometry_ = window_.geometry();
+    panes_ = window_.saveState();
+    parts_ = window_.runView().splitter()->saveState();
+    on_ = true;
+    const QScreen* screen = window_.screen();
+    const double pixels = screen->geometry().height() / linesOnScreen;
+    pointSize_ = std::max(systemPointSize(),
+                          static_cast<int>(std::floor(0.75 * pixels * pointsPerInch / screen->logicalDotsPerInch())));
+    pages_.setPanesHidden(true);
+    window_.menuBar()->hide();
+    window_.statusBar()->hide();
+    window_.actions().toolBar->hide();
+    const int icon = static_cast<int>(std::lround(iconLines * pixels));
+    bar_->setIconSize({icon, icon});
+    bar_->show();
+    for (QAction* action : {next_, back_}) action->setEnabled(true);
+    emit changed();
+    showCaption();
+    window_.showFullScreen();
+}
+
+void Presenter::end()
+{
+    on_ = false;
+    for (QAction* action : {next_, back_}) action->setEnabled(false);
+    bar_->hide();
+    window_.actions().toolBar->show();
+    window_.menuBar()->show();
+    window_.statusBar()->show();
+    emit changed();
+    arranging_ = true;
+    window_.setWindowState(state_);
+    window_.setVisible(true);
+    if (!(state_ & (Qt::WindowMaximized | Qt::WindowFullScreen))) window_.setGeometry(geometry_);
+    pages_.setPanesHidden(false);
+    arrange();
+}
+
+void Presenter::arrange()
+{
+    window_.restoreState(panes_);
+    window_.runView().splitter()->restoreState(parts_);
+    arranging_ = window_.size() != geometry_.size();
+}
+
+void Presenter::showCaption()
+{
+    const LessonPane* guide = window_.guides().shown();
+    const QString title =
+        guide ? QString::fromStdString(guide->shown().title) : readable(window_.edits().value().title);
+    caption_->setText(QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped()));
+    for (QAction* action : {next_, back_}) action->setVisible(guide != nullptr);
+}
+
+bool Presenter::eventFilter(QObject* watched, QEvent* event)
+{
+    // The window manager gives the former size back after a while.
+    if (arranging_ && event->type() == QEvent::Resize && window_.size() == geometry_.size()) arrange();
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace touchdown

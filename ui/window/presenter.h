@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The window for a lecture: the whole screen, without panes and menus; text, icons and curves grow with the screen;
+// keys go through the steps of the lesson or the demonstrations. When it ends, every part has its size again.
+#pragma once
+
+#include <QAction>
+#include <QByteArray>
+#include <QLabel>
+#include <QObject>
+#include <QRect>
+#include <QToolBar>
+
+namespace touchdown {
+
+class MainWindow;
+class WindowPages;
+
+class Presenter : public QObject {
+    Q_OBJECT
+
+public:
+    Presenter(MainWindow& window, WindowPages& pages);
+
+    void set(bool on);
+    bool on() const { return on_; }
+    /// Of the font while it is on [pt].
+    int pointSize() const { return pointSize_; }
+    /// What is shown, above the page.
+    void showCaption();
+
+    QToolBar* bar() const { return bar_; }
+    QAction* next() const { return next_; }
+    QAction* back() const { return back_; }
+
+signals:
+    /// The font changes.
+    void changed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void begin();
+    void end();
+    void arrange();
+
+    MainWindow& window_;
+    WindowPages& pages_;
+    QToolBar* bar_;
+    QLabel* caption_;
+    QAction *next_, *back_;
+    bool on_ = false;
+    int pointSize_ = 0;
+    bool arranging_ = false; // the window has not its former size again
+    Qt::WindowStates state_;
+    QRect geometry_;
+    QByteArray panes_, parts_;
+};
+
+} // namespace touchdown
