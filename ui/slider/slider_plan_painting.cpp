@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include "ui/plot/plot_frame.h"
+#include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
