@@ -273,7 +273,7 @@ void ParameterEditor::paintEvent(QPaintEvent* event)
     QWidget::paintEvent(event);
     if (flash_.state() != QAbstractAnimation::Running) return;
     QColor colour = palette().color(QPalette::Highlight);
-    colour.setAlphaF(0.6 * flash_.currentValue().toDouble());
+    colour.setAlphaF(static_cast<float>(0.6 * flash_.currentValue().toDouble()));
     QPainter(this).fillRect(rect(), colour);
 }
 
