@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -32,5 +33,11 @@ struct Spectrogram {
 /// `signal` sampled every `interval` [s]; `window` samples, at least 8; at most `mostColumns`, at least 1. Empty where
 /// the signal is shorter than the window.
 Spectrogram spectrogram(std::span<const double> signal, double interval, std::size_t window, std::size_t mostColumns);
+
+/// Copies the samples from `first` on; false: give up, the result is then empty.
+using SampleReader = std::function<bool(std::size_t first, std::span<double> to)>;
+/// The same of a signal of so many samples that is read column by column, so that the whole need not be in memory.
+Spectrogram spectrogram(std::size_t samples, const SampleReader& read, double interval, std::size_t window,
+                        std::size_t mostColumns);
 
 } // namespace touchdown

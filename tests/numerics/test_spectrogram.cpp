@@ -32,6 +32,7 @@ private slots:
     void saysItsResolutions();
     void averagesNeighbours();
     void needsAWholeWindow();
+    void readsColumnByColumn();
 };
 
 // x = sin(2 pi (f0 t + c t^2/2)) has the frequency f0 + c t: 50 kHz rising to 250 kHz in 10 ms, sampled every 1 us. The
@@ -93,6 +94,26 @@ void TestSpectrogram::needsAWholeWindow()
     const Spectrogram one = spectrogram(std::vector<double>(256, 1.0), 1e-6, 256, 1);
     QCOMPARE(one.columns, std::size_t(1));
     QVERIFY(std::ranges::all_of(one.density, [](double p) { return p == 0.0; })); // a constant has no power
+}
+
+// A signal that is read in parts has the same result, and no more than a column is read at once.
+void TestSpectrogram::readsColumnByColumn()
+{
+    std::vector<double> x;
+    for (int i = 0; i < 5000; ++i) x.push_back(std::sin(0.3 * i) + 1e-3 * (i % 17));
+    std::size_t most = 0, calls = 0;
+    const SampleReader read = [&](std::size_t first, std::span<double> to) {
+        most = std::max(most, to.size());
+        std::ranges::copy(std::span(x).subspan(first, to.size()), to.begin());
+        return ++calls < 1000;
+    };
+    const Spectrogram whole = spectrogram(x, 1e-6, 64, 10);
+    const Spectrogram parts = spectrogram(x.size(), read, 1e-6, 64, 10);
+    QVERIFY(parts.density == whole.density && parts.frequency == whole.frequency);
+    QCOMPARE(parts.columns, whole.columns);
+    QCOMPARE(most, 64 + (whole.averaged - 1) * 32);
+    calls = 995; // gives up in the fifth column
+    QVERIFY(spectrogram(x.size(), read, 1e-6, 64, 10).empty());
 }
 
 TOUCHDOWN_TEST(TestSpectrogram)

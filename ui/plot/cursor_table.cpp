@@ -12,7 +12,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "ui/plot/cursor_peak.h"
+#include "ui/plot/cursor_place.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 

@@ -2,6 +2,7 @@
 #include "ui/plot/min_max_pyramid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -51,6 +52,21 @@ std::size_t MinMaxPyramid::append(std::span<const double> times, std::span<const
     }
     extendLevels();
     return size() - before;
+}
+
+std::shared_ptr<const MinMaxPyramid> MinMaxPyramid::twin(std::shared_ptr<SampleTimes> times) const
+{
+    auto same = std::make_shared<MinMaxPyramid>(std::move(times));
+    same->values_ = values_.twin();
+    same->lastTime_ = lastTime_;
+    same->lastValue_ = lastValue_;
+    return same;
+}
+
+void MinMaxPyramid::shareTimes(std::shared_ptr<SampleTimes> same)
+{
+    assert(same->size() >= size() && (empty() || ((*same)[0] == time(0) && (*same)[size() - 1] == lastTime_)));
+    times_ = std::move(same);
 }
 
 void MinMaxPyramid::extendLevels()

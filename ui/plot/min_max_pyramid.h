@@ -8,7 +8,8 @@
 // A sample takes 8 bytes, and 0.5 bytes of the levels; its time takes 8 bytes more, which quantities of a run share.
 // The samples may be on the disk (SampleColumn). A view of many samples a pixel is drawn from the levels alone.
 //
-// One thread only (the GUI's). Queries return values, so that appending never invalidates what they gave.
+// One thread only (the GUI's); another one reads a twin. Queries return values, so that appending never invalidates
+// what they gave.
 #pragma once
 
 #include <cstddef>
@@ -58,6 +59,13 @@ public:
     /// The smallest and largest value of the samples with from <= time <= to; nothing when there is none.
     std::optional<PlotRange> extremes(double from, double to) const;
 
+    /// Blocks of samples that are complete, and the smallest and largest value of one: read without the disk.
+    std::size_t blocks() const { return levels_.empty() ? 0 : levels_.front().size(); }
+    PlotRange extremesOfBlock(std::size_t block) const
+    {
+        return {levels_.front()[block].smallest().value, levels_.front()[block].largest().value};
+    }
+
     /// By a straight line between neighbours; nothing before the first and after the last sample.
     std::optional<double> valueAt(double time) const;
     /// The index of the sample nearest to `time`, the earlier of two at equal distance; not when empty.
@@ -73,7 +81,14 @@ public:
     std::vector<QPointF> thinned(double from, double to, int pixels, AxisScale timeScale = AxisScale::Linear,
                                  bool* waits = nullptr) const;
 
+    /// The same samples for another thread: they stay as they are whatever happens here. `times`: a twin of times().
+    /// Without the levels: extremes() and thinned() look at every sample.
+    std::shared_ptr<const MinMaxPyramid> twin(std::shared_ptr<SampleTimes> times) const;
+    std::shared_ptr<const MinMaxPyramid> twin() const { return twin(times_->twin()); }
+
     const std::shared_ptr<SampleTimes>& times() const { return times_; }
+    /// These begin with the same times, which are held only once then.
+    void shareTimes(std::shared_ptr<SampleTimes> same);
     SampleColumn& values() { return values_; }
     const SampleColumn& values() const { return values_; }
     /// Nothing more arrives.

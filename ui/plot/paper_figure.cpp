@@ -63,6 +63,9 @@ PaperFigure::PaperFigure(const std::vector<QWidget*>& panels, const FigureFormat
                               QRectF((i % columns) * (width + betweenPanels), top, width, height)});
         top += height + betweenPanels;
     }
+    for (const Cell& cell : cells_)
+        if (const auto* plot = qobject_cast<const PlotWidget*>(cell.panel))
+            paperCurves(plot->curves(), format_.colours, styles_);
 }
 
 QSizeF PaperFigure::size() const { return size_ * millimetresPerInch / pixelsPerInch_; }
@@ -79,7 +82,7 @@ QString PaperFigure::problem() const
         const auto* plot = qobject_cast<const PlotWidget*>(cells_[i].panel);
         if (plot == nullptr) continue;
         const PlotTheme theme = paperTheme(format_.colours);
-        const PlotPainter painter(*plot, theme, {cells_[i].box.size(), font_, format_.colours});
+        const PlotPainter painter(*plot, theme, {cells_[i].box.size(), font_, format_.colours, styles_});
         if (painter.area().width() < leastAcross)
             return tr("%1 is too narrow for its axes: make the figure wider, its font smaller or its columns fewer.")
                 .arg(name);
@@ -111,13 +114,16 @@ void PaperFigure::paint(QPainter& painter) const
         const auto& [panel, box] = cells_[i];
         painter.save();
         painter.translate(box.topLeft());
-        partOf(panel).paintOnPaper(painter, box.size(), font_, format_.colours);
+        auto* plot = qobject_cast<PlotWidget*>(panel);
+        if (plot != nullptr)
+            plot->paintOnSheet(painter, {box.size(), font_, format_.colours, styles_});
+        else
+            partOf(panel).paintOnPaper(painter, box.size(), font_, format_.colours);
         if (const QString name = letter(i); !name.isEmpty() && format_.letters) {
             const QString text = QStringLiteral("(%1)").arg(name);
             // Beside the legend of a plot; other pictures have less room there.
-            const bool isPlot = qobject_cast<const PlotWidget*>(panel) != nullptr;
-            const QRectF corner(2.0, isPlot ? PlotFrame::gap : 0.0, QFontMetricsF(font_).horizontalAdvance(text) + 4.0,
-                                1.0 * textPixels);
+            const QRectF corner(2.0, plot != nullptr ? PlotFrame::gap : 0.0,
+                                QFontMetricsF(font_).horizontalAdvance(text) + 4.0, 1.0 * textPixels);
             painter.fillRect(corner, Qt::white);
             painter.setFont(font_);
             painter.setPen(Qt::black);

@@ -55,6 +55,7 @@ private:
     double pixelsPerInch_;
     QSizeF size_; // [px]
     std::vector<Cell> cells_;
+    std::vector<PaperStyle> styles_; // of the curves of all panels
 };
 
 } // namespace touchdown

@@ -118,6 +118,7 @@ void PlotCanvas::drawBackground(QPainter* painter, const QRectF& rect)
     painter->fillRect(rect, plot_.theme().background);
     PlotPainter(plot_, plot_.theme()).paintBehind(*painter);
     plot_.stillPicture().paint(*painter, plot_.plotArea());
+    plot_.phasePicture().paint(*painter);
     if (!phaseLines_.isNull()) painter->drawImage(plot_.plotArea().topLeft(), phaseLines_);
 }
 

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Content of a plot: curves, reference lines and marks. Numbers are SI; the axis holds the factor of the
-// display unit.
+// Content of a plot: curves, reference lines and marks, a picture behind them. Numbers are SI; the axis holds the
+// factor of the display unit.
 #pragma once
 
 #include "ui/plot/min_max_pyramid.h"
+#include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_theme.h"
 
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include <QIODevice>
+#include <QPainter>
 #include <QString>
 
 namespace touchdown {
@@ -58,6 +62,17 @@ struct ShadedArea {
     std::vector<std::pair<double, double>> outline; // x, y
     QString label;                                  // "W = 7.5 pJ"
     CurveStyle style;
+};
+
+/// A picture that fills the area of a plot behind its curves, as a spectrogram does.
+struct PlotBackdrop {
+    PlotRange x, y; // the automatic ranges show all of it [units of the axes]
+    /// Fills `area` with what the two axes show. At each repaint: what is costly is kept between them.
+    std::function<void(QPainter& painter, const QRectF& area, const PlotAxis& x, const PlotAxis& y)> paint;
+    /// Beside the title, in place of a legend, at the right of `room`; the width that it takes.
+    std::function<double(QPainter& painter, const QRectF& room, const QFont& font, const PlotTheme& theme)> paintKey;
+    /// Its numbers as comma-separated values.
+    std::function<void(QIODevice& device)> writeData;
 };
 
 /// The visible ranges of a plot; without a range the axis follows the data.

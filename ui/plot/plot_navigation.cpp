@@ -10,7 +10,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "ui/plot/cursor_peak.h"
+#include "ui/plot/cursor_place.h"
 
 namespace touchdown {
 
@@ -174,11 +174,13 @@ void PlotNavigation::click(const QMouseEvent& event)
 {
     cursorBefore_ = plot_.plotCursor(0);
     pinnedBefore_ = plot_.cursorPinned();
-    if (plot_.isPhasePortrait() || !plot_.plotArea().contains(event.position())) return;
-    const double x = cursorAt(event);
+    if (!plot_.plotArea().contains(event.position())) return;
+    const std::optional<double> at =
+        plot_.isPhasePortrait() ? phaseTimeNear(plot_, event.position()) : std::optional(cursorAt(event));
+    if (!at) return;
     const bool second = event.modifiers().testFlag(Qt::ShiftModifier);
     if (!second) plot_.userPin(true);
-    plot_.userCursor(second ? 1 : 0, x);
+    plot_.userCursor(second ? 1 : 0, at);
 }
 
 void PlotNavigation::zoomToBox(const QPointF& from, const QPointF& to)

@@ -21,6 +21,12 @@ PlotAxis namedAxis(PlotAxis axis, const QString& plotTitle)
     return axis;
 }
 
+std::vector<PlotCurve> printedOn(const PaperSheet& sheet, const std::vector<PlotCurve>& curves)
+{
+    std::vector<PaperStyle> styles = sheet.styles;
+    return paperCurves(curves, sheet.colours, styles);
+}
+
 } // namespace
 
 PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
@@ -41,7 +47,7 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
       theme_(theme),
       paper_(true),
       width_(sheet.size.width()),
-      printed_(paperCurves(plot.curves(), sheet.colours)),
+      printed_(printedOn(sheet, plot.curves())),
       curves_(printed_),
       x_(plot.xAxis()),
       y_(namedAxis(plot.yAxis(), plot.title())),
@@ -245,56 +251,6 @@ void PlotPainter::paintShadedAreas(QPainter& painter) const
     painter.restore();
 }
 
-bool PlotPainter::isSeen(const ReferenceLine& line) const
-{
-    return (line.upright ? x_ : y_).range().contains(line.value);
-}
-
-void PlotPainter::paintReferenceLines(QPainter& painter) const
-{
-    QPen pen(theme_.referenceLine, 1.0);
-    pen.setDashPattern({4.0, 4.0});
-    painter.setPen(pen);
-    for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (!isSeen(line)) continue;
-        const double y = alignedPixel(frame_.up(y_.position(line.value)));
-        const double x = alignedPixel(frame_.across(x_.position(line.value)));
-        if (line.upright)
-            painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
-        else
-            painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
-    }
-}
-
-void PlotPainter::paintReferenceLabels(QPainter& painter) const
-{
-    painter.setFont(frame_.numberFont);
-    const QFontMetricsF metrics(frame_.numberFont);
-    std::vector<QRectF> taken;
-    for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (line.label.isEmpty() || !isSeen(line)) continue;
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(line.label) + 4.0, metrics.height());
-        if (line.upright) {
-            // Beside its line at the bottom, where no peak has its label, above the labels of its neighbours.
-            const double x = frame_.across(x_.position(line.value));
-            box.moveBottomLeft({x + 3.0, area_.bottom() - 2.0});
-            if (box.right() > area_.right()) box.moveRight(x - 3.0);
-            for (const QRectF& other : taken)
-                if (box.intersects(other)) box.moveBottom(other.top() - 1.0);
-            if (box.top() < area_.top()) continue;
-        } else {
-            const double y = frame_.up(y_.position(line.value));
-            box.moveBottomRight({area_.right() - 4.0, y - 1.0});
-            if (box.top() < area_.top()) box.moveTop(y + 2.0);
-            for (const QRectF& other : taken)
-                if (box.intersects(other)) box.moveRight(other.left() - PlotFrame::gap);
-            if (box.left() < area_.left()) continue;
-        }
-        taken.push_back(box);
-        paintLabel(painter, box, line.label, theme_.mutedText);
-    }
-}
-
 void PlotPainter::paintEventMarks(QPainter& painter) const
 {
     painter.setPen(QPen(theme_.referenceLine, 1.0));
@@ -310,20 +266,12 @@ void PlotPainter::paintEventMarks(QPainter& painter) const
 
 void PlotPainter::paintArrows(QPainter& painter) const
 {
-    painter.setPen(Qt::NoPen);
     const std::vector<std::vector<QPointF>>& drawn = plot_.phasePaths(); // on the screen
     for (std::size_t i = 0; i < curves_.size(); ++i) {
         const PlotCurve& curve = curves_[i];
         if (!curve.arrows || curve.pale || curve.xData == nullptr || (!paper_ && i >= drawn.size())) continue;
-        painter.setBrush(theme_.colour(curve.style));
-        for (const PathArrow& arrow : pathArrows(paper_ ? pathOf(curve) : drawn[i], area_.size())) {
-            const QPointF along(arrow.along.x(), -arrow.along.y());
-            const QPointF side(-along.y(), along.x());
-            const QPointF tip = QPointF(frame_.across(arrow.tip.x()), frame_.up(arrow.tip.y())) + 4.5 * along;
-            painter.drawPolygon(QPolygonF({tip, tip - 9.0 * along + 4.0 * side, tip - 9.0 * along - 4.0 * side}));
-        }
+        drawArrows(painter, paper_ ? pathOf(curve) : drawn[i], area_, theme_.colour(curve.style));
     }
-    painter.setBrush(Qt::NoBrush);
 }
 
 void PlotPainter::paintDots(QPainter& painter) const
@@ -341,54 +289,6 @@ void PlotPainter::paintDots(QPainter& painter) const
         }
     }
     painter.setBrush(Qt::NoBrush);
-}
-
-void PlotPainter::paintPointMarks(QPainter& painter) const
-{
-    struct Placed {
-        const PointMark* mark;
-        QPointF tip;
-    };
-    std::vector<Placed> placed;
-    std::vector<QRectF> taken;
-    painter.setPen(Qt::NoPen);
-    for (const PointMark& mark : plot_.pointMarks()) {
-        const QPointF at(frame_.across(x_.position(mark.x)), frame_.up(y_.position(mark.y)));
-        if (!area_.contains(at)) continue;
-        const QPointF tip = at - QPointF(0.0, 3.0);
-        painter.setBrush(theme_.colour(mark.style));
-        painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
-        placed.push_back({&mark, tip});
-        taken.emplace_back(tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0));
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setFont(frame_.numberFont);
-    const QFontMetricsF metrics(frame_.numberFont);
-    for (const auto& [mark, tip] : placed) {
-        const QSizeF size(metrics.horizontalAdvance(mark->label) + 4.0, metrics.height());
-        // The highest point may have no room above it: its label stands beside it, below the plot's upper edge.
-        const double beside = std::max(tip.y() - size.height(), area_.top());
-        const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
-                                   {tip.x() + 6.0, beside},
-                                   {tip.x() - 6.0 - size.width(), beside}};
-        for (const QPointF& corner : corners) {
-            const QRectF box(corner, size);
-            const auto meets = [&](const QRectF& other) { return other.intersects(box); };
-            if (!area_.contains(box) || std::ranges::any_of(taken, meets)) continue;
-            taken.push_back(box);
-            paintLabel(painter, box, mark->label, theme_.text);
-            break; // without room anywhere the marker stands alone
-        }
-    }
-}
-
-void PlotPainter::paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const
-{
-    QColor paper = theme_.plotArea;
-    paper.setAlphaF(0.75F);
-    painter.fillRect(box, paper);
-    painter.setPen(colour);
-    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace touchdown

@@ -3,6 +3,9 @@
 // Everything of a plot but its curves: paper, grid, axes, legend, marks, cursors. The same on the screen and on paper.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "ui/plot/paper_curves.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/plot/plot_legend.h"
@@ -15,6 +18,7 @@ struct PaperSheet {
     QSizeF size; // [px]
     QFont font;  // its size in pixels
     PaperColours colours = PaperColours::Coloured;
+    std::vector<PaperStyle> styles = {}; // of the figure
 };
 
 class PlotPainter {
@@ -46,6 +50,8 @@ private:
     bool isSeen(const ReferenceLine& line) const;
     void paintReferenceLines(QPainter& painter) const;
     void paintReferenceLabels(QPainter& painter) const;
+    std::optional<QRectF> placeOfLabel(const QSizeF& size, double y, const std::vector<QRectF>& taken) const;
+    bool isCrossed(const QRectF& box) const;
     void paintEventMarks(QPainter& painter) const;
     void paintArrows(QPainter& painter) const;
     void paintDots(QPainter& painter) const;

@@ -310,6 +310,20 @@ void drawPath(QPainter& painter, const std::vector<QPointF>& path, const QRectF&
     }
 }
 
+void drawArrows(QPainter& painter, const std::vector<QPointF>& path, const QRectF& area, const QColor& colour)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    for (const PathArrow& arrow : pathArrows(path, area.size())) {
+        const QPointF along(arrow.along.x(), -arrow.along.y());
+        const QPointF side(-along.y(), along.x());
+        const QPointF tip(area.left() + arrow.tip.x() * area.width() + 4.5 * along.x(),
+                          area.bottom() - arrow.tip.y() * area.height() + 4.5 * along.y());
+        painter.drawPolygon(QPolygonF({tip, tip - 9.0 * along + 4.0 * side, tip - 9.0 * along - 4.0 * side}));
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels)
 {
     double length = 0.0;

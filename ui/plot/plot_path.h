@@ -61,6 +61,9 @@ std::vector<QPointF> withoutStraightPoints(const std::vector<QPointF>& path, con
 /// The parts of `path` inside `area` [px].
 void drawPath(QPainter& painter, const std::vector<QPointF>& path, const QRectF& area);
 
+/// Heads of arrows in the middle of `path`, where pathArrows() has them.
+void drawArrows(QPainter& painter, const std::vector<QPointF>& path, const QRectF& area, const QColor& colour);
+
 /// The length of a line without its gaps [px].
 double pathLength(const std::vector<QPointF>& path, const QSizeF& pixels);
 

@@ -23,7 +23,11 @@ constexpr int laterRefresh = 50; // [ms]
 
 } // namespace
 
-PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent), theme_(plotTheme(palette())), canvas_(new PlotCanvas(this))
+PlotWidget::PlotWidget(QWidget* parent)
+    : QWidget(parent),
+      theme_(plotTheme(palette())),
+      phasePicture_(*this, [this] { canvas_->repaintAll(); }),
+      canvas_(new PlotCanvas(this))
 {
     setXLabel({tr("Time"), QStringLiteral("s"), 1.0, AxisScale::Linear});
     setFocusPolicy(Qt::StrongFocus);
@@ -93,6 +97,7 @@ void PlotWidget::clearCurves()
 {
     curves_.clear();
     stillPicture_.forget();
+    phasePicture_.forget();
     dataChanged();
 }
 
@@ -171,6 +176,25 @@ void PlotWidget::refreshNow()
     stale_ = false;
     waits_ = false;
     refreshRanges();
+    if (PhasePicture::isFor(*this)) {
+        stillPicture_.forget();
+        phasePaths_.clear();
+        canvas_->setLines({});
+        phasePicture_.update();
+    } else {
+        phasePicture_.forget();
+        refreshLines();
+    }
+    canvas_->repaintAll();
+    ++refreshes_;
+    refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());
+    if (!waits_) return;
+    stillPicture_.expire();
+    refreshWithin(laterRefresh);
+}
+
+void PlotWidget::refreshLines()
+{
     stillPicture_.update(*this);
     phasePaths_.clear();
     if (isPhasePortrait()) phasePaths_.resize(curves_.size());
@@ -184,12 +208,6 @@ void PlotWidget::refreshNow()
             if (curve.xData != nullptr) phasePaths_[i] = lines.back().path;
         }
     canvas_->setLines(lines);
-    canvas_->repaintAll();
-    ++refreshes_;
-    refreshSeconds_ = 1e-9 * static_cast<double>(clock.nsecsElapsed());
-    if (!waits_) return;
-    stillPicture_.expire();
-    refreshWithin(laterRefresh);
 }
 
 bool PlotWidget::isPhasePortrait() const
@@ -315,10 +333,15 @@ double PlotWidget::heightOnPaper(double width, const QFont& font) const
 
 void PlotWidget::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
 {
+    paintOnSheet(painter, {size, font, colours});
+}
+
+void PlotWidget::paintOnSheet(QPainter& painter, const PaperSheet& sheet)
+{
     if (stale_) refreshNow();
-    const PlotTheme theme = paperTheme(colours);
-    painter.fillRect(QRectF(QPointF(), size), theme.background);
-    const PlotPainter plot(*this, theme, {size, font, colours});
+    const PlotTheme theme = paperTheme(sheet.colours);
+    painter.fillRect(QRectF(QPointF(), sheet.size), theme.background);
+    const PlotPainter plot(*this, theme, sheet);
     plot.paintBehind(painter);
     plot.paintCurves(painter);
     plot.paintAbove(painter);

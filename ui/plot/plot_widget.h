@@ -10,17 +10,17 @@
 // Mouse: wheel zooms x about the pointer, Ctrl + wheel (or over the numbers of y) zooms y, Shift + wheel zooms both;
 // a phase portrait always zooms both. Left drag zooms to the box, a flat box in one direction only. Middle or right
 // drag moves. Double click fits. Cursor 1 follows the pointer until a click pins it; Shift + click sets cursor 2;
-// Escape takes both away. In a plot over frequency both go to the nearest peak, unless Ctrl is held. Right click: menu.
-// Keys: arrows move, + and - zoom x, Ctrl with + and - zoom y, Home fits, Backspace or Alt + Left and Alt + Right
-// walk through the zoom history, Shift + Left and Shift + Right move cursor 1 by a pixel, L switches y between linear
-// and logarithmic.
+// Escape takes both away. In a phase portrait a click sets them to the time of the nearest point. In a plot over
+// frequency both go to the nearest peak, unless Ctrl is held. Right click: menu. Keys: arrows move, + and - zoom x,
+// Ctrl with + and - zoom y, Home fits, Backspace or Alt + Left and Alt + Right walk through the zoom history, Shift +
+// Left and Shift + Right move cursor 1 by a pixel, L switches y between linear and logarithmic.
 //
 // A plot does not keep the zoom history: the PlotGroup does (a lone plot gets a group of its own).
 #pragma once
 
 #include "ui/plot/curve_picture.h"
+#include "ui/plot/phase_picture.h"
 #include "ui/plot/plot_axis.h"
-#include "ui/plot/plot_backdrop.h"
 #include "ui/plot/plot_curve.h"
 #include "ui/plot/plot_export.h"
 
@@ -34,6 +34,7 @@
 namespace touchdown {
 
 class PlotCanvas;
+struct PaperSheet;
 
 class PlotWidget : public QWidget, public PagePart {
     Q_OBJECT
@@ -70,6 +71,8 @@ public:
     bool hasPaleCurves() const;
     /// The pale curves that stand still, as they were drawn last.
     const CurvePicture& stillPicture() const { return stillPicture_; }
+    /// All curves of a phase portrait of many samples.
+    const PhasePicture& phasePicture() const { return phasePicture_; }
 
     void setReferenceLines(std::vector<ReferenceLine> lines);
     void setEventMarks(std::vector<EventMark> marks);
@@ -115,7 +118,7 @@ public:
     /// A pinned cursor 1 does not follow the pointer. Emits nothing.
     void setCursorPinned(bool pinned) { cursorPinned_ = pinned; }
     bool cursorPinned() const { return cursorPinned_; }
-    /// A cursor that the mouse sets goes to the nearest peak (ui/plot/cursor_peak.h), unless Ctrl is held.
+    /// A cursor that the mouse sets goes to the nearest peak (ui/plot/cursor_place.h), unless Ctrl is held.
     void setCursorsSnap(bool snap) { cursorsSnap_ = snap; }
     bool cursorsSnap() const { return cursorsSnap_; }
 
@@ -128,6 +131,8 @@ public:
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
     double heightOnPaper(double width, const QFont& font) const override;
     void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
+    /// With the styles that curves have in the whole figure.
+    void paintOnSheet(QPainter& painter, const PaperSheet& sheet);
     std::function<void(QIODevice&)> dataWriter() const override;
     /// The visible curves as drawn, in the same order as curves(), in parts of the plot area (0 to 1, y upwards).
     std::vector<std::vector<QPointF>> curvePaths() const;
@@ -136,7 +141,7 @@ public:
     std::vector<QPointF> curvePath(const PlotCurve& curve, const QSizeF& size, bool* waits = nullptr) const;
     /// The same for the screen, with fewer points.
     std::vector<QPointF> drawnPath(const PlotCurve& curve) const;
-    /// Those of a phase portrait as they were drawn last, without those of the picture of still curves.
+    /// Those of a phase portrait as they were drawn last, without those of pictures of curves.
     const std::vector<std::vector<QPointF>>& phasePaths() const { return phasePaths_; }
     const PlotTheme& theme() const { return theme_; }
 
@@ -165,6 +170,7 @@ private:
     friend class PlotNavigation;
 
     void refreshWithin(int milliseconds);
+    void refreshLines();
     void refreshRanges();
     void userView(const PlotView& view, Gesture gesture);
     void userCursor(int which, std::optional<double> x);
@@ -186,6 +192,7 @@ private:
     std::vector<PlotCurve> curves_;
     std::vector<std::vector<QPointF>> phasePaths_;
     CurvePicture stillPicture_;
+    PhasePicture phasePicture_;
     QString hovered_; // id of the curve whose entry of the legend is under the pointer
     std::vector<ReferenceLine> referenceLines_;
     std::vector<EventMark> eventMarks_;

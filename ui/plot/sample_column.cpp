@@ -38,6 +38,14 @@ void SampleColumn::resizeLast(std::size_t room)
     piece = {numbers, room};
 }
 
+SampleColumn SampleColumn::twin() const
+{
+    SampleColumn same;
+    for (const Piece& piece : pieces_) same.pieces_.push_back({piece.numbers, 0});
+    same.size_ = size_;
+    return same;
+}
+
 void SampleColumn::shrink()
 {
     const std::size_t used = (size_ - 1) % pieceSize + 1;

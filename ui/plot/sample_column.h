@@ -29,6 +29,9 @@ public:
     double operator[](std::size_t index) const { return pieces_[index / pieceSize].numbers[index % pieceSize]; }
     /// Not after the last piece has moved to the disk.
     void push_back(double number);
+    /// The same numbers for another thread: they stay as they are whatever happens here. To be read only; takes no
+    /// memory of its own.
+    SampleColumn twin() const;
     /// Nothing more arrives: gives back the memory that was for more.
     void shrink();
 

@@ -8,6 +8,14 @@ SampleTimes::SampleTimes(const SampleTimes& other, std::size_t count)
     for (std::size_t i = 0; i < count; ++i) push_back(other[i]);
 }
 
+std::shared_ptr<SampleTimes> SampleTimes::twin() const
+{
+    auto same = std::make_shared<SampleTimes>();
+    same->column_ = column_.twin();
+    same->starts_ = starts_;
+    return same;
+}
+
 void SampleTimes::push_back(double time)
 {
     if (column_.size() % blockSize == 0) starts_.push_back(time);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "ui/plot/sample_column.h"
@@ -19,6 +20,9 @@ public:
     SampleTimes() = default;
     /// The first `count` times of another axis.
     SampleTimes(const SampleTimes& other, std::size_t count);
+
+    /// See SampleColumn::twin().
+    std::shared_ptr<SampleTimes> twin() const;
 
     std::size_t size() const { return column_.size(); }
     /// The start of a block never waits for the disk.

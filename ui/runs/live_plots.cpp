@@ -2,7 +2,6 @@
 #include "ui/runs/live_plots.h"
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 #include <QRegularExpression>
@@ -31,21 +30,6 @@ QString curveId(const RunRecord& run, const std::string& quantity)
     return QStringLiteral("run %1/%2").arg(run.number).arg(QString::fromStdString(quantity));
 }
 
-/// `run` minus `baseline` at the samples of `run`, where both are known.
-std::unique_ptr<MinMaxPyramid> difference(const MinMaxPyramid& run, const MinMaxPyramid& baseline)
-{
-    std::vector<double> times, values;
-    for (std::size_t k = 0; k < run.size(); ++k) {
-        const std::optional<double> other = baseline.valueAt(run.time(k));
-        if (!other) continue;
-        times.push_back(run.time(k));
-        values.push_back(run.value(k) - *other);
-    }
-    auto made = std::make_unique<MinMaxPyramid>(run.times());
-    made->append(times, values);
-    return made;
-}
-
 } // namespace
 
 LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
@@ -56,6 +40,7 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
       overTime_(new QVBoxLayout),
       portraits_(new QVBoxLayout),
       specs_(standardPlots()),
+      differences_(new RunDifferences(runs_, this)),
       hint_(new DropHint(this))
 {
     columns_->setContentsMargins(0, 0, 0, 0);
@@ -79,12 +64,16 @@ LivePlots::LivePlots(RunsModel& runs, QWidget* parent)
     connect(&runs_, &RunsModel::namesChanged, this, &LivePlots::rebuild);
     connect(&runs_, &RunsModel::baselineChanged, this, [this] {
         noteHiddenCurves();
-        for (const Entry& entry : entries_) entry.plot->clearCurves();
-        differences_.clear();
-        for (std::size_t s = 0; s < specs_.size(); ++s) labelAxes(s);
+        for (std::size_t s = 0; s < specs_.size(); ++s) // a curve against another quantity stays as it is
+            if (!specs_[s].across) entries_[s].plot->clearCurves();
+        differences_->clear();
         rebuild();
         group_->fit();
         group_->followNewest();
+    });
+    connect(differences_, &RunDifferences::made, this, [this] {
+        rebuild();
+        emit differencesMade();
     });
 }
 
@@ -100,8 +89,17 @@ void LivePlots::makePlot(std::size_t s)
     connect(plot, &PlotWidget::legendHovered, this, &LivePlots::raise);
     wanted->setCheckable(true);
     connect(wanted, &QAction::triggered, this, [this, name = spec.name](bool on) { chosen_[{model_, name}] = on; });
-    connect(wanted, &QAction::toggled, this, &LivePlots::updateVisibility);
+    connect(wanted, &QAction::toggled, this, [this] {
+        updateVisibility();
+        if (runs_.baseline() >= 0) rebuild(); // its differences
+    });
     addMenus(spec.name);
+}
+
+void LivePlots::labelPlots()
+{
+    nameApart(specs_);
+    for (std::size_t s = 0; s < specs_.size(); ++s) labelAxes(s);
 }
 
 /// What the plot and its axes are called.
@@ -111,21 +109,31 @@ void LivePlots::labelAxes(std::size_t s)
     PlotWidget* plot = entries_[s].plot;
     entries_[s].title = spec.title;
     entries_[s].wanted->setText(spec.title);
-    const bool subtracted = runs_.baseline() >= 0 && !spec.across;
-    if (!spec.spectrogram)
-        plot->setTitle(subtracted ? tr("%1 minus run %2").arg(spec.title).arg(runs_.baseline()) : spec.title);
+    updateTitle(s);
     if (spec.across) {
         const Quantity& across = *spec.across;
-        plot->setAccessibleName(tr("Plot: %1").arg(spec.title));
         plot->setXLabel({QString::fromStdString(across.longName), unitText(across.displayUnit),
                          unitFactor(across.displayUnit), AxisScale::Linear});
     } else {
-        plot->setAccessibleName(tr("Plot of %1 over time").arg(spec.title));
         plot->setXLabel({tr("Time"), QStringLiteral("ms"), unitFactor("ms"), AxisScale::Linear});
     }
     // Over time the title says what stands up. A spectrogram names itself.
     const QString up = spec.across && spec.curves.size() == 1 ? spec.curves.front().name : QString();
     if (!spec.spectrogram) plot->setYLabel({up, unitText(spec.unit), unitFactor(spec.unit), spec.scale});
+}
+
+/// A spectrogram has a title of its own.
+void LivePlots::updateTitle(std::size_t s)
+{
+    const PlotSpec& spec = specs_[s];
+    PlotWidget* plot = entries_[s].plot;
+    QString title = spec.title;
+    if (runs_.baseline() >= 0 && !spec.across) {
+        title = tr("%1 minus run %2").arg(title).arg(runs_.baseline());
+        if (isBeingMade(s)) title = tr("%1: being computed").arg(title);
+    }
+    if (!spec.spectrogram && plot->title() != title) plot->setTitle(title);
+    plot->setAccessibleName(spec.across ? tr("Plot: %1").arg(title) : tr("Plot of %1 over time").arg(title));
 }
 
 /// In the column of its kind. The forces of a pad are its first plot, above those over time.
@@ -196,7 +204,7 @@ void LivePlots::dataArrived(int number)
 void LivePlots::runFinished(int number)
 {
     spectrogram_->update();
-    if ((runs_.baseline() >= 0 && runs_.baseline() != number) || number != leader_) rebuild();
+    if (runs_.baseline() >= 0 || number != leader_) rebuild();
     updateMarks();
     group_->dataChanged();
 }
@@ -210,7 +218,6 @@ void LivePlots::removeRun(int number)
             if (curve.id.startsWith(prefix)) gone << curve.id;
         for (const QString& id : gone) entry.plot->removeCurve(id);
     }
-    std::erase_if(differences_, [&prefix](const auto& item) { return item.first.startsWith(prefix); });
     updateMarks();
     emit curvesChanged();
     group_->dataChanged();
@@ -225,11 +232,12 @@ void LivePlots::rebuild()
     drawn_.clear();
     for (int row = 0; row < runs_.count(); ++row)
         if (runs_.record(row).shown) drawn_.insert(runs_.record(row).number);
-    for (std::size_t s = 0; s < specs_.size(); ++s) entries_[s].plot->setCurves(curvesOf(s));
-    std::erase_if(differences_, [this](const auto& item) {
-        return std::ranges::none_of(
-            drawn_, [&item](int number) { return item.first.startsWith(QStringLiteral("run %1/").arg(number)); });
-    });
+    std::set<RunDifferences::Key> used;
+    for (std::size_t s = 0; s < specs_.size(); ++s) {
+        entries_[s].plot->setCurves(curvesOf(s, used));
+        updateTitle(s);
+    }
+    differences_->keepOnly(used);
     updateMarks();
     updateVisibility();
     spectrogram_->setQuantity(spec(QStringLiteral("spectrogram")).curves.front().quantity);
@@ -239,17 +247,24 @@ void LivePlots::rebuild()
     group_->dataChanged();
 }
 
-std::vector<PlotCurve> LivePlots::curvesOf(std::size_t s)
+/// `used`: receives the differences that are shown.
+std::vector<PlotCurve> LivePlots::curvesOf(std::size_t s, std::set<RunDifferences::Key>& used)
 {
     const PlotSpec& spec = specs_[s];
     std::vector<PlotCurve> curves;
     if (spec.spectrogram) return curves;
+    const bool subtracted = runs_.baseline() >= 0 && !spec.across; // a curve against another quantity has no difference
+    if (subtracted && !isShown(s)) return curves;
     for (int row = 0; row < runs_.count(); ++row) {
         const RunRecord& run = runs_.record(row);
         for (std::size_t i = 0; i < spec.curves.size(); ++i) {
-            // A curve against another quantity has no difference to a baseline.
             const std::string& quantity = spec.curves[i].quantity;
-            const MinMaxPyramid* up = spec.across ? run.pyramid(quantity) : dataFor(run, quantity);
+            const MinMaxPyramid* up = run.pyramid(quantity);
+            if (subtracted && !run.shown) continue;
+            if (subtracted) {
+                up = differences_->of(run, quantity);
+                used.insert({run.number, quantity});
+            }
             const MinMaxPyramid* across = spec.across ? run.pyramid(spec.across->name) : nullptr;
             if (!up || (spec.across && !across)) continue;
             curves.push_back(curveOf(run, s, i));
@@ -299,44 +314,45 @@ void LivePlots::noteHiddenCurves()
     }
 }
 
-/// The pyramid to draw: the run's own, or its difference to the baseline; nullptr for nothing.
-const MinMaxPyramid* LivePlots::dataFor(const RunRecord& run, const std::string& quantity)
+/// Whether a difference that the plot shows is not there yet.
+bool LivePlots::isBeingMade(std::size_t s) const
 {
-    const MinMaxPyramid* own = run.pyramid(quantity);
-    const RunRecord* baseline = runs_.find(runs_.baseline());
-    if (!own || !baseline) return own;
-    if (baseline == &run) return nullptr;
-    const MinMaxPyramid* other = baseline->pyramid(quantity);
-    if (!other || !run.finished() || !run.shown) return nullptr;
-    std::unique_ptr<MinMaxPyramid>& made = differences_[curveId(run, quantity)];
-    if (!made) made = difference(*own, *other);
-    return made.get();
+    return isShown(s) && std::ranges::any_of(specs_[s].curves, [this](const PlotSpec::Curve& curve) {
+               return std::ranges::any_of(drawn_,
+                                          [&](int number) { return differences_->isBegun(number, curve.quantity); });
+           });
 }
 
 void LivePlots::setStage(const std::optional<QStringList>& names)
 {
     stage_ = names;
     updateVisibility();
+    if (runs_.baseline() >= 0) rebuild();
 }
 
-void LivePlots::updateVisibility()
+/// Whether a plot is wanted, and a shown run has its quantities. Before the first run, the plots of the quantities that
+/// the case will record are shown.
+bool LivePlots::isShown(std::size_t s) const
 {
-    const bool anyShown = runs_.newestShown() != nullptr;
-    // Before the first run, the plots of the quantities that the case will record are shown.
-    const auto isRecorded = [&](const std::string& quantity) {
-        if (!anyShown) return findQuantity(ready_, quantity) >= 0;
+    const auto isRecorded = [this](const std::string& quantity) {
+        if (!runs_.newestShown()) return findQuantity(ready_, quantity) >= 0;
         for (int row = 0; row < runs_.count(); ++row)
             if (runs_.record(row).shown && runs_.record(row).pyramid(quantity)) return true;
         return false;
     };
+    const PlotSpec& spec = specs_[s];
+    const bool wanted = stage_ ? stage_->contains(entries_[s].name) : entries_[s].wanted->isChecked();
+    return wanted && (!spec.across || isRecorded(spec.across->name)) &&
+           std::ranges::any_of(spec.curves, isRecorded, &PlotSpec::Curve::quantity);
+}
+
+void LivePlots::updateVisibility()
+{
     PlotWidget* lowest = nullptr;
     bool beside = false;
     for (std::size_t s = 0; s < entries_.size(); ++s) {
         const PlotSpec& spec = specs_[s];
-        const bool recorded = (!spec.across || isRecorded(spec.across->name)) &&
-                              std::ranges::any_of(spec.curves, isRecorded, &PlotSpec::Curve::quantity);
-        const bool wanted = stage_ ? stage_->contains(entries_[s].name) : entries_[s].wanted->isChecked();
-        const bool visible = recorded && wanted;
+        const bool visible = isShown(s);
         entries_[s].plot->setVisible(visible);
         if (visible && !spec.across) lowest = entries_[s].plot;
         beside = beside || (visible && portraits_->indexOf(entries_[s].plot) >= 0);

@@ -7,7 +7,7 @@
 // One run speaks, the others whisper: the newest run, or the one under the pointer in a legend or in the list, is wide
 // and above the others, which are thin and pale. The automatic ranges are those of the newest run. A plot with one
 // quantity distinguishes runs by colour, a plot with several distinguishes quantities by colour. With a baseline, every
-// other run is shown as its difference from it.
+// other run is shown as its difference from it, which is made on another thread (ui/runs/run_differences.h).
 #pragma once
 
 #include <QAction>
@@ -20,7 +20,6 @@
 #include <QWidget>
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -29,6 +28,7 @@
 #include "core/case/case.h"
 #include "ui/plot/plot_curve.h"
 #include "ui/runs/plot_spec.h"
+#include "ui/runs/run_differences.h"
 
 namespace touchdown {
 
@@ -87,6 +87,8 @@ public:
     void restore(const QJsonObject& arrangement);
 
 signals:
+    /// Differences to the baseline have been made: they take memory.
+    void differencesMade();
     /// Curves were added or removed.
     void curvesChanged();
     /// There are more or fewer plots().
@@ -114,6 +116,8 @@ private:
 
     void makePlot(std::size_t spec);
     void placePlot(std::size_t spec);
+    void updateTitle(std::size_t spec);
+    void labelPlots();
     void labelAxes(std::size_t spec);
     void addMenus(const QString& plot);
     void addSpectrogramMenus();
@@ -121,11 +125,12 @@ private:
 
     void removeRun(int number);
     void rebuild();
-    std::vector<PlotCurve> curvesOf(std::size_t spec);
+    std::vector<PlotCurve> curvesOf(std::size_t spec, std::set<RunDifferences::Key>& used);
     PlotCurve curveOf(const RunRecord& run, std::size_t spec, std::size_t curve) const;
     void raise(const QString& curve);
     void noteHiddenCurves();
-    const MinMaxPyramid* dataFor(const RunRecord& run, const std::string& quantity);
+    bool isBeingMade(std::size_t spec) const;
+    bool isShown(std::size_t spec) const;
     void updateMarks();
     std::vector<PointMark> eventPoints(const RunRecord& run) const;
     void updateWanted();
@@ -136,13 +141,13 @@ private:
     QHBoxLayout* columns_;
     QVBoxLayout *overTime_, *portraits_; // side by side
     std::vector<PlotSpec> specs_;
-    ModelKind model_ = ModelKind::Springs;                          // of the case
-    bool rollIsHeld_ = true;                                        // in it
-    std::vector<Quantity> ready_;                                   // that the case would record
-    std::map<std::pair<ModelKind, QString>, bool> chosen_;          // whether a plot is wanted, as the user said
-    std::optional<QStringList> stage_;                              // the plots shown instead
-    std::vector<Entry> entries_;                                    // one for each of `specs_`
-    std::map<QString, std::unique_ptr<MinMaxPyramid>> differences_; // by id of the curve
+    ModelKind model_ = ModelKind::Springs;                 // of the case
+    bool rollIsHeld_ = true;                               // in it
+    std::vector<Quantity> ready_;                          // that the case would record
+    std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said
+    std::optional<QStringList> stage_;                     // the plots shown instead
+    std::vector<Entry> entries_;                           // one for each of `specs_`
+    RunDifferences* differences_;
     int speaker_ = -1;                   // number of the run that was wide when curves were last made
     int leader_ = -1;                    // of the newest one shown
     std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made

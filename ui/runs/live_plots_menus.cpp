@@ -58,7 +58,7 @@ void LivePlots::setAxes(const QString& name, const std::optional<Quantity>& acro
     entries_[s].plot->clearCurves();
     if (up) specs_[s].setUp(*up);
     specs_[s].setAcross(across);
-    labelAxes(s);
+    labelPlots();
     placePlot(s);
     rebuild();
     group_->forgetHistory(); // its steps are of other axes
@@ -71,6 +71,7 @@ QString LivePlots::addPlot(const Quantity& up)
     while (std::ranges::find(entries_, name(), &Entry::name) != entries_.end()) ++number;
     specs_.push_back(ownPlot(name(), up, std::nullopt));
     makePlot(specs_.size() - 1);
+    labelPlots();
     updateWanted();
     rebuild();
     emit plotsChanged();
@@ -89,6 +90,7 @@ void LivePlots::removePlot(const QString& own)
     entries_[s].wanted->deleteLater();
     entries_.erase(entries_.begin() + place);
     specs_.erase(specs_.begin() + place);
+    labelPlots();
     std::erase_if(chosen_, [&own](const auto& item) { return item.first.second == own; });
     std::erase_if(wanted_,
                   [prefix = own.toStdString() + '/'](const auto& item) { return item.first.starts_with(prefix); });
@@ -105,7 +107,7 @@ QString LivePlots::addCurve(const QString& name, const Quantity& quantity)
     if (!refusal.isEmpty()) return refusal;
     noteHiddenCurves();
     specs_[s].add(quantity);
-    labelAxes(s);
+    labelPlots();
     rebuild();
     return {};
 }
@@ -115,7 +117,7 @@ void LivePlots::removeCurve(const QString& name, const std::string& quantity)
     const std::size_t s = indexOf(name);
     noteHiddenCurves();
     specs_[s].remove(quantity);
-    labelAxes(s);
+    labelPlots();
     rebuild();
 }
 
@@ -188,13 +190,13 @@ void LivePlots::restore(const QJsonObject& arrangement)
     for (std::size_t s = 0; s < specs.size(); ++s) {
         if (s < specs_.size()) {
             specs_[s] = specs[s];
-            labelAxes(s);
             placePlot(s);
         } else {
             specs_.push_back(specs[s]);
             makePlot(s);
         }
     }
+    labelPlots();
     for (const QJsonValue& each : arrangement[QStringLiteral("chosen")].toArray()) {
         const int model = each[QStringLiteral("model")].toInt(-1);
         if (model >= 0 && model <= static_cast<int>(ModelKind::Contact))

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include <QElapsedTimer>
 #include <QEvent>
 #include <QImage>
 #include <QTextStream>
@@ -22,23 +23,27 @@ namespace touchdown {
 
 namespace {
 
-constexpr double megahertz = 1e6;                         // [Hz]
-constexpr double finestPixels = 3.0;                      // of a picture for a pixel of the screen
-constexpr int refreshEach = 250;                          // [ms] while a run goes
-constexpr double standsOut = 60.0;                        // below the largest density [dB]
-constexpr double keyLength = 90.0;                        // of the colour bar [px]
-constexpr std::size_t mostSamples = std::size_t(1) << 21; // above, the window would wait: some 60 ms
-constexpr std::size_t windowsOfRun = 32;                  // of the default length, without their overlap
+constexpr double megahertz = 1e6;        // [Hz]
+constexpr double finestPixels = 3.0;     // of a picture for a pixel of the screen
+constexpr int refreshEach = 250;         // [ms] while a run goes
+constexpr double standsOut = 60.0;       // below the largest density [dB]
+constexpr double keyLength = 90.0;       // of the colour bar [px]
+constexpr std::size_t windowsOfRun = 32; // of the default length, without their overlap
+constexpr qint64 restShare = 4;          // rest this many times as long as the last computation took
+constexpr std::size_t leastSamples = 8;
 
 double decibels(double power) { return 10.0 * std::log10(power); }
 
+} // namespace
+
 /// Everything that the pictures of one spectrogram need; shared by the functions of the backdrop.
-struct Shown {
+struct LiveSpectrogram::Shown {
     std::shared_ptr<const Spectrogram> data;
     double start = 0.0;   // time of the first sample [s]
     double factor = 1.0;  // of the display unit, squared
     double largest = 0.0; // [dB]
     QString unit;         // "dB re 1 nm²/Hz"
+    double top = 0.0;     // where the automatic range of frequencies ends [Hz]
     // The picture that was painted last.
     QImage image;
     PlotRange x, y;
@@ -49,6 +54,37 @@ struct Shown {
         return start + data->firstCentre + (static_cast<double>(column) - 0.5) * data->step;
     }
 };
+
+namespace {
+
+/// Of the samples of a quantity; on another thread.
+std::shared_ptr<LiveSpectrogram::Shown> shownOf(const MinMaxPyramid& column, std::size_t length, double factor,
+                                                const std::stop_token& stop)
+{
+    const auto read = [&](std::size_t first, std::span<double> to) {
+        for (std::size_t k = 0; k < to.size(); ++k) to[k] = column.value(first + k);
+        return !stop.stop_requested();
+    };
+    // The last sample may come at the end of a run that broke off, at another interval.
+    const double interval = column.time(1) - column.time(0);
+    auto made = std::make_shared<const Spectrogram>(
+        spectrogram(column.size(), read, interval, length, LiveSpectrogram::mostColumns));
+    if (made->empty()) return nullptr;
+    auto shown = std::make_shared<LiveSpectrogram::Shown>();
+    shown->data = made;
+    shown->start = column.firstTime();
+    shown->factor = factor;
+    const double most = *std::ranges::max_element(made->density);
+    shown->largest = most > 0.0 ? decibels(most / factor) : 0.0;
+    shown->scale =
+        ColourScale::linear(ColourMap::Viridis, shown->largest - LiveSpectrogram::shownDecibels, shown->largest);
+    std::size_t last = 1;
+    const double least = most * std::pow(10.0, -0.1 * standsOut);
+    for (std::size_t i = 0; i < made->density.size(); ++i)
+        if (made->density[i] > least) last = std::max(last, i % made->frequency.size());
+    shown->top = made->frequency[std::min(last + last / 8 + 1, made->frequency.size() - 1)];
+    return shown;
+}
 
 /// [first, second) of `count` cells of width `step` from `origin` that meet [low, high].
 std::pair<std::size_t, std::size_t> cellsWithin(double low, double high, double origin, double step, std::size_t count)
@@ -61,7 +97,7 @@ std::pair<std::size_t, std::size_t> cellsWithin(double low, double high, double 
 
 /// The mean density of the columns within each column of pixels, then of the frequencies within each row. The
 /// logarithm comes last.
-void drawImage(Shown& shown, const QSize& pixels, const PlotAxis& x, const PlotAxis& y)
+void drawImage(LiveSpectrogram::Shown& shown, const QSize& pixels, const PlotAxis& x, const PlotAxis& y)
 {
     const Spectrogram& data = *shown.data;
     const std::size_t bins = data.frequency.size();
@@ -70,31 +106,36 @@ void drawImage(Shown& shown, const QSize& pixels, const PlotAxis& x, const PlotA
     shown.image.fill(Qt::transparent);
     shown.x = x.range();
     shown.y = y.range();
-    std::vector<double> mean(bins);
+    std::vector<std::pair<std::size_t, std::size_t>> rows; // the frequencies of each row
+    for (int row = 0; row < pixels.height(); ++row) {
+        const double high = y.valueAt(1.0 - row / static_cast<double>(pixels.height()));
+        const double low = y.valueAt(1.0 - (row + 1) / static_cast<double>(pixels.height()));
+        rows.push_back(cellsWithin(low, high, -0.5 * binWidth, binWidth, high < 0.0 ? 0 : bins));
+    }
+    std::vector<double> sum(bins);
     for (int column = 0; column < pixels.width(); ++column) {
         const double left = x.valueAt(column / static_cast<double>(pixels.width()));
         const double right = x.valueAt((column + 1) / static_cast<double>(pixels.width()));
         const auto [first, end] = cellsWithin(left, right, shown.columnStart(0), data.step, data.columns);
         if (first >= end || right < shown.columnStart(0)) continue;
-        std::ranges::fill(mean, 0.0);
+        std::ranges::fill(sum, 0.0);
         for (std::size_t c = first; c < end; ++c)
-            for (std::size_t k = 0; k < bins; ++k) mean[k] += data.at(c, k) / static_cast<double>(end - first);
+            for (std::size_t k = 0; k < bins; ++k) sum[k] += data.at(c, k);
         for (int row = 0; row < pixels.height(); ++row) {
-            const double high = y.valueAt(1.0 - row / static_cast<double>(pixels.height()));
-            const double low = y.valueAt(1.0 - (row + 1) / static_cast<double>(pixels.height()));
-            const auto [from, to] = cellsWithin(low, high, -0.5 * binWidth, binWidth, bins);
-            if (from >= to || high < 0.0) continue;
+            const auto [from, to] = rows[static_cast<std::size_t>(row)];
+            if (from >= to) continue;
             double power = 0.0;
-            for (std::size_t k = from; k < to; ++k) power += mean[k] / static_cast<double>(to - from);
-            const double shownPower = power / shown.factor;
-            const double value = shownPower > 0.0 ? decibels(shownPower) : shown.scale.low();
-            shown.image.setPixel(column, row, shown.scale.colour(value) | 0xff000000U);
+            for (std::size_t k = from; k < to; ++k) power += sum[k];
+            power /= shown.factor * static_cast<double>((to - from) * (end - first));
+            const double value = power > 0.0 ? decibels(power) : shown.scale.low();
+            reinterpret_cast<QRgb*>(shown.image.scanLine(row))[column] = shown.scale.colour(value) | 0xff000000U;
         }
     }
 }
 
 /// None where the title has no room beside it.
-double paintKeyOf(const Shown& shown, QPainter& painter, const QRectF& room, const QFont& font, const PlotTheme& theme)
+double paintKeyOf(const LiveSpectrogram::Shown& shown, QPainter& painter, const QRectF& room, const QFont& font,
+                  const PlotTheme& theme)
 {
     const QFontMetricsF metrics(font);
     const QString low = typeset(shown.scale.low(), 0), high = typeset(shown.scale.high(), 0);
@@ -115,7 +156,7 @@ double paintKeyOf(const Shown& shown, QPainter& painter, const QRectF& room, con
     return width + 2.0 * gap;
 }
 
-void writeDensities(const Shown& shown, QIODevice& device)
+void writeDensities(const LiveSpectrogram::Shown& shown, QIODevice& device)
 {
     const Spectrogram& data = *shown.data;
     QTextStream out(&device);
@@ -148,12 +189,13 @@ LiveSpectrogram::LiveSpectrogram(RunsModel& runs, PlotWidget& plot, QObject* par
     plot_.installEventFilter(this);
     connect(&timer_, &QTimer::timeout, this, &LiveSpectrogram::updateNow);
     connect(&runs_, &RunsModel::aboutToRemove, this, [this](int number) {
-        if (number != run_) return;
-        run_ = -1;
-        stale_ = true;
+        if (number != source_.run) return;
+        forget();
         update();
     });
 }
+
+LiveSpectrogram::~LiveSpectrogram() { stop_.request_stop(); }
 
 /// What was missed while the plot was hidden.
 bool LiveSpectrogram::eventFilter(QObject* watched, QEvent* event)
@@ -164,91 +206,108 @@ bool LiveSpectrogram::eventFilter(QObject* watched, QEvent* event)
 
 void LiveSpectrogram::setQuantity(const std::string& name)
 {
-    if (name == quantity_) return;
     quantity_ = name;
-    stale_ = true;
     update();
 }
 
 void LiveSpectrogram::setWindow(std::size_t samples)
 {
-    if (samples == window_) return;
     window_ = samples;
-    stale_ = true;
     update();
+}
+
+LiveSpectrogram::Source LiveSpectrogram::wanted() const
+{
+    const RunRecord* run = runs_.newestShown();
+    const MinMaxPyramid* column = run ? run->pyramid(quantity_) : nullptr;
+    return {run ? run->number : -1, quantity_, window_, column ? column->size() : 0};
 }
 
 void LiveSpectrogram::update()
 {
-    if (plot_.isVisible() && !timer_.isActive()) timer_.start(stale_ ? 0 : refreshEach);
+    if (!plot_.isVisible()) return;
+    const Source now = wanted();
+    // While a run goes, the picture follows; another one comes at once.
+    const int rest = now.isMoreOf(source_) ? std::max(refreshEach, static_cast<int>(restShare * took_)) : 0;
+    if (!timer_.isActive() || timer_.remainingTime() > rest) timer_.start(rest);
+}
+
+void LiveSpectrogram::forget()
+{
+    stop_.request_stop();
+    computing_ = false;
+    source_ = {};
+    shown_.reset();
+    plot_.setBackdrop({});
 }
 
 void LiveSpectrogram::updateNow()
 {
     timer_.stop();
-    const RunRecord* run = runs_.newestShown();
-    const int number = run ? run->number : -1;
-    const std::size_t samples = run ? run->sampleCount() : 0;
-    if (!stale_ && number == run_ && samples == samples_) return;
-    stale_ = false;
-    run_ = number;
-    samples_ = samples;
-    show(run);
+    const Source now = wanted();
+    if (now == source_) return;
+    if (now.isMoreOf(source_) && computing_) return; // what comes next asks again
+    if (!now.isMoreOf(source_)) forget();
+    source_ = now;
+    const RunRecord* run = runs_.find(now.run);
+    const MinMaxPyramid* column = run ? run->pyramid(quantity_) : nullptr;
+    if (!column || column->size() < leastSamples) return setTitle(tr("no samples yet"));
+    const std::size_t length = window_ > 0 ? window_ : spectrogramWindow(column->size());
+    if (column->size() < length) return setTitle(tr("none yet, its window has %1 samples").arg(length));
+    if (!shown_) setTitle(tr("being computed"));
+    compute(*column, length);
 }
 
-void LiveSpectrogram::show(const RunRecord* run)
+void LiveSpectrogram::setTitle(const QString& remark)
 {
-    shown_.reset();
+    const RunRecord* run = runs_.find(source_.run);
     const int index = run ? findQuantity(run->quantities, quantity_) : -1;
-    const MinMaxPyramid* column = run ? run->pyramid(quantity_) : nullptr;
     const QString name =
         index < 0 ? QString() : QString::fromStdString(run->quantities[static_cast<std::size_t>(index)].longName);
-    const auto titled = [&](const QString& remark) {
-        plot_.setTitle(name.isEmpty() ? tr("Spectrogram") : tr("Spectrogram (%1): %2").arg(remark, name));
-    };
-    titled(tr("no samples yet"));
-    plot_.setBackdrop({});
-    if (!column || column->size() < 8) return;
-    if (column->size() > mostSamples) {
-        titled(tr("none above %L1 samples").arg(mostSamples));
-        return;
-    }
-    // The last sample may come at the end of a run that broke off, at another interval.
-    std::vector<double> signal;
-    signal.reserve(column->size());
-    for (std::size_t k = 0; k < column->size(); ++k) signal.push_back(column->value(k));
-    const double interval = column->time(1) - column->time(0);
-    const std::size_t length = window_ > 0 ? window_ : spectrogramWindow(signal.size());
-    auto made = std::make_shared<const Spectrogram>(spectrogram(signal, interval, length, mostColumns));
-    if (made->empty()) {
-        titled(tr("none yet, its window has %1 samples").arg(length));
-        return;
-    }
-    shown_ = made;
+    plot_.setTitle(name.isEmpty() ? tr("Spectrogram") : tr("Spectrogram (%1): %2").arg(remark, name));
+}
 
-    const Quantity& quantity = run->quantities[static_cast<std::size_t>(index)];
-    auto picture = std::make_shared<Shown>();
-    picture->data = made;
-    picture->start = column->firstTime();
-    picture->factor = std::pow(unitFactor(quantity.displayUnit), 2);
-    const double most = *std::ranges::max_element(made->density) / picture->factor;
-    picture->largest = most > 0.0 ? decibels(most) : 0.0;
+void LiveSpectrogram::compute(const MinMaxPyramid& column, std::size_t length)
+{
+    struct Result {
+        std::shared_ptr<Shown> shown;
+        qint64 took = 0; // [ms]
+    };
+    const RunRecord& run = *runs_.find(source_.run);
+    const Quantity quantity = run.quantities[static_cast<std::size_t>(findQuantity(run.quantities, quantity_))];
+    const double factor = std::pow(unitFactor(quantity.displayUnit), 2);
+    auto result = std::make_shared<Result>();
+    stop_ = {};
+    computing_ = true;
+    queue_.post(
+        [result, samples = column.twin(), length, factor, stop = stop_.get_token()] {
+            QElapsedTimer clock;
+            clock.start();
+            result->shown = shownOf(*samples, length, factor, stop);
+            result->took = clock.elapsed();
+            return QString();
+        },
+        [this, result, quantity, end = column.lastTime(), stop = stop_.get_token()](const QString&) {
+            if (stop.stop_requested()) return;
+            computing_ = false;
+            took_ = result->took;
+            if (!result->shown) return setTitle(tr("none"));
+            show(result->shown, quantity, end);
+            update(); // there may be more samples
+        });
+}
+
+void LiveSpectrogram::show(const std::shared_ptr<Shown>& picture, const Quantity& quantity, double end)
+{
+    shown_ = picture->data;
     const QString unit = unitText(quantity.displayUnit);
     const bool simple = std::ranges::all_of(unit, [](QChar letter) { return letter.isLetter(); });
     // Not "%1²": the digit would belong to the number of the place.
     picture->unit = tr("dB re 1 %1/Hz").arg((simple ? unit : QStringLiteral("(%1)").arg(unit)) + QStringLiteral("²"));
-    picture->scale = ColourScale::linear(ColourMap::Viridis, picture->largest - shownDecibels, picture->largest);
-    std::size_t last = 1;
-    for (std::size_t i = 0; i < made->density.size(); ++i) {
-        const double power = made->density[i] / picture->factor;
-        if (power > 0.0 && decibels(power) > picture->largest - standsOut)
-            last = std::max(last, i % made->frequency.size());
-    }
-    titled(tr("%1, %2").arg(timeText(made->timeResolution), frequencyText(made->frequencyResolution)));
+    setTitle(tr("%1, %2").arg(timeText(shown_->timeResolution), frequencyText(shown_->frequencyResolution)));
     PlotBackdrop backdrop;
-    const double end = picture->columnStart(made->columns);
-    backdrop.x = {picture->start, std::max(end, column->lastTime())};
-    backdrop.y = {0.0, made->frequency[std::min(last + last / 8 + 1, made->frequency.size() - 1)]};
+    backdrop.x = {picture->start, std::max(picture->columnStart(shown_->columns), end)};
+    backdrop.y = {0.0, picture->top};
     const char* shownUnit = backdrop.y.high >= megahertz ? "MHz" : "kHz";
     plot_.setYLabel({tr("Frequency"), QString::fromLatin1(shownUnit), unitFactor(shownUnit), AxisScale::Linear});
     backdrop.paint = [picture](QPainter& painter, const QRectF& area, const PlotAxis& x, const PlotAxis& y) {

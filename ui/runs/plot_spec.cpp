@@ -186,6 +186,21 @@ PlotSpec ownPlot(const QString& name, const Quantity& up, const std::optional<Qu
     return spec;
 }
 
+void nameApart(std::vector<PlotSpec>& specs)
+{
+    for (PlotSpec& spec : specs) {
+        if (!spec.choosable) continue;
+        const QString title = chosenTitle(spec);
+        const auto isTaken = [&](const QString& wanted) {
+            return std::ranges::any_of(specs, [&](const PlotSpec& other) {
+                return &other != &spec && (!other.choosable || &other < &spec) && other.title == wanted;
+            });
+        };
+        spec.title = title;
+        for (int number = 2; isTaken(spec.title); ++number) spec.title = tr("%1 (%2)").arg(title).arg(number);
+    }
+}
+
 QJsonArray changedPlots(const std::vector<PlotSpec>& specs)
 {
     const std::vector<PlotSpec> standard = standardPlots();

@@ -54,6 +54,10 @@ std::vector<PlotSpec> standardPlots();
 /// A plot of the user's own.
 PlotSpec ownPlot(const QString& name, const Quantity& up, const std::optional<Quantity>& across);
 
+/// Names of plots whose axes are chosen, after what they show; with a number where another plot has the same: "Pitch
+/// (2)".
+void nameApart(std::vector<PlotSpec>& specs);
+
 /// For the settings: the plots of the user's own, and what the user changed of the standard ones.
 QJsonArray changedPlots(const std::vector<PlotSpec>& specs);
 /// The reverse: the standard plots with these changes, then the user's own. Leaves out what it cannot read.

@@ -90,9 +90,10 @@ QString RunMemory::text() const { return tr("Runs: %1 of %2").arg(bytesText(inMe
 
 QString RunMemory::explanation() const
 {
-    QString text =
-        tr("Memory that the runs of the list take. Above the limit (Run, Memory for runs), samples move to the "
-           "disk, those of hidden runs first, then of the oldest.");
+    QString text = tr(
+        "Memory that the runs of the list take. Above the limit (Run, Memory for runs), samples move to the "
+        "disk, those of hidden runs first, then of the oldest. The extremes from which whole runs are drawn stay: half "
+        "a byte for each sample of a quantity.");
     if (onDisk_ > 0) text += QLatin1Char(' ') + tr("%1 are on the disk now.").arg(bytesText(onDisk_));
     return text;
 }

@@ -3,7 +3,7 @@
 // Keeps the runs of the window within a budget of memory. Above it, samples and snapshots of fields move to the disk,
 // piece by piece on another thread: first those of runs that are not shown, then those of shown runs, the oldest first,
 // and those of the newest run last. The pyramids above the samples stay in memory: 0.5 bytes for each sample of a
-// quantity.
+// quantity, which count. So do the differences of runs from the baseline.
 //
 // A file that cannot be written is reported once; then the runs stay in memory.
 #pragma once

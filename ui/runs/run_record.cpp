@@ -130,17 +130,28 @@ SampleBatch RunRecord::samples(std::size_t part) const
 std::vector<SampleColumn*> RunRecord::numbers()
 {
     std::vector<SampleColumn*> all{&times->column()};
-    for (MinMaxPyramid& column : columns) all.push_back(&column.values());
-    for (MinMaxPyramid& column : columns)
+    const auto add = [&](MinMaxPyramid& column) {
+        all.push_back(&column.values());
         if (column.times() != times) all.push_back(&column.times()->column());
+    };
+    for (MinMaxPyramid& column : columns) add(column);
+    for (auto& [quantity, column] : differences) add(column);
+    return all;
+}
+
+std::vector<const MinMaxPyramid*> RunRecord::pyramids() const
+{
+    std::vector<const MinMaxPyramid*> all;
+    for (const MinMaxPyramid& column : columns) all.push_back(&column);
+    for (const auto& [quantity, column] : differences) all.push_back(&column);
     return all;
 }
 
 std::size_t RunRecord::bytesInMemory() const
 {
     std::size_t bytes = times->bytesInMemory() + events.capacity() * sizeof(RunEvent);
-    for (const MinMaxPyramid& column : columns)
-        bytes += column.bytesInMemory() + (column.times() == times ? 0 : column.times()->bytesInMemory());
+    for (const MinMaxPyramid* column : pyramids())
+        bytes += column->bytesInMemory() + (column->times() == times ? 0 : column->times()->bytesInMemory());
     for (const FieldHistory& history : fields) bytes += history.bytesInMemory();
     return bytes;
 }
@@ -148,8 +159,9 @@ std::size_t RunRecord::bytesInMemory() const
 std::size_t RunRecord::bytesOnDisk() const
 {
     std::size_t bytes = times->column().bytesOnDisk();
-    for (const MinMaxPyramid& column : columns)
-        bytes += column.values().bytesOnDisk() + (column.times() == times ? 0 : column.times()->column().bytesOnDisk());
+    for (const MinMaxPyramid* column : pyramids())
+        bytes +=
+            column->values().bytesOnDisk() + (column->times() == times ? 0 : column->times()->column().bytesOnDisk());
     for (const FieldHistory& history : fields) bytes += history.bytesOnDisk();
     return bytes;
 }
@@ -157,7 +169,10 @@ std::size_t RunRecord::bytesOnDisk() const
 void RunRecord::letGo() const
 {
     times->column().letGo();
-    for (const MinMaxPyramid& column : columns) column.values().letGo();
+    for (const MinMaxPyramid* column : pyramids()) {
+        column->values().letGo();
+        if (column->times() != times) column->times()->column().letGo();
+    }
     for (const FieldHistory& history : fields) history.letGo();
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -57,18 +58,23 @@ struct RunRecord : ListedRecord {
     SampleBatch samples(std::size_t part) const;
     double lastTime() const; // [s]
 
-    /// All columns of numbers: the times first.
+    /// All columns of numbers, of the differences, too: the times first.
     std::vector<SampleColumn*> numbers();
+    /// What the run takes of the memory and of the disk.
     std::size_t bytesInMemory() const;
     std::size_t bytesOnDisk() const;
     /// The process holds pages of what is on the disk no longer.
     void letGo() const;
 
+    /// Of the quantities and of the differences.
+    std::vector<const MinMaxPyramid*> pyramids() const;
+
     QString label; // what changed: "FH(0) 20 nm"; see RunsModel
     std::string caseText;
     std::vector<Quantity> quantities;
     std::shared_ptr<SampleTimes> times = std::make_shared<SampleTimes>();
-    std::deque<MinMaxPyramid> columns; // in the order of `quantities`
+    std::deque<MinMaxPyramid> columns;                // in the order of `quantities`
+    std::map<std::string, MinMaxPyramid> differences; // from the baseline, by quantity (RunDifferences)
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;

@@ -30,6 +30,7 @@ RunWindow::RunWindow(QWidget* parent)
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
     connect(&controller_, &RunController::recordingFailed, this, [this] { runs_.setFile(number_, {}); });
     values_->add(view_->spectrum()->view()->group());
+    connect(view_->plots(), &LivePlots::differencesMade, &memory_, &RunMemory::schedule);
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
     connect(view_->spectrum()->view(), &SpectrumView::curvesChanged, values_, &CursorTable::scheduleUpdate);
     connect(panel_, &RecordPanel::recordChosen, view_->maps(), &RunMaps::showRun);

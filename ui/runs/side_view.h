@@ -3,7 +3,11 @@
 // The slider over the disk, from the side: x to scale, heights exaggerated. Shows the air bearing surface along the
 // slider (at each x what reaches furthest down, across all y) at the attitude of a run's latest sample, or at a time
 // that was chosen; and how the disk moves. Recesses that are deep beside the heights at which pads fly are cut off. Of
-// the model springs it shows a flat slider on two springs, and the pad near the disk.
+// the model springs it shows a flat slider on two springs, and the pad near the disk. The uneven disk of a film is
+// drawn as it is along the slider's centre line at that time.
+//
+// The lower side of a second run of the same model stands there pale, at the same time: that of the baseline, or
+// without one that of the newest other run that is shown.
 #pragma once
 
 #include "ui/plot/plot_axis.h"
@@ -19,6 +23,7 @@
 
 namespace touchdown {
 
+class DiskProfile;
 class RunsModel;
 
 class SideView : public QWidget, public PagePart {
@@ -44,13 +49,18 @@ public:
         double separation = 0.0;     // springs: of the pad [m]
         SpringsDrawing::Disk disk;   // springs
     };
-    const std::optional<State>& state() const { return state_; }
+    const std::optional<State>& state() const { return first_.state; }
+    /// Number of the second run; -1: there is none.
+    int otherRun() const { return second_.number; }
+    /// Nothing while it has no sample at the time.
+    const std::optional<State>& otherState() const { return second_.state; }
+    const DiskProfile* disk() const { return disk_; }
     /// The times of the run's samples so far [s].
     std::optional<PlotRange> span() const;
     /// Metres of length drawn as long as one metre of height.
     double exaggeration() const;
     /// Height of the surface at a share of the slider's length [m].
-    double heightAt(double share) const;
+    double heightAt(double share) const { return first_.heightAt(share); }
 
     QString title() const override { return tr("Side view"); }
     void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
@@ -65,27 +75,41 @@ protected:
     void changeEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
-    void takeRun();
+    /// A run as it is drawn.
+    struct Seen {
+        int number = -1;
+        std::vector<double> profile; // lowest recess at equal steps from the leading to the trailing edge [m]
+        std::optional<SpringsDrawing> springs;
+        double length = 0.0; // of the slider [m]
+        double centre = 0.0; // of the mass centre, from the leading edge [m]
+        double speed = 0.0;  // of the disk [m/s]
+        std::optional<State> state;
+
+        double heightAt(double share) const;
+        std::vector<double> heights() const; // at the steps of the profile
+    };
+    Seen seenOf(int number) const;
+    std::optional<State> stateOf(const Seen& seen, const std::optional<double>& time) const;
     void takeState();
+    void takeOther();
+    int wantedOther() const;
     QRectF plotArea() const;
     ProfileDrawing drawing() const;
     void paint(QPainter& painter, const PlotTheme& theme) const;
     void writeProfile(QIODevice& device) const;
     void paintAxes(QPainter& painter, const PlotTheme& theme) const;
     void paintSlider(QPainter& painter, const PlotTheme& theme) const;
+    void paintOther(QPainter& painter, const PlotTheme& theme) const;
     void paintReadings(QPainter& painter, const PlotTheme& theme) const;
 
     RunsModel& runs_;
-    int number_ = -1;
+    Seen first_, second_;
+    int removed_ = -1; // number of the run that is about to go
     std::optional<double> time_;
-    std::optional<State> state_;
-    std::vector<double> profile_; // lowest recess at equal steps from the leading to the trailing edge [m]
-    std::optional<SpringsDrawing> springs_;
-    double length_ = 0.0; // of the slider [m]
-    double centre_ = 0.0; // of the mass centre, from the leading edge [m]
-    double speed_ = 0.0;  // of the disk [m/s]
+    DiskProfile* disk_;
     PlotAxis height_;
 };
 

@@ -40,6 +40,19 @@ void ProfileDrawing::paintDisk(QPainter& painter, const PlotTheme& theme) const
     painter.drawLine(QPointF(area.left(), surface), QPointF(area.right(), surface));
 }
 
+void ProfileDrawing::paintDisk(QPainter& painter, const PlotTheme& theme, std::span<const double> at) const
+{
+    const QPolygonF surface = line(at);
+    QPolygonF body = surface;
+    body << area.bottomRight() << area.bottomLeft();
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.grid);
+    painter.drawPolygon(body);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme.axis, 1.5));
+    painter.drawPolyline(surface);
+}
+
 void ProfileDrawing::paintMotion(QPainter& painter, const PlotTheme& theme, double distance) const
 {
     const double surface = toPixel(0.0, 0.0).y();
@@ -61,6 +74,16 @@ void ProfileDrawing::paintSlider(QPainter& painter, const PlotTheme& theme, std:
     painter.setBrush(body);
     painter.drawPolygon(outline);
     painter.setBrush(Qt::NoBrush);
+}
+
+void ProfileDrawing::paintOutline(QPainter& painter, const QColor& colour, double otherSize,
+                                  std::span<const double> at) const
+{
+    ProfileDrawing other = *this;
+    other.size = otherSize;
+    other.area.setWidth(area.width() * otherSize / size); // the same scale
+    painter.setPen(QPen(colour, 2.0));
+    painter.drawPolyline(other.line(at));
 }
 
 void ProfileDrawing::paintFrame(QPainter& painter, const PlotTheme& theme, const QString& title,

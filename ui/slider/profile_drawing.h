@@ -30,10 +30,14 @@ struct ProfileDrawing {
     QPolygonF line(std::span<const double> at) const;
 
     void paintDisk(QPainter& painter, const PlotTheme& theme) const;
+    /// A disk with these heights at equal steps over the whole size.
+    void paintDisk(QPainter& painter, const PlotTheme& theme, std::span<const double> at) const;
     /// Marks on the disk that have moved to the right by `distance` [m].
     void paintMotion(QPainter& painter, const PlotTheme& theme, double distance) const;
     /// The body above these heights, in the colour of the first curve.
     void paintSlider(QPainter& painter, const PlotTheme& theme, std::span<const double> at) const;
+    /// The lower side alone of another slider, which begins where this one does.
+    void paintOutline(QPainter& painter, const QColor& colour, double otherSize, std::span<const double> at) const;
     /// Frame, numbers along the slider, in mm, and below them `title` with that unit, then `remark`.
     void paintFrame(QPainter& painter, const PlotTheme& theme, const QString& title, const QString& remark = {}) const;
 };

@@ -105,14 +105,19 @@ void SliderPlan::fit()
     applyFit();
 }
 
+SliderPlan::Margins SliderPlan::margins(const QFont& font, bool paper) const
+{
+    if (!slider_) return {2.0 * gap, 2.0 * gap, 4.0 * gap};
+    const double text = QFontMetricsF(plotNumberFont(font)).height();
+    const double name = text + 2.0 * gap;
+    // On paper the air flow stands above the slider, so that the plan is as wide as can be.
+    return {paper ? name : arrowLength + 3.0 * gap + text, paper ? name : text + 3.0 * gap, 2.0 * name};
+}
+
 void SliderPlan::applyFit()
 {
     const QRectF area = planArea();
-    const double text = QFontMetricsF(plotNumberFont(font())).height();
-    // Room for the names of the edges, and at the left for the air flow.
-    const double left = slider_ ? arrowLength + 3.0 * gap + text : 2.0 * gap;
-    const double right = slider_ ? text + 3.0 * gap : 2.0 * gap;
-    const double ends = slider_ ? 2.0 * (text + 2.0 * gap) : 4.0 * gap;
+    const auto [left, right, ends] = margins(font(), paper_);
     scale_ =
         std::max(1.0, std::min((area.width() - left - right) / area_.width(), (area.height() - ends) / area_.height()));
     centre_ = {area_.center().x() + 0.5 * (right - left) / scale_, area_.center().y()};
@@ -278,6 +283,7 @@ void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont
     const double scale = scale_;
     const SurfacePoint centre = centre_;
     {
+        paper_ = true;
         const LaidOutAs laidOut(*this, size, font);
         const QSizeF now = planArea().size();
         if (fitted_)
@@ -285,6 +291,7 @@ void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont
         else
             scale_ *= std::min(now.width() / before.width(), now.height() / before.height());
         paint(painter, paperTheme(colours));
+        paper_ = false;
     }
     scale_ = scale;
     centre_ = centre;
@@ -293,8 +300,10 @@ void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont
 
 double SliderPlan::heightOnPaper(double width, const QFont& font) const
 {
-    const double plan = width - PlotFrame::areaWithin({width, width}, font, QStringLiteral("0.0000"), 0.0).left();
-    return std::clamp(area_.height() / area_.width() * plan, 0.4 * width, 1.2 * width);
+    const QRectF area = PlotFrame::areaWithin({width, width}, font, QStringLiteral("0.0000"), keyWidth() + gap);
+    const auto [left, right, ends] = margins(font, true);
+    const double plan = area_.height() / area_.width() * (area.width() - left - right) + ends;
+    return std::clamp(width - area.height() + plan, 0.4 * width, 1.4 * width);
 }
 
 void SliderPlan::contextMenuEvent(QContextMenuEvent* event)

@@ -108,7 +108,13 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    static constexpr double arrowLength = 38.0; // of the air flow [px]
+    static constexpr double arrowLength = 38.0, arrowOnPaper = 26.0; // of the air flow [px]
+
+    /// Around the slider, for the names of its edges and for the air flow [px].
+    struct Margins {
+        double left, right, ends; // ends: above and below together
+    };
+    Margins margins(const QFont& font, bool paper) const;
 
     void setArea(const QRectF& area, bool slider);
     void setReading(const QString& text);
@@ -127,6 +133,7 @@ private:
     CellGrid grid_;
     bool gridShown_ = false;
     bool slider_ = true; // edges and air are named
+    bool paper_ = false; // it is being painted on paper
     double skew_ = 0.0;  // [rad]
     QString title_;
     QString reading_;

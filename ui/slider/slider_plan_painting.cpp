@@ -12,6 +12,7 @@
 #include <QPainter>
 
 #include "ui/plot/plot_frame.h"
+#include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -45,7 +46,7 @@ void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) co
     painter.drawText(QRectF(outline.left(), outline.bottom() + PlotFrame::gap, outline.width(), text), Qt::AlignCenter,
                      tr("inner edge"));
     painter.drawText(QRectF(outline.left(), outline.top() - PlotFrame::gap - text, outline.width(), text),
-                     Qt::AlignCenter, tr("outer edge"));
+                     paper_ ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignCenter, tr("outer edge"));
     const auto drawUpright = [&](double x, double turn, const QString& name) {
         painter.save();
         painter.translate(x, outline.center().y());
@@ -62,12 +63,17 @@ void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
 {
     const QFont font = plotNumberFont(this->font());
     const QFontMetricsF metrics(font);
-    const QPointF tip =
-        toPixel({area_.left(), area_.center().y()}) - QPointF(2.0 * PlotFrame::gap + metrics.height(), 0.0);
     // On the screen y points down, and positive skew turns the flow towards the inner edge, which is below.
     const QPointF along(std::cos(skew_), std::sin(skew_));
     const QPointF across(-along.y(), along.x());
-    const QPointF tail = tip - arrowLength * along;
+    const QPointF corner = toPixel({area_.left(), area_.bottom()});
+    const double length = paper_ ? arrowOnPaper : arrowLength;
+    QPointF tip = toPixel({area_.left(), area_.center().y()}) - QPointF(2.0 * PlotFrame::gap + metrics.height(), 0.0);
+    // On paper above the leading end of the slider.
+    const double above = corner.y() - PlotFrame::gap - 0.5 * metrics.height();
+    if (paper_) tip = QPointF(std::max(corner.x() - metrics.height(), planArea().left() + 2.0) + length, above);
+    const QPointF tail = tip - length * along;
+    const QString turn = skew_ != 0.0 ? typeset(skew_ * 180.0 / std::numbers::pi, 1) + QStringLiteral("°") : QString();
     painter.setPen(QPen(theme.mutedText, 2.0, Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(tail, tip - 6.0 * along);
     painter.setPen(Qt::NoPen);
@@ -77,15 +83,18 @@ void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
 
     painter.setFont(font);
     painter.setPen(theme.mutedText);
+    if (paper_) {
+        painter.drawText(QRectF(tip.x() + PlotFrame::gap, above - 0.5 * metrics.height(), 0.0, metrics.height()),
+                         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, tr("air") + QLatin1Char(' ') + turn);
+        return;
+    }
     const QRectF box(tip.x() - arrowLength - 2.0 * PlotFrame::gap, 0.0, arrowLength + 3.0 * PlotFrame::gap,
                      metrics.height());
     const double half = 0.5 * arrowLength * std::abs(along.y()) + 8.0;
     const double middle = 0.5 * (tip.y() + tail.y());
     painter.drawText(box.translated(0.0, middle - half - metrics.height()), Qt::AlignCenter | Qt::TextDontClip,
                      tr("air"));
-    if (skew_ != 0.0)
-        painter.drawText(box.translated(0.0, middle + half), Qt::AlignCenter | Qt::TextDontClip,
-                         typeset(skew_ * 180.0 / std::numbers::pi, 1) + QStringLiteral("°"));
+    painter.drawText(box.translated(0.0, middle + half), Qt::AlignCenter | Qt::TextDontClip, turn);
 }
 
 void SliderPlan::paintGrid(QPainter& painter) const

@@ -48,9 +48,9 @@ WindowPages::WindowPages(const Parts& parts)
     parts_.window.statusBar()->addWidget(parts_.studies.progress(), 1);
     parts_.window.statusBar()->addPermanentWidget(memory_);
     memory_->setObjectName(QStringLiteral("runMemory"));
-    memory_->setContentsMargins(0, 0, 8, 0);
     memory_->hide();
     parts_.window.statusBar()->setSizeGripEnabled(false);
+    parts_.window.statusBar()->setContentsMargins(0, 0, 8, 0); // its own layout takes no account of those of a label
     connect(&parts_.runs.memory(), &RunMemory::changed, memory_, [this] {
         memory_->setText(parts_.runs.memory().text());
         memory_->setToolTip(parts_.runs.memory().explanation());

@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include <thread>
+
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -39,6 +41,7 @@ class TestMinMaxPyramid : public QObject {
     Q_OBJECT
 
 private slots:
+    void aTwinStaysAsItWas();
     void extremesAgreeWithBruteForce_data();
     void extremesAgreeWithBruteForce();
     void thinningKeepsEveryBinsExtremes_data();
@@ -311,6 +314,36 @@ void TestMinMaxPyramid::emptyAnswersNothing()
     pyramid.append(std::vector{1.0}, std::vector{2.0});
     QVERIFY(pyramid.thinned(1.0, 1.0, 100).empty()); // no width
     QVERIFY(!pyramid.extremes(2.0, 3.0).has_value());
+}
+
+/// While the original grows, another thread reads what was there.
+void TestMinMaxPyramid::aTwinStaysAsItWas()
+{
+    MinMaxPyramid data;
+    const auto append = [&data](std::size_t count) {
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto i = static_cast<double>(data.size());
+            data.append(std::vector{i}, std::vector{std::sin(i)});
+        }
+    };
+    append(70'001); // more than a piece
+    const std::shared_ptr<const MinMaxPyramid> twin = data.twin();
+    bool same = true;
+    std::thread reader([&] {
+        for (std::size_t k = 0; k < twin->size(); ++k) {
+            const auto i = static_cast<double>(k);
+            same = same && twin->time(k) == i && twin->value(k) == std::sin(i);
+        }
+    });
+    append(70'000);
+    reader.join();
+    QVERIFY(same);
+    QCOMPARE(twin->size(), std::size_t(70'001));
+    QCOMPARE(twin->lastTime(), 70'000.0);
+    QCOMPARE(twin->valueAt(0.5), data.valueAt(0.5));
+    QCOMPARE(twin->samplesWithin(10.0, 1e9), (std::pair<std::size_t, std::size_t>(10, 70'001)));
+    QCOMPARE(twin->extremes(0.0, 1e9)->high, data.extremes(0.0, 70'000.0)->high);
+    QVERIFY(twin->bytesInMemory() < 1000); // the samples are those of the original
 }
 
 TOUCHDOWN_TEST(TestMinMaxPyramid)

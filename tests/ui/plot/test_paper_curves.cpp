@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/paper_curves.h"
 
+#include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 #include <utility>
@@ -23,6 +25,7 @@ private slots:
     void noneIsPaleAndEachNamesItsRun();
     void bordersOfABandStayAlike();
     void hiddenAndEmptyCurvesAreLeftOut();
+    void aRunLooksTheSameInEachPanel();
 
 private:
     MinMaxPyramid data_, none_;
@@ -93,6 +96,46 @@ void TestPaperCurves::hiddenAndEmptyCurvesAreLeftOut()
     hidden.visible = false;
     const PlotCurve empty{"empty", "empty", {0, 0}, &none_};
     QVERIFY(paperCurves({hidden, empty}, PaperColours::Coloured).empty());
+}
+
+/// Drawn figures: panels show some of eight runs in any order, some beside curves of quantities.
+void TestPaperCurves::aRunLooksTheSameInEachPanel()
+{
+    std::mt19937 generator(3);
+    for (int draw = 0; draw < 200; ++draw)
+        for (const PaperColours colours : {PaperColours::Coloured, PaperColours::Black}) {
+            std::vector<PaperStyle> styles;
+            std::map<QString, CurveStyle> ofRun;
+            for (int panel = 0; panel < 4; ++panel) {
+                std::vector<int> numbers{1, 2, 3, 4, 5, 6, 7, 8};
+                std::ranges::shuffle(numbers, generator);
+                numbers.resize(std::uniform_int_distribution<std::size_t>(1, 8)(generator));
+                std::vector<PlotCurve> curves;
+                for (const int number : numbers)
+                    curves.push_back({QStringLiteral("run %1/quantity %2").arg(number).arg(panel),
+                                      QStringLiteral("quantity %1 of %2").arg(panel).arg(number),
+                                      {number - 1, 0},
+                                      &data_});
+                std::set<std::pair<int, int>> seen;
+                for (const PlotCurve& curve : paperCurves(curves, colours, styles)) {
+                    const QString run = curve.id.section(QLatin1Char('/'), 0, 0);
+                    QCOMPARE(curve.style, ofRun.try_emplace(run, curve.style).first->second);
+                    seen.insert({curve.style.colour, curve.style.dash});
+                }
+                QCOMPARE(seen.size(), numbers.size());
+            }
+        }
+    // The quantities of one run look the same in each panel as long as no two of a panel look alike.
+    std::vector<PaperStyle> styles;
+    const auto quantity = [&](const char* name, int colour) {
+        PlotCurve curve{QStringLiteral("run 1/%1").arg(name), name, {colour, 0}, &data_};
+        curve.legend = name;
+        return curve;
+    };
+    const auto first = paperCurves({quantity("contact", 0), quantity("net", 1)}, PaperColours::Black, styles);
+    const auto second = paperCurves({quantity("friction", 2), quantity("net", 1)}, PaperColours::Black, styles);
+    QCOMPARE(second[1].style, first[1].style);
+    QVERIFY(second[0].style != second[1].style);
 }
 
 TOUCHDOWN_TEST(TestPaperCurves)

@@ -46,6 +46,8 @@ private slots:
     void fullDiskLeavesNothing();
     void whatCannotBeReadIsSaid();
     void blackIsBlack();
+    void aMapFillsItsColumn();
+    void aLabelLeavesTheEndOfACurve();
 
 private:
     QString path(const QString& name) const { return folder_->filePath(name); }
@@ -187,7 +189,7 @@ void TestPaperFigure::screenStaysAsItIs()
     QCOMPARE(plot_->grab().toImage(), before);
     FieldMap map;
     map.setSlider(1.25e-3, 1e-3);
-    map.setField({{0.0, 0.5e-3, 1.25e-3}, {0.0, 1e-3}}, {1.0, 2.0});
+    map.setField({{0.0, 0.4e-3, 0.85e-3}, {0.0, 0.7e-3}}, {1.0, 1.0});
     map.resize(500, 400);
     map.zoom(2.0, {200.0, 200.0});
     const QRectF view = map.view();
@@ -302,6 +304,67 @@ void TestPaperFigure::blackIsBlack()
     for (int y = 0; y < image.height(); y += 3)
         for (int x = 0; x < image.width(); x += 3)
             QVERIFY(qAbs(qRed(image.pixel(x, y)) - qBlue(image.pixel(x, y))) < 12);
+}
+
+/// Beside the slider there are its edges' names, the numbers of the axis and the colours, and nothing else: the air
+/// flow stands above it. With the air flow beside it the slider had 108 of 361 pixels.
+void TestPaperFigure::aMapFillsItsColumn()
+{
+    FieldMap map;
+    map.setSlider(0.85e-3, 0.7e-3);
+    map.setSkew(0.1);
+    map.setField({{0.0, 0.85e-3}, {0.0, 0.7e-3}}, {1.0});
+    map.setLook(
+        {QStringLiteral("Pressure"), QStringLiteral("atm"), 1.0, ColourScale::linear(ColourMap::Viridis, 0.0, 2.0)});
+    map.resize(640, 460);
+    const PaperFigure figure({&map}, {});
+    const QSizeF size = figure.picture().size;
+    QImage image(size.toSize(), QImage::Format_RGB32);
+    QPainter painter(&image);
+    figure.picture().paint(painter);
+    painter.end();
+    const QRgb inside = image.pixel(image.width() / 3, 2 * image.height() / 5);
+    int left = image.width(), right = 0;
+    for (int column = 0; column < image.width(); ++column)
+        for (int row = image.height() / 3; row < image.height() / 2; ++row)
+            if (image.pixel(column, row) == inside && column < image.width() * 4 / 5) {
+                left = std::min(left, column);
+                right = std::max(right, column);
+            }
+    QVERIFY2(right - left > 0.43 * image.width(),
+             qPrintable(QStringLiteral("%1 of %2").arg(right - left).arg(image.width())));
+    QCOMPARE(map.size(), QSize(640, 460));
+}
+
+/// A curve that ends just above a reference line is drawn to its end, and the label stands elsewhere.
+void TestPaperFigure::aLabelLeavesTheEndOfACurve()
+{
+    MinMaxPyramid level;
+    level.append(std::vector{0.0, 1e-3, 1.5e-3, 3e-3}, std::vector{1e-9, 1e-9, 3.2e-9, 3.2e-9});
+    plot_->clearCurves();
+    plot_->addCurve({"run 1", "Run 1", {1, 0}, &level});
+    plot_->setView({PlotRange{0.0, 3e-3}, PlotRange{0.0, 10e-9}});
+    const auto painted = [&] {
+        QImage image(361, 220, QImage::Format_RGB32);
+        QPainter painter(&image);
+        QFont font;
+        font.setPixelSize(12);
+        plot_->paintOnPaper(painter, image.size(), font, PaperColours::Coloured);
+        return image;
+    };
+    const auto coloured = [](const QImage& image) {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y).saturation() > 150 ? 1 : 0;
+        return count;
+    };
+    plot_->setReferenceLines({{3e-9, QString(), false}});
+    const QImage without = painted();
+    plot_->setReferenceLines({{3e-9, QStringLiteral("d = 3 nm"), false}});
+    const QImage with = painted();
+    QVERIFY(with != without);
+    QCOMPARE(coloured(with), coloured(without));
+    QVERIFY(coloured(without) > 300);
 }
 
 TOUCHDOWN_TEST(TestPaperFigure)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <random>
 
 #include <QImage>
 #include <QPainter>
@@ -37,6 +39,8 @@ private slots:
     void phasePortraitIsACircle();
     void phasePortraitOfDifferentTimes();
     void phasePortraitLosesNoSample();
+    void phasePortraitOfDrawnCurves_data();
+    void phasePortraitOfDrawnCurves();
     void coveredLinesAreLeftOut();
     void costIsBoundedWhereLinesAreLong();
     void leavesOutWhatIsStraight();
@@ -133,28 +137,22 @@ void TestPlotPath::phasePortraitIsACircle()
     QVERIFY(left->x() < 0.2501 && right->x() > 0.7499);
 }
 
-// A bounce that is a little different each time fills a disk of 320 px across with a million samples. One sample of its
-// own lies far outside.
-void TestPlotPath::phasePortraitLosesNoSample()
+/// On axes from -2.5 to 2.5.
+std::vector<QPointF> pathOfAll(const std::vector<double>& x, const std::vector<double>& y, const QSizeF& pixels)
 {
-    constexpr int count = 1'000'000, alone = 777'777;
-    const QSizeF pixels(800.0, 400.0);
-    std::vector<double> times, x, y;
-    for (int i = 0; i < count; ++i) {
-        const double t = 0.31 * i, radius = std::abs(std::sin(1.7e-4 * t));
-        times.push_back(i);
-        x.push_back(i == alone ? 2.3 : radius * std::cos(t));
-        y.push_back(i == alone ? -2.3 : radius * std::sin(t));
-    }
+    std::vector<double> times(x.size());
+    std::iota(times.begin(), times.end(), 0.0);
     MinMaxPyramid across, up;
     across.append(times, x);
     up.append(times, y);
     const PlotAxis axes = axis(-2.5, 2.5);
-    const auto path = phasePath(across, up, {0.0, 1e6}, axes, axes, pixels);
-    QVERIFY2(path.size() < 200'000, qPrintable(QString::number(path.size())));
-    const QPointF spike(axes.position(2.3), axes.position(-2.3));
-    QVERIFY(std::ranges::find(path, spike) != path.end());
-    // Every sample is within a pixel of a line that is drawn.
+    return phasePath(across, up, {0.0, times.back()}, axes, axes, pixels);
+}
+
+/// The first sample that is more than a pixel away from what is drawn; -1: none.
+int lost(const std::vector<double>& x, const std::vector<double>& y, const QSizeF& pixels,
+         const std::vector<QPointF>& path)
+{
     QImage drawn(pixels.toSize(), QImage::Format_ARGB32_Premultiplied);
     drawn.fill(Qt::white);
     QPainter painter(&drawn);
@@ -162,10 +160,70 @@ void TestPlotPath::phasePortraitLosesNoSample()
     painter.setPen(QPen(Qt::black, 3.0));
     drawPath(painter, path, QRectF(QPointF(), pixels));
     painter.end();
+    const PlotAxis axes = axis(-2.5, 2.5);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        const QPoint at(static_cast<int>(axes.position(x[i]) * pixels.width()),
+                        static_cast<int>((1.0 - axes.position(y[i])) * pixels.height()));
+        if (drawn.valid(at) && drawn.pixelColor(at) == Qt::white) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+// A bounce that is a little different each time fills a disk of 320 px across with a million samples. One sample of its
+// own lies far outside.
+void TestPlotPath::phasePortraitLosesNoSample()
+{
+    constexpr int count = 1'000'000, alone = 777'777;
+    const QSizeF pixels(800.0, 400.0);
+    std::vector<double> x, y;
     for (int i = 0; i < count; ++i) {
-        const QPoint at(static_cast<int>(axes.position(x[static_cast<std::size_t>(i)]) * 800.0),
-                        static_cast<int>((1.0 - axes.position(y[static_cast<std::size_t>(i)])) * 400.0));
-        if (drawn.pixelColor(at) == Qt::white) QFAIL(qPrintable(QString::number(i)));
+        const double t = 0.31 * i, radius = std::abs(std::sin(1.7e-4 * t));
+        x.push_back(i == alone ? 2.3 : radius * std::cos(t));
+        y.push_back(i == alone ? -2.3 : radius * std::sin(t));
+    }
+    const auto path = pathOfAll(x, y, pixels);
+    QVERIFY2(path.size() < 200'000, qPrintable(QString::number(path.size())));
+    const PlotAxis axes = axis(-2.5, 2.5);
+    const QPointF spike(axes.position(2.3), axes.position(-2.3));
+    QVERIFY(std::ranges::find(path, spike) != path.end());
+    QCOMPARE(lost(x, y, pixels, path), -1);
+}
+
+void TestPlotPath::phasePortraitOfDrawnCurves_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addRow("noise") << 0;
+    QTest::addRow("chirp") << 1;
+    QTest::addRow("spiral") << 2;
+    QTest::addRow("rare spike") << 3;
+}
+
+// What is guaranteed: each sample is within a pixel of a line that is drawn, and one that stands alone is an end of it.
+void TestPlotPath::phasePortraitOfDrawnCurves()
+{
+    QFETCH(const int, kind);
+    constexpr int count = 100'000;
+    std::mt19937 generator(static_cast<unsigned>(kind + 20));
+    std::normal_distribution<double> noise(0.0, 0.5);
+    std::uniform_real_distribution<double> drawn(0.0, 1.0);
+    const QSizeF pixels(500.0, 300.0);
+    for (int draw = 0; draw < 4; ++draw) {
+        const int spike = static_cast<int>(count * drawn(generator));
+        const double a = 1e3 + 1e4 * drawn(generator), b = 1e3 + 1e4 * drawn(generator);
+        std::vector<double> x, y;
+        for (int i = 0; i < count; ++i) {
+            const double part = static_cast<double>(i) / count;
+            const double radius = kind == 2 ? 2.0 * part : 0.3;
+            x.push_back(kind == 0 ? noise(generator) : radius * std::cos(a * part * (kind == 1 ? part : 1.0)));
+            y.push_back(kind == 0 ? noise(generator) : radius * std::sin(b * part));
+            if (kind == 3 && i == spike) y.back() = 2.4;
+        }
+        const std::vector<QPointF> path = pathOfAll(x, y, pixels);
+        QCOMPARE(lost(x, y, pixels, path), -1);
+        if (kind != 3) continue;
+        const PlotAxis axes = axis(-2.5, 2.5);
+        const QPointF tip(axes.position(x[static_cast<std::size_t>(spike)]), axes.position(2.4));
+        QVERIFY(std::ranges::find(path, tip) != path.end());
     }
 }
 

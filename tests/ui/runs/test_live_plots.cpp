@@ -240,7 +240,7 @@ void TestLivePlots::aBaselineLeavesTheWayAsItIs()
     runs_->setBaseline(1);
     QCOMPARE(forces()->title(), QStringLiteral("Force against separation"));
     QCOMPARE(forces()->curves().size(), std::size_t(6));
-    QCOMPARE(plots_->plot(QStringLiteral("spacing"))->title(), QStringLiteral("Minimum spacing minus run 1"));
+    QTRY_COMPARE(plots_->plot(QStringLiteral("spacing"))->title(), QStringLiteral("Minimum spacing minus run 1"));
 }
 
 void TestLivePlots::aHiddenCurveStaysHiddenInItsPlotAlone()

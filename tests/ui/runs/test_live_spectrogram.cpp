@@ -58,6 +58,9 @@ private slots:
     void anotherQuantityTakesItsPlace();
     void writesItsNumbers();
     void theSettingsKeepQuantityAndWindow();
+    void aLongRunHasOne();
+    void nothingOfAnotherQuantityIsShown();
+    void growsWithItsRun();
 
 private:
     Quantity quantity(const char* wanted) const
@@ -125,7 +128,7 @@ void TestLiveSpectrogram::theWindowIsChosen()
     QVERIFY(window->actions()[0]->isChecked()); // automatic
     for (QAction* action : window->actions())
         if (action->text() == QStringLiteral("512 samples")) action->trigger();
-    QTRY_COMPARE(plots_->spectrogram()->shown()->window, std::size_t(512));
+    QTRY_VERIFY(plots_->spectrogram()->shown() && plots_->spectrogram()->shown()->window == 512);
 }
 
 void TestLiveSpectrogram::followsTheNewestRun()
@@ -145,7 +148,7 @@ void TestLiveSpectrogram::anotherQuantityTakesItsPlace()
     QTRY_VERIFY(plot()->title().endsWith(QStringLiteral(": Pitch")));
     QCOMPARE(plots_->spec(name).curves.size(), std::size_t(1));
     QCOMPARE(plot()->yAxis().label.unit, QStringLiteral("kHz"));
-    plots_->spectrogram()->updateNow();
+    QTRY_VERIFY(plots_->spectrogram()->shown());
     QVERIFY(!plot()->grab().toImage().isNull()); // a signal that stands still has no power, and no picture breaks
 }
 
@@ -172,6 +175,56 @@ void TestLiveSpectrogram::theSettingsKeepQuantityAndWindow()
     other.restore(plots_->arrangement());
     QCOMPARE(other.spectrogram()->window(), std::size_t(512));
     QVERIFY(other.spec(name).has("height"));
+}
+
+/// Of every sample: that of the whole signal at once.
+void TestLiveSpectrogram::aLongRunHasOne()
+{
+    constexpr int samples = 3 << 20;
+    const std::vector<Quantity> one{{"minimum_spacing", "m", "nm", "Minimum spacing"}};
+    auto run = std::make_unique<RunRecord>(2, openCase("fig10a").value, "", one);
+    SampleBatch batch;
+    batch.columns.resize(1);
+    for (int i = 0; i < samples; ++i) {
+        batch.time.push_back(1e-9 * i);
+        batch.columns[0].push_back(1e-9 * std::sin(0.1 * i + 1e-8 * i * static_cast<double>(i)));
+    }
+    run->append(batch, {});
+    runs_->add(std::move(run));
+    QTRY_VERIFY(plots_->spectrogram()->shown() && plots_->spectrogram()->shown()->window == 4096);
+    const Spectrogram& shown = *plots_->spectrogram()->shown();
+    const Spectrogram expected = spectrogram(batch.columns[0], batch.time[1], 4096, LiveSpectrogram::mostColumns);
+    QCOMPARE(shown.columns, expected.columns);
+    QVERIFY(shown.density == expected.density);
+}
+
+void TestLiveSpectrogram::nothingOfAnotherQuantityIsShown()
+{
+    plots_->addCurve(name, quantity("pitch"));
+    plots_->spectrogram()->updateNow();
+    QVERIFY(!plots_->spectrogram()->shown() && !plot()->backdrop());
+    QCOMPARE(plot()->title(), QStringLiteral("Spectrogram (being computed): Pitch"));
+    plots_->addCurve(name, quantity("minimum_spacing"));
+    plots_->spectrogram()->updateNow(); // the one of the pitch is not waited for
+    QTRY_VERIFY(plots_->spectrogram()->shown());
+    QVERIFY(plots_->spectrogram()->shown()->at(10, 30) > 0.0); // the pitch stands still
+    QVERIFY(plot()->title().endsWith(QStringLiteral(": Minimum spacing of pad and pressure centres")));
+}
+
+/// The picture stays until the next one comes.
+void TestLiveSpectrogram::growsWithItsRun()
+{
+    const std::size_t before = plots_->spectrogram()->shown()->columns;
+    SampleBatch more;
+    more.columns.assign(runs_->record(0).quantities.size(), {});
+    for (int i = 0; i < 4096; ++i) {
+        more.time.push_back(1e-6 * (8192 + i));
+        for (std::vector<double>& column : more.columns) column.push_back(1e-9 * (i % 5));
+    }
+    runs_->append(1, more, {});
+    plots_->dataArrived(1);
+    QVERIFY(plots_->spectrogram()->shown() && plot()->backdrop());
+    QTRY_COMPARE(plots_->spectrogram()->shown()->columns, before + before / 2 + 1); // of 63, each of 128 samples
 }
 
 TOUCHDOWN_TEST(TestLiveSpectrogram)

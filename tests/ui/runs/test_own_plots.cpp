@@ -4,6 +4,7 @@
 #include "ui/runs/live_plots.h"
 
 #include <memory>
+#include <set>
 
 #include <QDropEvent>
 #include <QSignalSpy>
@@ -42,6 +43,7 @@ private slots:
     void theSettingsKeepIt();
     void settingsThatCannotBeReadChangeNothing();
     void theListFollowsTheRuns();
+    void noTwoPlotsHaveOneName();
 
 private:
     Quantity quantity(const char* name) const
@@ -275,6 +277,26 @@ void TestOwnPlots::theListFollowsTheRuns()
     runs_->remove(0);
     view.setCase(openCase("contact_hertz").value);
     QCOMPARE(list->count(), static_cast<int>(recordedQuantities(openCase("contact_hertz").value).size()));
+}
+
+void TestOwnPlots::noTwoPlotsHaveOneName()
+{
+    const QString first = plots_->addPlot(quantity("pitch"));
+    const QString second = plots_->addPlot(quantity("pitch"));
+    const QString third = plots_->addPlot(quantity("height"));
+    QCOMPARE(plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch"));
+    QCOMPARE(plot(first)->title(), QStringLiteral("Pitch (2)"));
+    QCOMPARE(plots_->entry(second).wanted->text(), QStringLiteral("Pitch (3)"));
+    QVERIFY(!plot(third)->title().contains(QLatin1Char('(')));
+    LivePlots other(*runs_);
+    other.restore(plots_->arrangement());
+    QCOMPARE(other.plot(second)->title(), QStringLiteral("Pitch (3)"));
+    plots_->removePlot(first);
+    QCOMPARE(plot(second)->title(), QStringLiteral("Pitch (2)"));
+    plots_->setAxes(second, std::nullopt, quantity("height"));
+    QCOMPARE(plot(second)->title(), plots_->spec(second).title);
+    std::set<QString> titles;
+    for (const LivePlots::Entry& entry : plots_->plots()) QVERIFY(titles.insert(entry.title).second);
 }
 
 TOUCHDOWN_TEST(TestOwnPlots)

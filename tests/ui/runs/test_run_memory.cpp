@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include <malloc.h>
+
 #include <QDir>
 #include <QSettings>
 #include <QSignalSpy>
@@ -47,6 +49,7 @@ private slots:
     void cleanup() { memory_.reset(), runs_.reset(), QSettings().clear(); }
 
     void countsWhatRunsTake();
+    void countsWhatTheProcessTakes();
     void movesTheOldestHiddenRunsFirst();
     void samplesStayAsTheyWere();
     void aRunUnderWayMovesWhatIsFull();
@@ -107,6 +110,28 @@ void TestRunMemory::countsWhatRunsTake()
     QVERIFY(std::abs(static_cast<double>(memory_->inMemory()) - perSample * longRun) < 2000.0);
     QCOMPARE(memory_->inMemory(), static_cast<qint64>(run.bytesInMemory()));
     QCOMPARE(memory_->onDisk(), qint64(0));
+}
+
+/// What the allocator has given out for runs, with all that stands above their samples, before and after the samples
+/// moved to the disk.
+void TestRunMemory::countsWhatTheProcessTakes()
+{
+    const auto allocated = [] {
+        const struct mallinfo2 now = ::mallinfo2();
+        return static_cast<double>(now.uordblks + now.hblkhd);
+    };
+    const double before = allocated();
+    if (before == 0.0) QSKIP("The sanitizers have an allocator of their own");
+    add(10 * longRun);
+    memory_->settle();
+    QVERIFY2(std::abs((allocated() - before) / static_cast<double>(memory_->inMemory()) - 1.0) < 0.005,
+             qPrintable(QStringLiteral("%1 %2").arg(allocated() - before).arg(memory_->inMemory())));
+    memory_->setBudget(1);
+    memory_->settle();
+    // Levels, 0.5 bytes for a sample of each quantity, and a time for each block.
+    QVERIFY(std::abs(static_cast<double>(memory_->inMemory()) / (1.14 * 10 * longRun) - 1.0) < 0.01);
+    QVERIFY2(std::abs((allocated() - before) / static_cast<double>(memory_->inMemory()) - 1.0) < 0.1,
+             qPrintable(QStringLiteral("%1 %2").arg(allocated() - before).arg(memory_->inMemory())));
 }
 
 void TestRunMemory::movesTheOldestHiddenRunsFirst()

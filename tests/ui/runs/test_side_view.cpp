@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 #include <QFile>
 #include <QFontInfo>
@@ -11,9 +12,11 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/physics/disk/disk_velocity.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/plot/paper_figure.h"
+#include "ui/runs/disk_profile.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
@@ -45,6 +48,8 @@ private slots:
     void paintsBothThemes_data();
     void paintsBothThemes();
     void textOfAPictureHasItsSize();
+    void aSecondRunStandsThereAtTheSameTime();
+    void aRoughDiskIsDrawnAsItIs();
 
 private:
     void add(const Case& c) { runs_->add(std::make_unique<RunRecord>(1, c, "", quantities)); }
@@ -228,6 +233,75 @@ void TestSideView::textOfAPictureHasItsSize()
     const double point = figure.picture().size.width() / (170.0 / 25.4 * 72.0); // [px]
     QVERIFY(std::abs(largest(folder.filePath("paper.svg")) / point - 8.0) < 0.01);
     QCOMPARE(view_->size(), QSize(800, 500));
+}
+
+/// The baseline, or else the newest other run that is shown; not where it has no sample at the time.
+void TestSideView::aSecondRunStandsThereAtTheSameTime()
+{
+    for (const int number : {1, 2, 3}) {
+        runs_->add(std::make_unique<RunRecord>(number, sampleFilmCase(), "", quantities));
+        SampleBatch batch = falling();
+        for (std::vector<double>& column : batch.columns)
+            for (double& value : column) value *= number;
+        if (number == 3) batch.time[1] = 0.5e-6; // ends before the others
+        runs_->append(number, batch, {});
+    }
+    view_->showRun(2);
+    QCOMPARE(view_->otherRun(), 3);
+    view_->showTime(0.25e-6);
+    QVERIFY(view_->otherState() && view_->otherState()->time == 0.25e-6);
+    QVERIFY(std::abs(view_->otherState()->pitch - 3 * 105e-6) < 1e-12); // halfway
+    QVERIFY(std::abs(view_->state()->pitch - 2 * 102.5e-6) < 1e-12);
+    view_->showTime(0.75e-6);
+    QVERIFY(!view_->otherState());
+    runs_->setBaseline(1);
+    QCOMPARE(view_->otherRun(), 1);
+    QVERIFY(view_->otherState() && std::abs(view_->otherState()->pitch - 107.5e-6) < 1e-12);
+    const QImage both = view_->grab().toImage();
+    runs_->remove(0);
+    QCOMPARE(view_->otherRun(), 3);
+    QVERIFY(view_->grab().toImage() != both);
+    runs_->setData(runs_->index(1), Qt::Unchecked, Qt::CheckStateRole);
+    QCOMPARE(view_->otherRun(), -1);
+    QVERIFY(view_->state());
+}
+
+/// A wave of 3 nm and 0.1 mm along the centre line, which has moved with the disk: at time t the height at x is that of
+/// the disk at x - U t. It is as high in the picture as in the surface.
+void TestSideView::aRoughDiskIsDrawnAsItIs()
+{
+    Case c = sampleFilmCase();
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {3e-9};
+    c.diskSurface.waveLengths = {1e-4};
+    add(c);
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    QTRY_VERIFY(!view_->disk()->empty());
+    const double speed =
+        diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width).x;
+    for (const double time : {0.0, 0.4e-6, 1e-6}) {
+        const std::vector<double> heights = view_->disk()->at(time);
+        QVERIFY(heights.size() > 700);
+        for (std::size_t i = 0; i < heights.size(); ++i) {
+            const double x = c.slider.length * (static_cast<double>(i) + 0.5) / static_cast<double>(heights.size());
+            const double expected = 3e-9 * std::sin(2.0 * std::numbers::pi * (x - speed * time) / 1e-4);
+            QVERIFY(std::abs(heights[i] - expected) < 3e-9 * 2.0 * std::numbers::pi * 2.2e-6 / 1e-4); // of a part
+        }
+    }
+    const QImage wavy = view_->grab().toImage();
+    view_->showTime(0.4e-6);
+    QVERIFY(view_->grab().toImage() != wavy);
+    // Held still it does not move; a flat disk has no profile.
+    c.diskSurface.motion = SurfaceMotion::Still;
+    DiskProfile still(nullptr);
+    still.setCase(c);
+    QTRY_VERIFY(!still.empty());
+    QVERIFY(still.at(0.0) == still.at(1e-6));
+    still.setCase(sampleFilmCase());
+    QVERIFY(still.empty() && still.at(0.0).empty());
+    runs_->remove(0);
+    QVERIFY(view_->disk()->empty());
 }
 
 TOUCHDOWN_TEST(TestSideView)
