@@ -10,6 +10,7 @@
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLayout>
 #include <QMimeData>
 #include <QSettings>
@@ -276,7 +277,8 @@ void MainWindow::look()
                presenter_->on() ? std::max(own, presenter_->pointSize()) : own);
     pages_->limitWidths();
     QMetaObject::invokeMethod(pages_, &WindowPages::limitWidths, Qt::QueuedConnection); // with the new font everywhere
-    // Parts of the status bar that are hidden do not notice that the font has changed, but count for its height.
+    // An empty label keeps the height that it had with the former font, and a hidden part the one of its labels.
+    for (QLabel* label : statusBar()->findChildren<QLabel*>()) label->setIndent(label->indent());
     for (const QWidget* part : statusBar()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
         if (part->layout()) part->layout()->invalidate();
     QCoreApplication::postEvent(statusBar(), new QEvent(QEvent::LayoutRequest));

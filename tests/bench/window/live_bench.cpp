@@ -114,7 +114,7 @@ int main(int argc, char** argv)
     double shown = std::nan("");
     Clock::time_point last = Clock::now();
     auto* canvas = window.runView().plots()->plot(QStringLiteral("spacing"))->findChild<PlotCanvas*>();
-    Paints paints(*canvas, [&] {
+    const Paints paints(*canvas->viewport(), [&] {
         const RunRecord* newest = window.runs().newestShown();
         if (!newest || moved.empty()) return;
         const double value = numberOfCase(newest->value);
@@ -138,6 +138,7 @@ int main(int argc, char** argv)
     timer.start(16);
     waitFor(static_cast<int>(1e3 * seconds));
     timer.stop();
+    std::printf("%zu movements, %d runs in the list, newest %g\n", moved.size(), window.runs().count(), window.runs().newestShown() ? numberOfCase(window.runs().newestShown()->value) : -1.0);
     print("movement to picture", delays);
     print("between pictures", gaps);
     slider.setSliderDown(false);
