@@ -114,6 +114,7 @@ void LessonPane::build()
     answer_->setAccessibleName(lesson ? tr("Answer") : tr("How sure it is"));
 
     auto* content = new QWidget(scroll_);
+    content->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // as wide as the pane: texts wrap
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(10, 8, 10, 10);
     column->setSpacing(8);
@@ -141,7 +142,7 @@ void LessonPane::build()
     layout->setSpacing(0);
     layout->addWidget(scroll_, 1);
     layout->addLayout(row);
-    setMinimumSize(260, 240);
+    setMinimumSize(260, 160);
 }
 
 void LessonPane::go(std::size_t step)
@@ -217,6 +218,7 @@ void LessonPane::write()
 
 void LessonPane::showResult(std::size_t run, const QString& result)
 {
+    if (results_.at(run) == result) return;
     results_.at(run) = result;
     write();
 }

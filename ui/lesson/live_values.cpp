@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QEvent>
+#include <QLocale>
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
+#include "core/formats/units.h"
 #include "ui/case/parameter_text.h"
 #include "ui/lesson/marked_slider.h"
 #include "ui/style/quantity_format.h"
@@ -21,13 +24,6 @@ constexpr int digits = 3;
 
 const Parameter& parameterOf(const LiveValue& value) { return *findParameter(value.keys.front()); }
 
-double rounded(double number)
-{
-    if (number == 0.0) return 0.0;
-    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(number))) + 1 - digits);
-    return std::round(number / unit) * unit;
-}
-
 /// From 0 at the lower end to 1 at the upper one.
 double shareOf(const LiveValue& value, double number)
 {
@@ -38,14 +34,23 @@ double shareOf(const LiveValue& value, double number)
 
 double numberAt(const LiveValue& value, double share)
 {
-    const double number = value.logarithmic() ? value.from * std::pow(value.until / value.from, share)
-                                              : value.from + share * (value.until - value.from);
-    return std::clamp(rounded(number), value.from, value.until);
+    return value.logarithmic() ? value.from * std::pow(value.until / value.from, share)
+                               : value.from + share * (value.until - value.from);
+}
+
+/// In the display unit, as a case file has it; rounded there, so that it is read back with these digits.
+std::string textOf(const LiveValue& value, double number)
+{
+    const std::string& unit = parameterOf(value).displayUnit;
+    const QString shown = QLocale::c().toString(number / unitFactor(unit), 'g', digits);
+    return (unit.empty() ? shown : shown + u' ' + QString::fromStdString(unit)).toStdString();
 }
 
 QString endText(const LiveValue& value, double number)
 {
-    return roundedText(number, parameterOf(value).displayUnit, digits);
+    const std::string& unit = parameterOf(value).displayUnit;
+    const QString shown = QLocale().toString(number / unitFactor(unit), 'g', digits);
+    return unit.empty() ? shown : shown + u'\u00a0' + unitText(unit);
 }
 
 } // namespace
@@ -60,6 +65,7 @@ LiveValues::LiveValues(QWidget* parent) : QWidget(parent)
 
 void LiveValues::setValues(const std::vector<LiveValue>& values, const Case& own)
 {
+    settle(); // the reader may not have let go
     for (const Row& row : rows_) {
         delete row.label;
         delete row.slider;
@@ -67,22 +73,32 @@ void LiveValues::setValues(const std::vector<LiveValue>& values, const Case& own
     rows_.clear();
     for (const LiveValue& value : values) {
         const Parameter& parameter = parameterOf(value);
-        Row row{value, numberOf(parameter, own), new MarkedSlider(this), new QLabel(this)};
+        Row row{value, numberOf(parameter, own), toText(own, parameter), new MarkedSlider(this), new QLabel(this)};
+        row.label->setWordWrap(true);
+        row.label->setBuddy(row.slider);
         row.slider->setAccessibleName(sentence(parameter.label).chopped(1));
         row.slider->setToolTip(QString::fromStdString(parameter.help));
         row.slider->setMark(shareOf(value, row.own));
         row.slider->setEnds(endText(value, value.from), endText(value, value.until));
-        connect(row.slider, &MarkedSlider::movedTo, this, [this, value, own = row.own, slider = row.slider](int step) {
-            const bool atMark = step == slider->markedStep();
-            emit moved(value, atMark ? own : numberAt(value, slider->share()));
-        });
-        connect(row.slider, &MarkedSlider::settled, this, &LiveValues::settled);
+        connect(
+            row.slider, &MarkedSlider::movedTo, this, [this, value, own = row.ownText, slider = row.slider](int at) {
+                moving_ = true;
+                emit moved(value, at == slider->markedStep() ? own : textOf(value, numberAt(value, slider->share())));
+            });
+        connect(row.slider, &MarkedSlider::settled, this, &LiveValues::settle);
         layout()->addWidget(row.label);
         layout()->addWidget(row.slider);
         rows_.push_back(row);
     }
     setVisible(!rows_.empty());
     showCase(own);
+}
+
+void LiveValues::settle()
+{
+    if (!std::exchange(moving_, false)) return;
+    emit settled();
+    showCase(case_); // the sliders stand where the case is
 }
 
 void LiveValues::showCase(const Case& c)
@@ -101,10 +117,13 @@ void LiveValues::write()
     const QString muted = meaningColours(palette()).muted.name();
     for (const Row& row : rows_) {
         const Parameter& parameter = parameterOf(row.value);
-        const QString symbol = parameter.symbol.empty() ? QString() : symbolText(parameter.symbol) + u' ';
+        const QString number = valueText(case_, parameter);
+        row.slider->setAccessibleDescription(number);
+        const QString label = QString::fromStdString(row.value.label.empty() ? parameter.label : row.value.label);
+        const bool named = row.value.label.empty() && !parameter.symbol.empty();
+        const QString symbol = named ? symbolText(parameter.symbol) + u' ' : QString();
         row.label->setText(QStringLiteral("%1<span style='color:%2'>%3</span>&nbsp; <b>%4</b>")
-                               .arg(symbol, muted, QString::fromStdString(parameter.label).toHtmlEscaped(),
-                                    valueText(case_, parameter).toHtmlEscaped()));
+                               .arg(symbol, muted, label.toHtmlEscaped(), number.toHtmlEscaped()));
         row.label->setEnabled(row.slider->isEnabled());
     }
 }

@@ -4,6 +4,7 @@
 // the case was opened with. A double click on a slider takes the value back to the mark.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include <QLabel>
@@ -29,8 +30,8 @@ public:
     std::vector<QWidget*> inputs() const;
 
 signals:
-    /// `number` [unit of the parameters], with three digits.
-    void moved(const touchdown::LiveValue& value, double number);
+    /// `text` as a case file has it, with three digits, or with those of the case at its mark: "3.62 mN".
+    void moved(const touchdown::LiveValue& value, const std::string& text);
     /// The reader let go.
     void settled();
 
@@ -40,14 +41,17 @@ protected:
 private:
     struct Row {
         LiveValue value;
-        double own = 0.0; // [unit of the parameters]
+        double own = 0.0;    // [unit of the parameters]
+        std::string ownText; // the same, as a case file has it
         MarkedSlider* slider;
         QLabel* label; // with the number
     };
+    void settle();
     void write();
 
     std::vector<Row> rows_;
     Case case_;
+    bool moving_ = false; // until settled()
 };
 
 } // namespace touchdown

@@ -9,6 +9,7 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSlider>
+#include <QWheelEvent>
 
 #include "ui/style/theme.h"
 
@@ -17,7 +18,7 @@ namespace touchdown {
 namespace {
 
 constexpr int steps = 1000;
-constexpr int restAfterKeys = 500; // [ms]
+constexpr int restAfterKeys = 800; // [ms], longer than the first repetition of a key
 constexpr int markHeight = 6;      // [px]
 
 } // namespace
@@ -105,6 +106,8 @@ void MarkedSlider::paintEvent(QPaintEvent*)
     painter.drawText(texts, Qt::AlignLeft, left_);
     painter.drawText(texts, Qt::AlignRight, right_);
 }
+
+void MarkedSlider::wheelEvent(QWheelEvent* event) { event->ignore(); }
 
 void MarkedSlider::mouseDoubleClickEvent(QMouseEvent* event)
 {

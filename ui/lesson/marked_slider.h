@@ -35,6 +35,8 @@ protected:
     void initStyleOption(QStyleOptionSlider* option) const override;
     void paintEvent(QPaintEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    /// Whoever scrolls the text does not move a value.
+    void wheelEvent(QWheelEvent* event) override;
 
 private:
     int thickness() const; // of the slider alone [px]

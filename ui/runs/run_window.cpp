@@ -45,23 +45,32 @@ RunWindow::~RunWindow()
     controller_.disconnect();
 }
 
-void RunWindow::start(RunRequest request, int inPlaceOf)
+void RunWindow::start(RunRequest request)
 {
     controller_.stopAndWait();
-    add(request, inPlaceOf);
+    add(request);
     controller_.start(std::move(request));
 }
 
-void RunWindow::add(const RunRequest& request, int inPlaceOf)
+void RunWindow::announce(int number)
 {
-    const int replaced = runs_.rowOf(inPlaceOf);
-    const int number = replaced < 0 ? runs_.nextNumber() : inPlaceOf;
-    if (replaced >= 0) runs_.remove(replaced);
+    if (number_ >= 0) {
+        announced_ = number;
+        return;
+    }
+    const RunRecord* run = runs_.find(number);
+    if (!run || !run->summary) return;
+    emit started(number);
+    emit ended(number, *run->summary);
+}
+
+void RunWindow::add(const RunRequest& request)
+{
     // Another model has other quantities over another time.
     for (int row = 0; row < runs_.count(); ++row)
         if (runs_.record(row).shown && runs_.record(row).value.model != request.value.model)
             runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
-    auto record = std::make_unique<RunRecord>(number, request.value, request.caseText,
+    auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
                                               recordedQuantities(request.value), recordedFields(request.value));
     number_ = runs_.add(std::move(record)).number;
     runs_.setFile(number_, QString::fromStdString(request.recordTo.string()));
@@ -94,6 +103,7 @@ void RunWindow::onFinished(const Summary& summary)
                                                   .arg(summary.steps)
                                                   .arg(timeText(summary.solverSeconds)));
     emit ended(number, summary);
+    if (announced_ >= 0) announce(std::exchange(announced_, -1));
 }
 
 } // namespace touchdown

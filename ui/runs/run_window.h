@@ -34,9 +34,11 @@ public:
     /// nullptr: none is.
     RunRecord* runUnderWay() { return runs_.find(number_); }
 
-    /// An active run ends, with its signals, before the new one is in the list. `inPlaceOf`: the number of a run of the
-    /// list that makes room for it.
-    void start(RunRequest request, int inPlaceOf = -1);
+    /// An active run ends, with its signals, before the new one is in the list.
+    void start(RunRequest request);
+    /// A run that was performed elsewhere, and is in the list, is told of as one that has just ended: at once, or when
+    /// the active one ends.
+    void announce(int number);
 
 signals:
     void started(int number);
@@ -44,7 +46,7 @@ signals:
     void ended(int number, const touchdown::Summary& summary);
 
 private:
-    void add(const RunRequest& request, int inPlaceOf);
+    void add(const RunRequest& request);
     void onDelivered(const RunDelivery& delivery);
     void onFinished(const Summary& summary);
 
@@ -55,7 +57,8 @@ private:
     RecordPanel* panel_;
     CursorTable* values_;
     ProgressStrip* progress_;
-    int number_ = -1; // in the list, of the active run
+    int number_ = -1;     // in the list, of the active run
+    int announced_ = -1; // of a run that waits for its end
 };
 
 } // namespace touchdown

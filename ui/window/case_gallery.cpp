@@ -19,11 +19,11 @@ namespace touchdown {
 
 namespace {
 
-struct Theme {
+struct ThemeOfCases {
     const char* title;
     std::vector<const char*> prefixes; // of the names of its cases
 };
-const std::array<Theme, 5> themes{{
+const std::array<ThemeOfCases, 5> themes{{
     {QT_TRANSLATE_NOOP("CaseGallery", "Figures of the paper"), {"fig", "table"}},
     {QT_TRANSLATE_NOOP("CaseGallery", "Films"), {"film"}},
     {QT_TRANSLATE_NOOP("CaseGallery", "Contacts"), {"contact"}},
@@ -34,8 +34,8 @@ const std::array<Theme, 5> themes{{
 std::size_t themeOf(const QString& name)
 {
     const auto fits = [&name](const char* prefix) { return name.startsWith(QLatin1String(prefix)); };
-    const auto found =
-        std::ranges::find_if(themes, [&](const Theme& theme) { return std::ranges::any_of(theme.prefixes, fits); });
+    const auto found = std::ranges::find_if(
+        themes, [&](const ThemeOfCases& theme) { return std::ranges::any_of(theme.prefixes, fits); });
     return static_cast<std::size_t>(found - themes.begin());
 }
 

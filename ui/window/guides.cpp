@@ -16,6 +16,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/window/lesson_stages.h"
 #include "ui/window/live_runs.h"
@@ -66,10 +67,7 @@ Guides::Guides(MainWindow& window, WindowPages& pages)
       stages_(new LessonStages(window.runView(), window.runs(), this)),
       live_(new LiveRuns(window))
 {
-    connect(&window_.edits(), &CaseEdits::edited, this, [this] {
-        for (LessonPane* pane : panes_)
-            if (pane) pane->live().showCase(window_.edits().value());
-    });
+    connect(&window_.edits(), &CaseEdits::edited, this, &Guides::showLive);
     connect(&window_.runWindow(), &RunWindow::ended, this, &Guides::showResults);
     connect(&window_.runs(), &RunsModel::rowsRemoved, this, &Guides::showResults);
     connect(&pages_, &WindowPages::guideToggled, this, [this](QWidget* guide, bool open) {
@@ -86,10 +84,29 @@ Guides::Guides(MainWindow& window, WindowPages& pages)
 
 bool Guides::staged() const { return stages_->active(); }
 
-void Guides::leave()
+bool Guides::leave()
 {
     ownCase_ = false;
     stages_->end();
+    showLive();
+    return !opens_.isEmpty() && window_.files().sample() == opens_;
+}
+
+/// Values are moved of the case of the step alone, not of the reader's own.
+void Guides::showLive()
+{
+    for (LessonPane* pane : panes_) {
+        if (!pane) continue;
+        pane->live().setEnabled(ownCase_ && pane == shown_);
+        pane->live().showCase(window_.edits().value());
+    }
+}
+
+/// Whether another case would take more from the reader than values that were tried in a step: a shape that was drawn.
+bool Guides::maybeLost() const
+{
+    const CaseEdits& edits = window_.edits();
+    return !ownCase_ || !window_.files().file().isEmpty() || edits.value().surface != edits.opened().surface;
 }
 
 void Guides::go(int steps)
@@ -133,7 +150,7 @@ void Guides::open(Kind kind)
     if (first)
         pane->go(QSettings().value(settingOf(kind), 0).toUInt());
     else if (!stages_->active())
-        stage();
+        onStep(kind);
 }
 
 void Guides::onStep(Kind kind)
@@ -144,12 +161,14 @@ void Guides::onStep(Kind kind)
     shown_ = pane;
     stage();
     showResults();
+    showLive();
+    window_.messages().clear(); // of another step
     emit stepShown();
-    pane->live().showCase(window_.edits().value());
     const LessonStep& step = pane->shown();
-    if (kind == Kind::Lesson || stages_->hasRuns(step) || step.runs.empty() || !step.runs.front().kind.empty()) return;
+    if (kind == Kind::Lesson || step.runs.empty() || !step.runs.front().kind.empty()) return;
     // A demonstration on springs is there at once; a film takes its time, and waits for the button.
-    openCaseOf(step.runs.front(), caseOf(step.runs.front()).model == ModelKind::Springs);
+    const bool quick = caseOf(step.runs.front()).model == ModelKind::Springs;
+    openCaseOf(step.runs.front(), quick && !stages_->hasRuns(step));
 }
 
 /// Of the runs of the step that are in the list and have ended.
@@ -174,13 +193,15 @@ void Guides::perform(const LessonRun& run)
 
 void Guides::openCaseOf(const LessonRun& run, bool start)
 {
-    // What the reader tried with a sample case of a step; a file of the reader's own is asked about.
     CaseFiles& files = window_.files();
-    if (ownCase_ && files.file().isEmpty()) files.leaveUnsaved();
+    if (!maybeLost()) files.leaveUnsaved();
+    opens_ = QString::fromStdString(run.name);
     files.openChanged(QString::fromStdString(run.name), run.settings, [this, start, run] {
+        opens_.clear();
         ownCase_ = true;
         window_.setPage(MainWindow::Page::Run);
         stage();
+        showLive();
         if (!start) return;
         window_.startRun();
         const RunRecord* started = window_.runWindow().runUnderWay();

@@ -31,8 +31,8 @@ public:
     LessonPane* pane(LessonPane::Kind kind) const { return panes_[static_cast<std::size_t>(kind)]; }
     /// Opens and runs what a step asks for.
     void perform(const LessonRun& run);
-    /// A case was opened: the stage ends, for perform() to begin it anew.
-    void leave();
+    /// A case was opened: the stage ends, to begin anew if a step asked for that case; whether one did.
+    bool leave();
     bool staged() const;
     /// The pane whose stage it is; nullptr: none.
     const LessonPane* shown() const { return shown_; }
@@ -43,6 +43,8 @@ signals:
     void stepShown();
 
 private:
+    void showLive();
+    bool maybeLost() const;
     /// Opens the case of a run, then runs it, or only shows it.
     void openCaseOf(const LessonRun& run, bool start);
     LessonPane* build(LessonPane::Kind kind);
@@ -57,6 +59,7 @@ private:
     std::array<LessonPane*, 2> panes_{};                        // by kind
     LessonPane* shown_ = nullptr;                               // whose stage it is
     std::map<std::string, std::map<std::size_t, int>> numbers_; // in the list, by title of a step: of its runs
+    QString opens_;                                             // the sample case that a step asks for
     bool ownCase_ = false;                                      // the case that is edited was opened by a step
 };
 

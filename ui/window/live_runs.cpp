@@ -2,6 +2,7 @@
 #include "ui/window/live_runs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <utility>
 
@@ -13,26 +14,31 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr int mergeOfMovements = 1 << 16; // with the number of the movement: of edits that are one for undo
+constexpr int mergeOfMovements = 1 << 16;       // with the number of the movement: of edits that are one for undo
+constexpr std::chrono::milliseconds quick{300}; // for a run that follows the hand
 
-/// The whole run of a case; nothing where the solver broke off.
-std::unique_ptr<RunRecord> performed(int number, const Case& c)
+/// The whole run of a case; nothing where it takes too long, is left, or breaks off.
+std::unique_ptr<RunRecord> performed(const Case& c, const std::atomic<bool>& left)
 {
-    auto record = std::make_unique<RunRecord>(number, c, std::string(), recordedQuantities(c), recordedFields(c));
+    const auto start = std::chrono::steady_clock::now();
+    auto record = std::make_unique<RunRecord>(0, c, std::string(), recordedQuantities(c), recordedFields(c));
+    bool whole = true;
     try {
-        record->finish(run(c, [&record](const RunUpdate& update) {
+        record->finish(run(c, [&](const RunUpdate& update) {
             record->append(update.samples, update.events, update.fields);
-            return true;
+            whole = !left && std::chrono::steady_clock::now() - start < quick;
+            return whole;
         }));
     } catch (const std::exception&) {
         return nullptr;
     }
-    return record;
+    return whole ? std::move(record) : nullptr;
 }
 
 } // namespace
@@ -54,102 +60,133 @@ Case coarser(const Case& c)
 LiveRuns::LiveRuns(MainWindow& window) : QObject(&window), window_(window), queue_(nullptr)
 {
     connect(&window_.runWindow(), &RunWindow::ended, this, &LiveRuns::onEnded);
+    connect(&window_.files(), &CaseFiles::opened, this, &LiveRuns::leave);
+    connect(window_.actions().stop, &QAction::triggered, this, &LiveRuns::leave);
 }
 
-void LiveRuns::move(const LiveValue& value, double number)
+void LiveRuns::leave()
 {
-    if (!std::exchange(moving_, true)) {
-        ++movement_;
-        number_ = -1;
-    }
+    if (movement_) movement_->left = true;
+    movement_.reset();
+    grids_.reset();
+}
+
+void LiveRuns::move(const LiveValue& value, const std::string& text)
+{
     CaseEdits& edits = window_.edits();
     Case changed = edits.value();
     for (const std::string& key : value.keys)
-        if (setFromNumber(changed, *findParameter(key), number)) return; // out of its range: it stays
+        if (setFromText(changed, *findParameter(key), text)) return; // out of its range: it stays
     if (changed == edits.value()) return;
+    if (!movement_ || movement_->settled) {
+        movement_ = std::make_shared<Movement>();
+        movement_->merge = mergeOfMovements + ++movements_;
+    }
+    movement_->value = changed;
     const QString label = QString::fromStdString(findParameter(value.keys.front())->label);
-    edits.setAll(changed, tr("move %1").arg(label), mergeOfMovements + movement_);
-    if (changed.model != ModelKind::Springs || !edits.reasonNotToRun().isEmpty()) return;
-    if (busy_)
-        again_ = true;
-    else
-        runOnce();
+    edits.setAll(changed, tr("move %1").arg(label), movement_->merge);
+    const bool runs = changed.model == ModelKind::Springs && edits.reasonNotToRun().isEmpty();
+    if (runs && !movement_->busy && !movement_->slow) runOnce(movement_);
 }
 
 void LiveRuns::settle()
 {
-    if (!std::exchange(moving_, false)) return;
+    if (!movement_ || movement_->settled) return;
+    movement_->settled = true;
     if (!window_.edits().reasonNotToRun().isEmpty()) return;
-    if (window_.edits().value().model == ModelKind::Film)
+    movement_->text = window_.files().wholeText();
+    if (movement_->value.model == ModelKind::Film)
         runFilm();
-    else if (!busy_)
-        window_.startRunInPlaceOf(number_);
+    else if (movement_->value.model != ModelKind::Springs || movement_->slow)
+        window_.startRun();
+    else if (!movement_->busy)
+        finish(*movement_);
 }
 
-void LiveRuns::runOnce()
+void LiveRuns::runOnce(const std::shared_ptr<Movement>& movement)
 {
-    busy_ = true;
-    again_ = false;
-    // A run that the user started meanwhile has its own row, below.
-    const RunsModel& runs = window_.runs();
-    if (runs.count() == 0 || runs.rowOf(number_) != runs.count() - 1) number_ = window_.runs().nextNumber();
+    movement->busy = true;
     auto record = std::make_shared<std::unique_ptr<RunRecord>>();
     queue_.post(
-        [record, number = number_, c = window_.edits().value()] {
-            *record = performed(number, c);
+        [record, movement, c = movement->value] {
+            *record = performed(c, movement->left);
             return QString();
         },
-        [this, record](const QString&) { show(std::move(*record)); });
+        [this, record, movement](const QString&) { show(movement, std::move(*record)); });
 }
 
-void LiveRuns::show(std::unique_ptr<RunRecord> record)
+void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<RunRecord> record)
 {
-    busy_ = false;
-    RunsModel& runs = window_.runs();
-    const bool ofThis =
-        record && record->number == number_ && (number_ == runs.nextNumber() || runs.rowOf(number_) >= 0);
-    if (ofThis) {
-        if (const int row = runs.rowOf(number_); row >= 0) runs.remove(row);
-        runs.add(std::move(record));
-        emit shown(number_);
+    movement->busy = false;
+    if (movement->left) return;
+    if (!record) {
+        movement->slow = true;
+        if (movement->settled) window_.startRun();
+        return;
     }
-    if (!moving_)
-        window_.startRunInPlaceOf(number_);
-    else if (again_)
-        runOnce();
+    const bool newest = record->value == movement->value;
+    RunsModel& runs = window_.runs();
+    // The reader may have removed it.
+    const int row = movement->number < 0 ? -1 : runs.rowOf(movement->number);
+    if (row >= 0) runs.remove(row);
+    record->number = row >= 0 ? movement->number : runs.nextNumber();
+    movement->number = runs.add(std::move(record)).number;
+    emit shown(movement->number);
+    if (!newest)
+        runOnce(movement);
+    else if (movement->settled)
+        finish(*movement);
+}
+
+/// From now on its run is one like any other.
+void LiveRuns::finish(Movement& movement)
+{
+    RunRecord* run = movement.number < 0 ? nullptr : window_.runs().find(movement.number);
+    if (!run) return;
+    run->caseText = movement.text;
+    window_.runWindow().announce(movement.number);
 }
 
 void LiveRuns::runFilm()
 {
-    const Case own = window_.edits().value();
-    const Case coarse = coarser(own);
-    coarse_ = fine_ = -1;
-    if (coarse == own) return window_.startRun();
-    window_.runWindow().start({coarse, updateCaseText(window_.files().wholeText(), coarse), {}});
-    if (const RunRecord* run = window_.runWindow().runUnderWay()) coarse_ = run->number;
+    RunsModel& runs = window_.runs();
+    // That of an earlier movement, whose finer run did not come to its end.
+    if (const int row = grids_ ? runs.rowOf(grids_->coarse) : -1; row >= 0) {
+        window_.controller().stopAndWait();
+        if (const int left = runs.rowOf(grids_->coarse); left >= 0) runs.remove(left);
+    }
+    const Case coarse = coarser(movement_->value);
+    grids_.reset();
+    if (coarse == movement_->value) return window_.startRun();
+    TwoGrids grids{movement_->value, movement_->text, -1, -1};
+    window_.runWindow().start({coarse, updateCaseText(grids.text, coarse), {}});
+    RunRecord* run = window_.runWindow().runUnderWay();
+    if (!run) return;
+    run->note = tr("coarse grid");
+    grids.coarse = run->number;
+    grids_ = grids;
 }
 
 void LiveRuns::onEnded(int number, const Summary& summary)
 {
-    RunsModel& runs = window_.runs();
-    if (number == coarse_ && fine_ < 0) {
-        if (summary.status == RunStatus::Cancelled) {
-            coarse_ = -1;
-            return;
-        }
+    if (!grids_) return;
+    if (number == grids_->coarse) {
+        if (summary.status == RunStatus::Cancelled) return grids_.reset();
         // After the window has shown the end of this run.
         QMetaObject::invokeMethod(
             this,
             [this, number] {
-                if (coarse_ != number || window_.runWindow().runUnderWay()) return;
-                window_.startRun();
-                if (const RunRecord* run = window_.runWindow().runUnderWay()) fine_ = run->number;
+                RunWindow& runs = window_.runWindow();
+                if (!grids_ || grids_->coarse != number || runs.runUnderWay()) return;
+                if (window_.edits().value() != grids_->own) return grids_.reset();
+                runs.start({grids_->own, grids_->text, {}});
+                if (const RunRecord* run = runs.runUnderWay()) grids_->fine = run->number;
             },
             Qt::QueuedConnection);
-    } else if (number == fine_) {
-        const int row = runs.rowOf(std::exchange(coarse_, -1));
-        if (row >= 0 && summary.status == RunStatus::Completed) runs.remove(row);
-        fine_ = -1;
+    } else if (number == grids_->fine) {
+        const int row = window_.runs().rowOf(grids_->coarse);
+        if (row >= 0 && summary.status == RunStatus::Completed) window_.runs().remove(row);
+        grids_.reset();
     }
 }
 

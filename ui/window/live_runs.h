@@ -3,14 +3,18 @@
 // Runs the case again while the reader moves one of its values.
 //
 // Springs run at each movement, beside the window, in milliseconds: one run of the list is made anew again and again,
-// with the newest value whenever the last run is there. When the reader lets go, it becomes a run like any other. A
-// film runs when the reader lets go, first on a coarse grid, then on its own.
+// with the newest value whenever the last run is there. When the reader lets go, it is a run like any other. A case
+// that takes longer runs when the reader lets go; a film first on a coarse grid, then on its own.
 #pragma once
 
+#include <atomic>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include <QObject>
 
+#include "core/case/case.h"
 #include "core/studies/lesson/lesson.h"
 #include "ui/calculation/task_queue.h"
 
@@ -29,32 +33,49 @@ class LiveRuns : public QObject {
 
 public:
     explicit LiveRuns(MainWindow& window);
+    ~LiveRuns() override { leave(); }
 
-    /// A parameter gets this number [its unit].
-    void move(const LiveValue& value, double number);
+    /// The parameters get this value, as a case file has it.
+    void move(const LiveValue& value, const std::string& text);
     /// The movement has ended.
     void settle();
-    bool busy() const { return busy_; }
+    /// Nothing more is run or shown of it: another case is open.
+    void leave();
+    bool busy() const { return movement_ && movement_->busy; }
 
 signals:
     /// A run of a movement is in the list.
     void shown(int number);
 
 private:
-    void runOnce();
-    void show(std::unique_ptr<RunRecord> record);
+    /// From the first change of a value until the reader lets go.
+    struct Movement {
+        int merge = 0;        // of its edits, which are one for undo
+        int number = -1;      // of its run in the list
+        Case value;           // the newest
+        std::string text;     // of the case; empty until the reader lets go
+        bool settled = false; // the reader let go
+        bool busy = false;    // a run is under way beside the window
+        bool slow = false;    // a run takes too long for that
+        std::atomic<bool> left = false;
+    };
+    struct TwoGrids {
+        Case own;
+        std::string text;           // of it
+        int coarse = -1, fine = -1; // numbers of the runs
+    };
+
+    void runOnce(const std::shared_ptr<Movement>& movement);
+    void show(const std::shared_ptr<Movement>& movement, std::unique_ptr<RunRecord> record);
+    void finish(Movement& movement);
     void runFilm();
     void onEnded(int number, const Summary& summary);
 
     MainWindow& window_;
-    TaskQueue queue_;
-    int movement_ = 0;    // how many there were
-    bool moving_ = false; // until the reader lets go
-    int number_ = -1;     // of the run that this movement shows
-    bool busy_ = false;   // a run is under way beside the window
-    bool again_ = false;  // the value has changed since
-    int coarse_ = -1;     // number of the run on a coarse grid, until the finer one has ended
-    int fine_ = -1;
+    int movements_ = 0; // so far
+    std::shared_ptr<Movement> movement_;
+    std::optional<TwoGrids> grids_;
+    TaskQueue queue_; // last: its tasks use what stands above
 };
 
 } // namespace touchdown

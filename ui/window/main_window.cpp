@@ -135,13 +135,11 @@ void MainWindow::solveStaticState(bool atGivenAttitude)
     film_->solve(edits_->value(), atGivenAttitude);
 }
 
-void MainWindow::startRun() { startRunInPlaceOf(-1); }
-
-void MainWindow::startRunInPlaceOf(int number)
+void MainWindow::startRun()
 {
     if (!readyToRun()) return;
     endSlowMotion();
-    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()}, number);
+    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
 }
 
 void MainWindow::performStudy()
@@ -156,9 +154,12 @@ void MainWindow::performStudy()
 
 void MainWindow::onCaseOpened()
 {
-    guides_->leave();
+    const bool byGuide = guides_->leave();
     casePanel_->setPreset(files_->sample());
-    if (pages_->page() != Page::Studies) setPage(Page::StaticState);
+    if (byGuide)
+        setPage(Page::Run);
+    else if (pages_->page() != Page::Studies)
+        setPage(Page::StaticState);
     aboutCase_->setResult({});
     aboutCase_->setWarnings({});
     film_->open(edits_->value());
@@ -270,17 +271,27 @@ void MainWindow::runFromSolution(int number)
 
 void MainWindow::look()
 {
+    const QSize before = size();
     const QAction* theme = actions_->theme->checkedAction();
     const QAction* size = actions_->fontSize->checkedAction();
     const int own = systemPointSize() + (size ? size->data().toInt() : 0);
     applyTheme(theme ? themeFromName(theme->data().toString()) : Theme::System,
                presenter_->on() ? std::max(own, presenter_->pointSize()) : own);
-    pages_->limitWidths();
-    QMetaObject::invokeMethod(pages_, &WindowPages::limitWidths, Qt::QueuedConnection); // with the new font everywhere
+    pages_->limitSizes();
+    QMetaObject::invokeMethod(
+        this, [this, before] { followFont(before); }, Qt::QueuedConnection); // with the new font
+}
+
+/// When every part has the new font: the window keeps its size.
+void MainWindow::followFont(const QSize& before)
+{
+    pages_->limitSizes();
     // An empty label keeps the height that it had with the former font, and a hidden part the one of its labels.
     for (QLabel* label : statusBar()->findChildren<QLabel*>()) label->setIndent(label->indent());
     for (const QWidget* part : statusBar()->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
         if (part->layout()) part->layout()->invalidate();
+    actions_->toolBar->layout()->invalidate();
+    if (!isMaximized() && !isFullScreen()) resize(before);
     QCoreApplication::postEvent(statusBar(), new QEvent(QEvent::LayoutRequest));
 }
 

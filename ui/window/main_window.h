@@ -65,8 +65,6 @@ public:
     void solveStaticState(bool atGivenAttitude = false);
     /// Performs the study in the editor of studies.
     void performStudy();
-    /// Runs the case in place of a run of the list; -1: as a new one.
-    void startRunInPlaceOf(int number);
     /// Opens and runs what a step of the lesson or a demonstration asks for.
     void performLessonRun(const LessonRun& run);
     /// A case that was read elsewhere; `file` is empty for a sample case.
@@ -137,6 +135,7 @@ private:
     void runFromSolution(int number);
     void showHelp(HelpWindow::Page page);
     void look();
+    void followFont(const QSize& before);
     SessionParts sessionParts();
     void listSessions();
     void takeSession(std::unique_ptr<SessionFolder> folder);

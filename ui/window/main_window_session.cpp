@@ -26,6 +26,7 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/closing_question.h"
+#include "ui/window/presenter.h"
 #include "ui/window/session.h"
 #include "ui/window/session_offer.h"
 #include "ui/window/window_actions.h"
@@ -130,6 +131,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 
 void MainWindow::saveArrangement()
 {
+    presenter_->set(false);
     setPage(Page::Run); // the next session begins with its panes
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

@@ -24,7 +24,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double linesOnScreen = 42.0; // of text, from the top of the screen to its foot
+constexpr double linesOnScreen = 34.0; // of text, from the top of the screen to its foot
 constexpr double iconLines = 1.3;      // height of an icon in lines of text
 constexpr double pointsPerInch = 72.0;
 
@@ -37,7 +37,8 @@ Presenter::Presenter(MainWindow& window, WindowPages& pages)
       bar_(new QToolBar(tr("Presenter"), &window)),
       caption_(new QLabel(bar_)),
       next_(new QAction(tr("Next"), this)),
-      back_(new QAction(tr("Back"), this))
+      back_(new QAction(tr("Back"), this)),
+      leave_(new QAction(tr("Leave"), this))
 {
     const WindowActions& actions = window_.actions();
     next_->setShortcuts({QKeySequence(Qt::Key_PageDown)});
@@ -47,7 +48,8 @@ Presenter::Presenter(MainWindow& window, WindowPages& pages)
     bar_->setObjectName(QStringLiteral("presenter"));
     bar_->setMovable(false);
     caption_->setAccessibleName(tr("What is shown"));
-    caption_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    caption_->setMinimumWidth(60);
     caption_->setContentsMargins(12, 0, 12, 0);
     bar_->addAction(back_);
     bar_->addWidget(caption_);
@@ -58,10 +60,12 @@ Presenter::Presenter(MainWindow& window, WindowPages& pages)
     bar_->hide();
     // Not among the panes that the user shows and hides.
     bar_->toggleViewAction()->setVisible(false);
-    for (QAction* action : {next_, back_}) {
+    leave_->setShortcut(Qt::Key_Escape);
+    for (QAction* action : {next_, back_, leave_}) {
         action->setEnabled(false);
         window_.addAction(action);
     }
+    connect(leave_, &QAction::triggered, this, [this] { window_.actions().presenter->setChecked(false); });
     connect(next_, &QAction::triggered, this, [this] { window_.guides().go(1); });
     connect(back_, &QAction::triggered, this, [this] { window_.guides().go(-1); });
     window_.installEventFilter(this);
@@ -75,6 +79,7 @@ void Presenter::set(bool on)
 
 void Presenter::begin()
 {
+    arranging_ = false;
     state_ = window_.windowState();
     geometry_ = window_.geometry();
     panes_ = window_.saveState();
@@ -82,16 +87,16 @@ void Presenter::begin()
     on_ = true;
     const QScreen* screen = window_.screen();
     const double pixels = screen->geometry().height() / linesOnScreen;
-    pointSize_ = std::max(systemPointSize(),
+    pointSize_ = std::max(systemPointSize() + 2,
                           static_cast<int>(std::floor(0.75 * pixels * pointsPerInch / screen->logicalDotsPerInch())));
-    pages_.setPanesHidden(true);
+    pages_.hidePanes();
     window_.menuBar()->hide();
     window_.statusBar()->hide();
     window_.actions().toolBar->hide();
     const int icon = static_cast<int>(std::lround(iconLines * pixels));
     bar_->setIconSize({icon, icon});
     bar_->show();
-    for (QAction* action : {next_, back_}) action->setEnabled(true);
+    for (QAction* action : {next_, back_, leave_}) action->setEnabled(true);
     emit changed();
     showCaption();
     window_.showFullScreen();
@@ -100,24 +105,24 @@ void Presenter::begin()
 void Presenter::end()
 {
     on_ = false;
-    for (QAction* action : {next_, back_}) action->setEnabled(false);
+    for (QAction* action : {next_, back_, leave_}) action->setEnabled(false);
     bar_->hide();
+    emit changed();
+    QCoreApplication::sendPostedEvents(); // the parts have their former font, and need no more room than before
     window_.actions().toolBar->show();
     window_.menuBar()->show();
     window_.statusBar()->show();
-    emit changed();
     arranging_ = true;
     window_.setWindowState(state_);
     window_.setVisible(true);
     if (!(state_ & (Qt::WindowMaximized | Qt::WindowFullScreen))) window_.setGeometry(geometry_);
-    pages_.setPanesHidden(false);
-    QCoreApplication::sendPostedEvents(); // the parts have their former font, and need no more room than before
+    QCoreApplication::sendPostedEvents();
     arrange();
 }
 
 void Presenter::arrange()
 {
-    window_.restoreState(panes_);
+    pages_.bringPanesBack(panes_);
     window_.runView().splitter()->restoreState(parts_);
     arranging_ = window_.size() != geometry_.size();
 }

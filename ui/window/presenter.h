@@ -49,7 +49,7 @@ private:
     WindowPages& pages_;
     QToolBar* bar_;
     QLabel* caption_;
-    QAction *next_, *back_;
+    QAction *next_, *back_, *leave_;
     bool on_ = false;
     int pointSize_ = 0;
     bool arranging_ = false; // the window has not its former size again

@@ -29,8 +29,9 @@ namespace touchdown {
 
 namespace {
 
-// The most that is asked for, of the width of the screen: a pane at the left, one at the right, the page between them.
+// The most that is asked for, of the screen: a pane at the left, three at the right, the page between them.
 constexpr double widestPane = 0.24, widestPage = 0.5;
+constexpr double highestPane = 0.18, highestPage = 0.7;
 
 } // namespace
 
@@ -144,9 +145,7 @@ void WindowPages::showModel(ModelKind model)
 
 void WindowPages::showPage()
 {
-    for (Pane& pane : panes_)
-        if (!panesHidden_ && std::ranges::find(pane.pages, shown_) != pane.pages.end())
-            pane.wanted = !pane.dock->isHidden();
+    noteWanted();
     shown_ = page();
     pages_->setCurrentIndex(static_cast<int>(shown_));
     parts_.actions.setPage(model_, shown_ == Page::Run);
@@ -156,6 +155,14 @@ void WindowPages::showPage()
         parts_.window.resizeDocks({about_, solutions_, attitude_}, {130, 220, 400}, Qt::Vertical);
     makeRoomForGuide();
     emit shown();
+}
+
+/// Which panes of its page the user left open.
+void WindowPages::noteWanted()
+{
+    for (Pane& pane : panes_)
+        if (!panesHidden_ && std::ranges::find(pane.pages, shown_) != pane.pages.end())
+            pane.wanted = !pane.dock->isHidden();
 }
 
 void WindowPages::showPanesOfPage()
@@ -172,11 +179,13 @@ void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& 
     QDockWidget*& dock = guides_[&guide];
     if (dock == nullptr) {
         dock = addPane(name, title, &guide, Qt::RightDockWidgetArea);
+        if (panesHidden_) newGuides_.push_back(dock);
         parts_.window.tabifyDockWidget(about_, dock);
         connect(dock->toggleViewAction(), &QAction::toggled, this,
                 [this, &guide](bool open) { emit guideToggled(&guide, open); });
     }
     if (panesHidden_) {
+        std::erase_if(hiddenPanes_, [this](const QDockWidget* each) { return guides_.contains(each->widget()); });
         hiddenPanes_.push_back(dock);
         dock->hide();
         return;
@@ -191,23 +200,33 @@ void WindowPages::hideGuide(QWidget& guide)
     if (const auto found = guides_.find(&guide); found != guides_.end()) found->second->hide();
 }
 
-void WindowPages::setPanesHidden(bool hidden)
+void WindowPages::hidePanes()
 {
-    if (hidden == panesHidden_) return;
-    if (hidden) {
-        panesHidden_ = true; // before they are hidden: nobody closes them
-        hiddenPanes_.clear();
-        for (auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
-            if (dock->isHidden()) continue;
-            hiddenPanes_.push_back(dock);
-            dock->hide();
-        }
-        return;
+    noteWanted();
+    panesHidden_ = true; // before they are hidden: nobody closes them
+    hiddenPanes_.clear();
+    newGuides_.clear();
+    for (auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (dock->isHidden()) continue;
+        hiddenPanes_.push_back(dock);
+        dock->hide();
     }
-    for (QDockWidget* dock : hiddenPanes_)
-        if (std::ranges::find(panes_, dock, &Pane::dock) == panes_.end()) dock->show();
+}
+
+void WindowPages::bringPanesBack(const QByteArray& arrangement)
+{
+    panesHidden_ = true;
+    parts_.window.restoreState(arrangement);
     panesHidden_ = false;
     showPanesOfPage();
+    panesHidden_ = true; // the guides go on as they are
+    for (QDockWidget* dock : hiddenPanes_) {
+        if (std::ranges::find(panes_, dock, &Pane::dock) != panes_.end()) continue; // of a page
+        if (std::ranges::find(newGuides_, dock) != newGuides_.end()) parts_.window.tabifyDockWidget(about_, dock);
+        dock->show();
+        dock->raise();
+    }
+    panesHidden_ = false;
 }
 
 /// Its text is long, the list of runs is short.
@@ -217,15 +236,17 @@ void WindowPages::makeRoomForGuide()
         if (!dock->isHidden()) parts_.window.resizeDocks({dock, runs_, values_}, {600, 150, 150}, Qt::Vertical);
 }
 
-void WindowPages::limitWidths()
+void WindowPages::limitSizes()
 {
-    const int screen = parts_.window.screen()->availableGeometry().width();
-    const auto limit = [screen](QWidget* widget, double most) {
-        widget->setMinimumWidth(std::min(widget->minimumSizeHint().width(), static_cast<int>(most * screen)));
+    const QSize screen = parts_.window.screen()->availableGeometry().size();
+    const auto limit = [&screen](QWidget* widget, double width, double height) {
+        const QSize needed = widget->minimumSizeHint();
+        widget->setMinimumSize(std::min(needed.width(), static_cast<int>(width * screen.width())),
+                               std::min(needed.height(), static_cast<int>(height * screen.height())));
     };
     for (const auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
-        limit(dock->widget(), widestPane);
-    limit(parts_.window.centralWidget(), widestPage);
+        limit(dock->widget(), widestPane, highestPane);
+    limit(parts_.window.centralWidget(), widestPage, highestPage);
 }
 
 void WindowPages::updateProgress()

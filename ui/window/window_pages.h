@@ -58,13 +58,14 @@ public:
     /// A pane that guides the reader, beside the description of the case; `name` of its dock.
     void showGuide(QWidget& guide, const QString& name, const QString& title);
     void hideGuide(QWidget& guide);
-    /// For a lecture: all panes are hidden, and come back as they were.
-    void setPanesHidden(bool hidden);
+    /// For a lecture: all panes are hidden, and come back, arranged as the window had saved it.
+    void hidePanes();
+    void bringPanesBack(const QByteArray& arrangement);
     bool panesHidden() const { return panesHidden_; }
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
-    /// Panes and pages ask for no more width than the screen has, however large the font is.
-    void limitWidths();
+    /// Panes and pages ask for no more room than the screen has, however large the font is.
+    void limitSizes();
     /// What the runs of the list take of the memory; hidden without runs.
     QLabel* memory() const { return memory_; }
 
@@ -81,6 +82,7 @@ private:
     void buildPanes();
     QDockWidget* addPane(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
     void showPage();
+    void noteWanted();
     void makeRoomForGuide();
 
     Parts parts_;
@@ -98,6 +100,7 @@ private:
     QDockWidget* study_ = nullptr;
     bool panesHidden_ = false;
     std::vector<QDockWidget*> hiddenPanes_;   // meanwhile
+    std::vector<QDockWidget*> newGuides_;     // that were asked for meanwhile
     std::map<QWidget*, QDockWidget*> guides_; // those that were asked for
     ModelKind model_ = ModelKind::Springs;
     Page shown_ = Page::Run;

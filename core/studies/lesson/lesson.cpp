@@ -98,6 +98,7 @@ LiveValue readLive(StudyReader& reader, const std::string& table, const Case& c)
     };
     live.from = end(".from");
     live.until = end(".until");
+    live.label = reader.text(table + ".label").value_or("");
     if (const double own = numberOf(*parameter, c); own < live.from || own > live.until)
         reader.add(table + ".from", "and the other end do not enclose the value of the case");
     return live;

@@ -22,6 +22,7 @@
 //   [[step.live]]      # a value that the reader moves; the case of the first run has it within these ends
 //   keys = ["springs.front_damping_ratio", "springs.rear_damping_ratio"]   # that get the same number
 //   from = "0.001", until = "0.1"
+//   label = "..."      # of several keys; may be left out
 //
 //   [[step.run]]
 //   purpose = "..."
@@ -52,6 +53,7 @@ struct LessonRun {
 struct LiveValue {
     std::vector<std::string> keys;  // of parameters with the same unit: they get the same number
     double from = 0.0, until = 0.0; // [unit of the parameters]; from < until
+    std::string label{};            // empty: that of the first parameter
 
     /// Where a movement has steps of equal ratio: the ends are positive and at least a factor of 20 apart.
     bool logarithmic() const { return from > 0.0 && until >= 20.0 * from; }

@@ -124,9 +124,9 @@ private slots:
 
     void stepsOfEqualRatio()
     {
-        QVERIFY((LiveValue{{}, 1.0, 20.0}).logarithmic());
-        QVERIFY(!(LiveValue{{}, 1.0, 19.0}).logarithmic());
-        QVERIFY(!(LiveValue{{}, 0.0, 20.0}).logarithmic());
+        QVERIFY((LiveValue{{}, 1.0, 20.0, {}}).logarithmic());
+        QVERIFY(!(LiveValue{{}, 1.0, 19.0, {}}).logarithmic());
+        QVERIFY(!(LiveValue{{}, 0.0, 20.0, {}}).logarithmic());
     }
 
     /// "Of 101 starts from 240 to 260 nm, 95 end flying at 7.00 nm": each start is run.

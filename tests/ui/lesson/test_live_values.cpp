@@ -15,9 +15,9 @@ using namespace touchdown;
 
 namespace test_live_values {
 
-const LiveValue force{{"ono_yamane.meniscus_force"}, 1e-3, 60e-3}; // in steps of equal ratio
-const LiveValue friction{{"ono_yamane.friction"}, 0.0, 3.0};
-const LiveValue reach{{"ono_yamane.take_off"}, 3.2e-9, 12e-9};
+const LiveValue force{{"ono_yamane.meniscus_force"}, 1e-3, 60e-3, {}}; // in steps of equal ratio
+const LiveValue friction{{"ono_yamane.friction"}, 0.0, 3.0, {}};
+const LiveValue reach{{"ono_yamane.take_off"}, 3.2e-9, 12e-9, {}};
 
 /// The sliders of the default case, of which the numbers are kept that they ask for.
 struct Fixture {
@@ -26,9 +26,14 @@ struct Fixture {
         values.setValues({force, friction, reach}, own);
         values.resize(300, 200);
         values.show();
-        QObject::connect(&values, &LiveValues::moved, [this](const LiveValue& value, double number) {
+        QObject::connect(&values, &LiveValues::moved, [this](const LiveValue& value, const std::string& text) {
             moved = value;
-            numbers.push_back(number);
+            texts.push_back(text);
+            Case c = own;
+            const Parameter& parameter = *findParameter(value.keys.front());
+            if (setFromText(c, parameter, text)) return;
+            numbers.push_back(numberOf(parameter, c));
+            values.showCase(c);
         });
     }
     MarkedSlider& slider(int row) { return *static_cast<MarkedSlider*>(values.inputs().at(std::size_t(row))); }
@@ -36,7 +41,8 @@ struct Fixture {
     Case own = openCase("fig10a").value; // f_m 10.7 mN, mu 0.8, d_e 5 nm
     LiveValues values;
     LiveValue moved;
-    std::vector<double> numbers;
+    std::vector<std::string> texts;
+    std::vector<double> numbers; // that they give
 };
 
 class TestLiveValues : public QObject {
@@ -69,12 +75,17 @@ private slots:
         Fixture f;
         for (int step = 0; step <= 1000; step += 7) f.slider(0).setValue(step);
         QCOMPARE(f.moved.keys, force.keys);
+        QCOMPARE(f.numbers.size(), f.texts.size());
         double before = 0.0;
-        for (const double number : f.numbers) {
-            QVERIFY(number >= force.from && number <= force.until && number >= before);
-            const double digits = number * std::pow(10.0, 2 - std::floor(std::log10(number)));
-            QVERIFY2(std::abs(digits - std::round(digits)) < 1e-6, qPrintable(QString::number(number)));
-            before = number;
+        for (std::size_t i = 0; i < f.numbers.size(); ++i) {
+            QVERIFY(f.numbers[i] >= force.from && f.numbers[i] <= force.until && f.numbers[i] >= before);
+            before = f.numbers[i];
+            // The field shows the same three digits.
+            Case c = f.own;
+            const Parameter& parameter = *findParameter(force.keys.front());
+            QVERIFY(!setFromText(c, parameter, f.texts[i]));
+            QCOMPARE(toText(c, parameter), f.texts[i]);
+            QVERIFY2(QString::fromStdString(f.texts[i]).count(QRegularExpression("\\d")) <= 4, f.texts[i].c_str());
         }
         f.slider(0).setValue(0);
         QCOMPARE(f.numbers.back(), force.from);
@@ -132,10 +143,40 @@ private slots:
         QCOMPARE(slider.value(), 1000);
     }
 
+    /// A slider that goes away, or that the case takes back, is let go.
+    void isNeverLeftInTheHand()
+    {
+        Fixture f;
+        QVERIFY(QTest::qWaitForWindowExposed(&f.values));
+        QSignalSpy settled(&f.values, &LiveValues::settled);
+        QTest::keyClick(&f.slider(1), Qt::Key_Right);
+        f.values.setValues({friction}, f.own);
+        QCOMPARE(settled.count(), 1);
+        f.values.setValues({friction}, f.own);
+        QCOMPARE(settled.count(), 1); // nothing has moved
+        QTest::keyClick(&f.slider(0), Qt::Key_Right);
+        f.values.showCase(f.own); // undo
+        QTRY_COMPARE(settled.count(), 2);
+        QCOMPARE(f.slider(0).value(), f.slider(0).markedStep());
+    }
+
+    void theWheelScrollsPast()
+    {
+        Fixture f;
+        QVERIFY(QTest::qWaitForWindowExposed(&f.values));
+        MarkedSlider& slider = f.slider(1);
+        QWheelEvent wheel(QPointF(20, 5), slider.mapToGlobal(QPointF(20, 5)), {}, {0, 120}, Qt::NoButton, {},
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&slider, &wheel);
+        QVERIFY(!wheel.isAccepted());
+        QVERIFY(f.texts.empty());
+    }
+
     void namesItsSliders()
     {
         Fixture f;
         for (QWidget* input : f.values.inputs()) QVERIFY(!input->accessibleName().isEmpty());
+        QVERIFY(f.slider(0).accessibleDescription().startsWith("10.7"));
         f.values.setValues({}, f.own);
         QVERIFY(f.values.inputs().empty() && f.values.isHidden());
     }

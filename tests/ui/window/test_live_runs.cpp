@@ -19,6 +19,7 @@
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
 #include "ui/runs/runs_model.h"
 #include "ui/window/guides.h"
 #include "ui/window/main_window.h"
@@ -28,7 +29,7 @@ using namespace touchdown;
 
 namespace test_live_runs {
 
-const LiveValue height{{"initial.flying_height"}, 100e-9, 400e-9};
+const LiveValue height{{"initial.flying_height"}, 100e-9, 400e-9, {}};
 
 class TestLiveRuns : public QObject {
     Q_OBJECT
@@ -58,14 +59,14 @@ private slots:
     void runsAtEachMovement()
     {
         QSignalSpy shown(live_.get(), &LiveRuns::shown);
-        live_->move(height, 300e-9);
+        live_->move(height, "300 nm");
         QVERIFY(shown.wait());
         QCOMPARE(window_->runs().count(), 1);
         QVERIFY(!window_->controller().active());
         QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 300e-9);
         QVERIFY(sameAsARun(window_->runs().record(0)));
         // Faster than the runs: the last value is always shown in the end.
-        for (int i = 50; i >= 0; --i) live_->move(height, 350e-9 - i * 1e-9);
+        for (int i = 50; i >= 0; --i) live_->move(height, std::to_string(350 - i) + " nm");
         QTRY_VERIFY(!live_->busy() && window_->runs().count() == 1 &&
                     window_->runs().record(0).value.initial.flyingHeight == 350e-9);
         QVERIFY(shown.count() < 40);
@@ -80,8 +81,8 @@ private slots:
         QVERIFY(sameAsARun(window_->runs().record(0)));
 
         // The next movement leaves that run, and undo takes a movement back as one.
-        live_->move(height, 200e-9);
-        live_->move(height, 210e-9);
+        live_->move(height, "200 nm");
+        live_->move(height, "210 nm");
         QTRY_VERIFY(!live_->busy() && window_->runs().count() == 2);
         window_->edits().undoStack().undo();
         QCOMPARE(window_->edits().value().initial.flyingHeight, 350e-9);
@@ -92,8 +93,8 @@ private slots:
     void settlesWhileARunIsUnderWay()
     {
         QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
-        live_->move(height, 300e-9);
-        live_->move(height, 310e-9);
+        live_->move(height, "300 nm");
+        live_->move(height, "310 nm");
         live_->settle();
         QVERIFY(!ended.isEmpty() || ended.wait(30000));
         QCOMPARE(window_->runs().count(), 1);
@@ -105,27 +106,28 @@ private slots:
     /// A run that the user removed, or started meanwhile, is not replaced.
     void leavesOtherRunsAlone()
     {
-        live_->move(height, 300e-9);
+        live_->move(height, "300 nm");
         QTRY_COMPARE(window_->runs().count(), 1);
         window_->runs().remove(0);
-        live_->move(height, 310e-9);
+        live_->move(height, "310 nm");
         QTRY_COMPARE(window_->runs().count(), 1);
         QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
         window_->startRun();
         QVERIFY(!ended.isEmpty() || ended.wait(30000));
         QCOMPARE(window_->runs().count(), 2);
-        live_->move(height, 320e-9);
-        QTRY_COMPARE(window_->runs().count(), 3);
-        QCOMPARE(window_->runs().record(1).value.initial.flyingHeight, 310e-9);
+        live_->move(height, "320 nm");
+        QTRY_COMPARE(window_->runs().record(1).value.initial.flyingHeight, 320e-9);
+        QCOMPARE(window_->runs().count(), 2);
+        QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 310e-9);
     }
 
     void movesValuesTogether()
     {
-        const LiveValue damping{{"springs.front_damping_ratio", "springs.rear_damping_ratio"}, 0.001, 0.1};
-        live_->move(damping, 0.05);
+        const LiveValue damping{{"springs.front_damping_ratio", "springs.rear_damping_ratio"}, 0.001, 0.1, {}};
+        live_->move(damping, "0.05");
         QCOMPARE(window_->edits().value().springs.frontDampingRatio, 0.05);
         QCOMPARE(window_->edits().value().springs.rearDampingRatio, 0.05);
-        live_->move(damping, -1.0); // out of range
+        live_->move(damping, "-1"); // out of range
         QCOMPARE(window_->edits().value().springs.frontDampingRatio, 0.05);
     }
 
@@ -152,12 +154,15 @@ private slots:
         Case c = window_->edits().value();
         c.run.duration = 2e-6;
         window_->edits().setAll(c, "short");
-        const LiveValue start{{"initial.nominal_trailing_edge_height"}, 1e-9, 1e-6};
-        const double moved = 1.02 * c.initial.nominalTrailingEdgeHeight;
+        const LiveValue start{{"initial.nominal_trailing_edge_height"}, 1e-9, 1e-6, {}};
+        Case moved = c;
+        moved.initial.nominalTrailingEdgeHeight *= 1.02;
+        const std::string text = toText(moved, *findParameter(start.keys[0]));
+        QVERIFY(!setFromText(moved, *findParameter(start.keys[0]), text));
         std::vector<std::array<int, 2>> grids;
         connect(&window_->runs(), &RunsModel::added, this,
                 [this, &grids](int number) { grids.push_back(window_->runs().find(number)->value.film.nodes); });
-        live_->move(start, moved);
+        live_->move(start, text);
         QVERIFY(!window_->controller().active() && !live_->busy());
         live_->settle();
         QTRY_VERIFY_WITH_TIMEOUT(grids.size() == 2 && !window_->controller().active(), 60000);
@@ -165,7 +170,86 @@ private slots:
         QCOMPARE(grids[1], c.film.nodes);
         QTRY_COMPARE(window_->runs().count(), 1);
         QCOMPARE(window_->runs().record(0).value.film.nodes, c.film.nodes);
-        QCOMPARE(window_->runs().record(0).value.initial.nominalTrailingEdgeHeight, moved);
+        QCOMPARE(window_->runs().record(0).value, moved);
+        QCOMPARE(window_->runs().record(0).caseText, window_->files().wholeText());
+    }
+
+    /// Another case is open: the finer run of the film does not come, nor a run of springs.
+    void endsWithItsCase()
+    {
+        window_->files().openNow("film_plane");
+        Case c = window_->edits().value();
+        c.run.duration = 2e-6;
+        window_->edits().setAll(c, "short");
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        live_->move({{"initial.nominal_trailing_edge_height"}, 1e-9, 1e-6, {}}, "345 nm");
+        live_->settle();
+        window_->files().leaveUnsaved();
+        window_->files().openNow("fig10a");
+        QVERIFY(!ended.isEmpty() || ended.wait(60000));
+        QCOMPARE(window_->runs().count(), 1); // the coarse one
+        QTest::qWait(0);
+        QVERIFY(!window_->controller().active());
+        live_->move(height, "300 nm");
+        window_->files().leaveUnsaved();
+        window_->files().openNow("fig12a");
+        QVERIFY(!live_->busy());
+        live_->move(height, "310 nm");
+        QTRY_COMPARE(window_->runs().count(), 2);
+        QCOMPARE(window_->runs().record(1).value.title, openCase("fig12a").value.title);
+    }
+
+    /// A movement that begins before the last run of the one before is there loses nothing.
+    void movementsFollowEachOther()
+    {
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        live_->move(height, "300 nm");
+        live_->settle();
+        live_->move(height, "320 nm");
+        live_->settle();
+        QTRY_COMPARE(ended.count(), 2);
+        QCOMPARE(window_->runs().count(), 2);
+        QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 300e-9);
+        QCOMPARE(window_->runs().record(1).value.initial.flyingHeight, 320e-9);
+    }
+
+    /// A run that takes long waits until the reader lets go, and is then an ordinary one.
+    void aLongRunWaits()
+    {
+        Case c = window_->edits().value();
+        c.run.duration = 1.0;
+        c.run.sampleInterval = 1e-6;
+        window_->edits().setAll(c, "long");
+        live_->move(height, "300 nm");
+        QTRY_VERIFY_WITH_TIMEOUT(!live_->busy(), 20000);
+        live_->move(height, "310 nm");
+        QVERIFY(!live_->busy());
+        QCOMPARE(window_->runs().count(), 0);
+        live_->settle();
+        QVERIFY(window_->controller().active());
+        window_->controller().stopAndWait();
+        QCOMPARE(window_->runs().record(0).value.initial.flyingHeight, 310e-9);
+    }
+
+    /// A run under way goes on; the live one is announced after it.
+    void leavesTheActiveRunAlone()
+    {
+        Case c = window_->edits().value();
+        c.run.duration = 0.2;
+        window_->edits().setAll(c, "long");
+        window_->startRun();
+        c.run.duration = 1e-3;
+        window_->edits().setAll(c, "short");
+        live_->move(height, "300 nm");
+        QTRY_COMPARE(window_->runs().count(), 2);
+        QSignalSpy ended(&window_->runWindow(), &RunWindow::ended);
+        live_->settle();
+        QVERIFY(window_->controller().active());
+        QCOMPARE(ended.count(), 0);
+        window_->controller().stopAndWait();
+        QCOMPARE(ended.count(), 2);
+        QCOMPARE(ended[0][0].toInt(), 1);
+        QCOMPARE(ended[1][0].toInt(), 2);
     }
 
     /// With the hand: a demonstration on springs is there at once, and follows its slider.
@@ -192,6 +276,16 @@ private slots:
         QTRY_COMPARE(ended.count(), 3);
         QCOMPARE(window_->files().sample(), QString("fig11a"));
         QVERIFY(!window_->runs().record(0).shown && window_->runs().record(2).shown);
+        // Back: its case and its runs are there again, and nothing runs.
+        namedWidget<QPushButton>(*pane, "Back")->click();
+        QCOMPARE(window_->files().sample(), QString("fig10a"));
+        QVERIFY(window_->runs().record(0).shown && window_->runs().record(1).shown && !window_->runs().record(2).shown);
+        QVERIFY(!window_->controller().active());
+        // A case of the reader's own has no values of the figure.
+        window_->files().openNow("fig13a");
+        QVERIFY(!pane->live().inputs()[0]->isEnabled());
+        namedWidget<QPushButton>(*pane, "Next")->click();
+        QVERIFY(pane->live().inputs()[0]->isEnabled());
         // The lesson takes its place.
         window_->actions().lesson->trigger();
         QVERIFY(pane->isHidden() || !pane->isVisible());
