@@ -61,6 +61,8 @@ protected:
     virtual void deliver() = 0;
     /// Joins the thread; the state is Idle afterwards.
     void end();
+    /// Before `end`: whether the calculation was asked to stop.
+    bool askedToStop() const { return thread_.get_stop_token().stop_requested(); }
     /// Stops and joins without a signal.
     void giveUp();
     /// Between Running and Paused; no effect in the other states, then false.

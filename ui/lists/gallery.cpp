@@ -77,10 +77,6 @@ private:
         if (!item.picture.isNull()) painter->drawPixmap(box, item.picture);
         painter->setPen(option.palette.color(QPalette::Mid));
         painter->drawRect(box.adjusted(0, 0, -1, -1));
-        if (item.picture.isNull()) {
-            painter->setPen(meaningColours(option.palette).muted);
-            painter->drawText(box.adjusted(4, 4, -4, -4), Qt::AlignCenter | Qt::TextWordWrap, item.theme);
-        }
         painter->restore();
     }
     void layOut(QTextDocument& text, const QStyleOptionViewItem& option, const GalleryItem& item,
@@ -141,13 +137,16 @@ void Gallery::setWords(const QString& words)
             heading->setHidden(true); // until one of its items is shown
             continue;
         }
-        const QString text = QStringList{item->name, item->theme, item->title, item->about}.join(QLatin1Char(' '));
+        const QString text =
+            QStringList{item->name, item->theme, item->title, item->about, item->words}.join(QLatin1Char(' '));
         const bool shown = std::ranges::all_of(
             wanted, [&text](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
         this->item(row)->setHidden(!shown);
         if (shown && heading != nullptr) heading->setHidden(false);
     }
     if (currentItem() == nullptr || currentItem()->isHidden()) setCurrentRow(-1);
+    setAccessibleDescription(shownNames().isEmpty() ? nothingFound_ : QString());
+    viewport()->update();
 }
 
 QStringList Gallery::shownNames() const
@@ -163,6 +162,16 @@ const GalleryItem* Gallery::at(int row) const
     const QListWidgetItem* entry = item(row);
     const QVariant index = entry == nullptr ? QVariant() : entry->data(itemRole);
     return index.isValid() ? &items_[index.toUInt()] : nullptr;
+}
+
+void Gallery::paintEvent(QPaintEvent* event)
+{
+    QListWidget::paintEvent(event);
+    if (items_.empty() || !shownNames().isEmpty()) return;
+    QPainter painter(viewport());
+    painter.setPen(meaningColours(palette()).muted);
+    painter.drawText(viewport()->rect().adjusted(2 * itemMargin, 2 * itemMargin, -2 * itemMargin, -2 * itemMargin),
+                     Qt::AlignHCenter | Qt::AlignTop | Qt::TextWordWrap, nothingFound_);
 }
 
 void Gallery::resizeEvent(QResizeEvent* event)

@@ -16,7 +16,8 @@ struct GalleryItem {
     QString theme; // items of a theme follow each other
     QString title;
     QString about;   // a sentence; may be empty
-    QPixmap picture; // null: an empty frame with the theme in it
+    QPixmap picture; // null: an empty frame
+    QString words{}; // by which it is found, too
 };
 
 class Gallery : public QListWidget {
@@ -26,8 +27,10 @@ public:
     explicit Gallery(QWidget* parent = nullptr);
 
     void setItems(std::vector<GalleryItem> items);
-    /// Shows the items that have all of these words in name, theme, title or sentence.
+    /// Shows the items that have all of these words in name, theme, title, sentence or words of theirs.
     void setWords(const QString& words);
+    /// Said where no item has the words.
+    void setNothingFound(const QString& sentence) { nothingFound_ = sentence; }
     /// Of those that are shown, in their order.
     QStringList shownNames() const;
 
@@ -39,10 +42,12 @@ signals:
     void chosen(const QString& name);
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     std::vector<GalleryItem> items_;
+    QString nothingFound_;
 };
 
 /// The picture of a sample in the resources of the program, "case_fig10a"; null if there is none.

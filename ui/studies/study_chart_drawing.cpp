@@ -78,14 +78,15 @@ double StudyChartDrawing::goodHeight(const StudyChart& chart, const QFont& font,
 }
 
 StudyChartDrawing::StudyChartDrawing(const StudyChart& chart, const PlotTheme& theme, const QFont& font,
-                                     const QSizeF& size, const std::vector<std::optional<PanelRange>>& zoomed)
+                                     const QSizeF& size, const std::vector<std::optional<PanelRange>>& zoomed,
+                                     bool underWay)
     : chart_(chart),
       theme_(theme),
       titleFont_(titleFontOf(font)),
       captionFont_(plotNumberFont(font)),
       size_(size),
       styles_(chart),
-      legend_(chart, styles_, theme_, font)
+      legend_(chart, styles_, theme_, font, underWay)
 {
     const double width = std::max(40.0, size.width() - 2.0 * margin);
     double top = margin, bottom = size.height() - margin;

@@ -14,9 +14,10 @@ namespace touchdown {
 
 class StudyChartDrawing {
 public:
-    /// `chart` must outlive this. `zoomed` has a range, or nothing, for each panel, or is empty.
+    /// `chart` must outlive this. `zoomed` has a range, or nothing, for each panel, or is empty. `underWay`: there is
+    /// more of the chart to come.
     StudyChartDrawing(const StudyChart& chart, const PlotTheme& theme, const QFont& font, const QSizeF& size,
-                      const std::vector<std::optional<PanelRange>>& zoomed = {});
+                      const std::vector<std::optional<PanelRange>>& zoomed = {}, bool underWay = false);
     StudyChartDrawing(const StudyChartDrawing&) = delete;
     StudyChartDrawing& operator=(const StudyChartDrawing&) = delete;
 

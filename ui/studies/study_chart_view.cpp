@@ -50,11 +50,12 @@ StudyChartView::StudyChartView(QWidget* parent) : QWidget(parent)
 
 StudyChartView::~StudyChartView() = default;
 
-void StudyChartView::setChart(StudyChart chart)
+void StudyChartView::setChart(StudyChart chart, bool underWay)
 {
     if (!sameAxes(chart, chart_)) zoomed_.assign(chart.panels.size(), std::nullopt);
     drawing_.reset(); // it refers to the chart
     chart_ = std::move(chart);
+    underWay_ = underWay;
     setAccessibleName(chart_.title.empty() ? tr("Chart of the study") : QString::fromStdString(chart_.title));
     setAccessibleDescription(QString::fromStdString(chart_.caption));
     if (pointed_) setPointed({}, {});
@@ -72,7 +73,8 @@ void StudyChartView::fit()
 const StudyChartDrawing& StudyChartView::drawing() const
 {
     if (!drawing_)
-        drawing_ = std::make_unique<StudyChartDrawing>(chart_, plotTheme(palette()), font(), size(), zoomed_);
+        drawing_ =
+            std::make_unique<StudyChartDrawing>(chart_, plotTheme(palette()), font(), size(), zoomed_, underWay_);
     return *drawing_;
 }
 
@@ -80,7 +82,7 @@ void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const Pl
 {
     painter.save();
     painter.translate(target.topLeft());
-    StudyChartDrawing(chart_, theme, font(), size(), zoomed_).paint(painter);
+    StudyChartDrawing(chart_, theme, font(), size(), zoomed_, underWay_).paint(painter);
     painter.restore();
 }
 
@@ -89,7 +91,7 @@ void StudyChartView::paintOnPaper(QPainter& painter, const QSizeF& size, const Q
     const double wider = widening(size.width(), chartOnPaper);
     painter.save();
     painter.scale(1.0 / wider, 1.0 / wider);
-    StudyChartDrawing(chart_, paperTheme(colours), font, wider * size, zoomed_).paint(painter);
+    StudyChartDrawing(chart_, paperTheme(colours), font, wider * size, zoomed_, underWay_).paint(painter);
     painter.restore();
 }
 

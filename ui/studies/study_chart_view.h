@@ -25,8 +25,8 @@ public:
     explicit StudyChartView(QWidget* parent = nullptr);
     ~StudyChartView() override;
 
-    /// A chart with the same axes as before keeps its zoom, as during a study.
-    void setChart(StudyChart chart);
+    /// A chart with the same axes as before keeps its zoom, as during a study. `underWay`: there is more to come.
+    void setChart(StudyChart chart, bool underWay = false);
     const StudyChart& chart() const { return chart_; }
     void fit();
 
@@ -74,6 +74,7 @@ private:
     void redraw();
 
     StudyChart chart_;
+    bool underWay_ = false;
     std::vector<std::optional<PanelRange>> zoomed_;
     mutable std::unique_ptr<StudyChartDrawing> drawing_; // nothing when it has to be made anew
     std::optional<Pointed> pointed_;

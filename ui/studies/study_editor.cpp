@@ -83,7 +83,10 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
     connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
     connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
-    connect(samples_, &StudySamples::chosen, this, &StudyEditor::openSample);
+    connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) {
+        openSample(sample);
+        tabs_->setCurrentWidget(form_);
+    });
     connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) {
         tabs_->setCurrentWidget(text_);
         text_->goToLine(line.toInt());
@@ -202,7 +205,7 @@ void StudyEditor::showKind()
 {
     const auto found = std::ranges::find(catalogue_.kinds, kind().toStdString(), &StudyKind::name);
     help_->setText(found == catalogue_.kinds.end() ? QString() : sentence(found->help));
-    samples_->show(catalogue_.samples, catalogue_.kinds, kind().toStdString());
+    samples_->setSamples(catalogue_.samples, catalogue_.kinds, kind().toStdString());
     tabs_->setTabVisible(tabs_->indexOf(samples_), samples_->gallery()->count() > 0);
     const Draft draft = drafts_[kind()];
     text_->setPlainText(draft.text);
@@ -314,9 +317,9 @@ void StudyEditor::showProblems()
     run_->setEnabled(plan_.valid() && plan_.perform != nullptr);
 }
 
-void StudyEditor::setRunning(bool running)
+void StudyEditor::setRunning(bool running, bool chosen)
 {
-    run_->setText(running ? tr("Perform again") : tr("Perform"));
+    run_->setText(running && chosen ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
 }
 
@@ -383,6 +386,12 @@ void StudyEditor::showEvent(QShowEvent* event)
         replan();
     else
         emit planned(); // what waits until it is seen
+}
+
+void StudyEditor::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    emit hidden();
 }
 
 } // namespace touchdown

@@ -57,7 +57,8 @@ public:
     QString open(const QString& file);
     /// Empty, or why the file cannot be written.
     QString save(const QString& file);
-    void setRunning(bool running);
+    /// Whether a study is under way; one of the chosen kind?
+    void setRunning(bool running, bool chosen);
     /// The time that the study takes, in a sentence; empty: nothing is said.
     void setDuration(const QString& sentence);
     QString duration() const { return duration_->text(); }
@@ -80,10 +81,12 @@ signals:
     void failed(const QString& problem);
     /// Another plan, another kind.
     void planned();
+    void hidden();
 
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     struct Draft {

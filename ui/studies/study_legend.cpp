@@ -19,11 +19,12 @@ constexpr double sampleGap = 6.0; // sample and text [px]
 
 } // namespace
 
-StudyLegend::StudyLegend(const StudyChart& chart, const ChartStyles& styles, const PlotTheme& theme, const QFont& font)
+StudyLegend::StudyLegend(const StudyChart& chart, const ChartStyles& styles, const PlotTheme& theme, const QFont& font,
+                         bool underWay)
     : theme_(theme), font_(plotNumberFont(font))
 {
     addSeries(chart, styles);
-    addClasses(chart);
+    addClasses(chart, underWay);
     addKey(chart);
 }
 
@@ -43,7 +44,7 @@ void StudyLegend::addSeries(const StudyChart& chart, const ChartStyles& styles)
             }
 }
 
-void StudyLegend::addClasses(const StudyChart& chart)
+void StudyLegend::addClasses(const StudyChart& chart, bool underWay)
 {
     std::vector<std::pair<int, Entry>> classes; // by severity: from good to failed, as the colours go
     bool unknown = false;
@@ -62,7 +63,8 @@ void StudyLegend::addClasses(const StudyChart& chart)
     }
     std::ranges::stable_sort(classes, {}, &std::pair<int, Entry>::first);
     for (auto& [severity, entry] : classes) entries_.push_back(std::move(entry));
-    if (unknown) entries_.push_back({Entry::Kind::Unknown, tr("not computed"), {}, {}, {}});
+    if (unknown)
+        entries_.push_back({Entry::Kind::Unknown, underWay ? tr("not yet computed") : tr("not computed"), {}, {}, {}});
 }
 
 void StudyLegend::addKey(const StudyChart& chart)

@@ -25,7 +25,9 @@ public:
         ClassStyle fill{}; // of a class
     };
 
-    StudyLegend(const StudyChart& chart, const ChartStyles& styles, const PlotTheme& theme, const QFont& font);
+    /// `underWay`: cells without a class will have one.
+    StudyLegend(const StudyChart& chart, const ChartStyles& styles, const PlotTheme& theme, const QFont& font,
+                bool underWay = false);
 
     const std::vector<Entry>& entries() const { return entries_; }
     /// In rows as wide as this.
@@ -34,7 +36,7 @@ public:
 
 private:
     void addSeries(const StudyChart& chart, const ChartStyles& styles);
-    void addClasses(const StudyChart& chart);
+    void addClasses(const StudyChart& chart, bool underWay);
     void addKey(const StudyChart& chart);
     double sampleWidth(const Entry& entry) const;
     void paintSample(QPainter& painter, const Entry& entry, const QRectF& box) const;

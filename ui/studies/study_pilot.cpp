@@ -7,8 +7,6 @@
 
 #include <QLocale>
 
-#include "core/numerics/wall_clock.h"
-
 namespace touchdown {
 
 namespace {
@@ -28,29 +26,30 @@ double rounded(double value)
 
 void StudyPilot::start(StudyPerformance perform, int jobs)
 {
-    begin([this, perform = std::move(perform), jobs](const std::stop_token& stop) {
-        const Estimate estimate = performPilot(perform, jobs, stop);
+    begin([this, perform = std::move(perform), jobs, clock = clock_](const std::stop_token& stop) {
+        const Estimate estimate = performPilot(perform, jobs, clock, stop);
         mailbox_.post([&](Mail& mail) { mail.estimate = estimate; });
     });
 }
 
-StudyPilot::Estimate StudyPilot::performPilot(const StudyPerformance& perform, int jobs, const std::stop_token& stop)
+StudyPilot::Estimate StudyPilot::performPilot(const StudyPerformance& perform, int jobs,
+                                              const std::function<double()>& clock, const std::stop_token& stop)
 {
-    const double begin = wallClock();
+    const double begin = clock();
     double share = 0.0, seconds = 0.0;
     const auto watch = [&](const StudyProgress& progress) {
         share = progress.share;
-        seconds = wallClock() - begin;
+        seconds = clock() - begin;
         const bool enough = seconds > longestPilot || (seconds > someSeconds && share > 0.0) ||
                             (seconds > enoughSeconds && share > enoughShare);
         return !enough && !stop.stop_requested();
     };
     try {
         const StudyReport report = perform(jobs, watch);
-        if (stop.stop_requested()) return {{}, true};
-        if (report.status != StudyStatus::Cancelled) return {wallClock() - begin, false};
+        if (report.status == StudyStatus::Failed) return {{}, true};
+        if (report.status == StudyStatus::Completed) return {clock() - begin, false};
     } catch (const std::exception&) {
-        return {{}, false}; // the study itself says what is wrong
+        return {{}, true};
     }
     return {share > 0.0 ? std::optional(seconds / share) : std::nullopt, false};
 }
@@ -59,8 +58,13 @@ void StudyPilot::deliver()
 {
     const Mail mail = mailbox_.take();
     if (!mail.estimate) return;
+    const bool stopped = askedToStop(); // what it says is of a study that may have changed
     end();
-    if (!mail.estimate->stopped) emit estimated(mail.estimate->seconds);
+    if (stopped) return;
+    if (mail.estimate->failed)
+        emit failed();
+    else
+        emit estimated(mail.estimate->seconds);
 }
 
 QString roughTime(double seconds)

@@ -4,10 +4,13 @@
 // did gives the whole. Nothing of it is kept.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include <QString>
 
+#include "core/numerics/wall_clock.h"
 #include "core/studies/study/study.h"
 #include "ui/calculation/calculation_controller.h"
 
@@ -22,11 +25,15 @@ public:
 
     /// On as many threads as the study itself will have.
     void start(StudyPerformance perform, int jobs);
+    /// Of the next starts [s]; read on the thread of the pilot.
+    void setClock(std::function<double()> clock) { clock_ = std::move(clock); }
 
 signals:
     /// The time of the whole study [s]; none where nothing was done in the first seconds. A pilot that is stopped says
     /// nothing.
     void estimated(std::optional<double> seconds);
+    /// The study cannot be performed; it says itself what is wrong.
+    void failed();
 
 protected:
     void deliver() override;
@@ -34,14 +41,16 @@ protected:
 private:
     struct Estimate {
         std::optional<double> seconds;
-        bool stopped = false;
+        bool failed = false;
     };
     struct Mail {
         std::optional<Estimate> estimate;
     };
 
-    static Estimate performPilot(const StudyPerformance& perform, int jobs, const std::stop_token& stop);
+    static Estimate performPilot(const StudyPerformance& perform, int jobs, const std::function<double()>& clock,
+                                 const std::stop_token& stop);
 
+    std::function<double()> clock_ = wallClock;
     Mailbox<Mail> mailbox_{*this};
 };
 

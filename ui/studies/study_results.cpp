@@ -198,7 +198,7 @@ void StudyResults::showCharts()
     }
     QStringList titles;
     for (std::size_t i = 0; i < charts_.size(); ++i) {
-        charts_[i]->setChart(report_->charts[i]);
+        charts_[i]->setChart(report_->charts[i], underWay_);
         titles << readable(report_->charts[i].title).section(QLatin1Char(':'), 0, 0);
     }
     setTabTexts(chartTabs_, titles);

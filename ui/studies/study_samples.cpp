@@ -13,6 +13,7 @@ namespace touchdown {
 StudySamples::StudySamples(QWidget* parent) : QWidget(parent), words_(new QLineEdit(this)), gallery_(new Gallery(this))
 {
     gallery_->setAccessibleName(tr("Sample studies"));
+    gallery_->setNothingFound(tr("No study has all of these words."));
     words_->setPlaceholderText(tr("Words to look for"));
     words_->setAccessibleName(tr("Words that a sample study has"));
     words_->setClearButtonEnabled(true);
@@ -23,19 +24,22 @@ StudySamples::StudySamples(QWidget* parent) : QWidget(parent), words_(new QLineE
     layout->addWidget(gallery_, 1);
     connect(words_, &QLineEdit::textChanged, gallery_, &Gallery::setWords);
     connect(gallery_, &Gallery::chosen, this, &StudySamples::choose);
-    connect(gallery_, &QListWidget::itemClicked, this, [this](QListWidgetItem* row) {
-        if (const GalleryItem* item = gallery_->at(gallery_->row(row))) choose(item->name);
-    });
 }
 
-void StudySamples::show(std::vector<SampleStudy> samples, std::span<const StudyKind> kinds,
-                        const std::string& chosenKind)
+void StudySamples::setSamples(std::vector<SampleStudy> samples, std::vector<StudyKind> kinds, std::string chosenKind)
 {
     samples_ = std::move(samples);
+    kinds_ = std::move(kinds);
+    chosenKind_ = std::move(chosenKind);
+    if (!isVisible()) fill();
+}
+
+void StudySamples::fill()
+{
     std::vector<GalleryItem> items;
     for (const bool chosen : {true, false})
-        for (const StudyKind& kind : kinds) {
-            if ((kind.name == chosenKind) != chosen) continue;
+        for (const StudyKind& kind : kinds_) {
+            if ((kind.name == chosenKind_) != chosen) continue;
             for (const SampleStudy& sample : samples_) {
                 if (sample.kind != kind.name) continue;
                 const QString name = QString::fromStdString(sample.name);
@@ -45,6 +49,12 @@ void StudySamples::show(std::vector<SampleStudy> samples, std::span<const StudyK
         }
     gallery_->setItems(std::move(items));
     gallery_->setWords(words_->text());
+}
+
+void StudySamples::showEvent(QShowEvent* event)
+{
+    fill();
+    QWidget::showEvent(event);
 }
 
 void StudySamples::choose(const QString& name)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The gallery of the sample studies, by kind, the chosen kind first; words narrow it.
+// The gallery of the sample studies, by kind, first the kind that is chosen when the gallery appears; words narrow it.
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -21,7 +20,8 @@ class StudySamples : public QWidget {
 
 public:
     explicit StudySamples(QWidget* parent = nullptr);
-    void show(std::vector<SampleStudy> samples, std::span<const StudyKind> kinds, const std::string& chosenKind);
+    /// While they are seen they keep their order.
+    void setSamples(std::vector<SampleStudy> samples, std::vector<StudyKind> kinds, std::string chosenKind);
 
     Gallery* gallery() const { return gallery_; }
     QLineEdit* words() const { return words_; }
@@ -29,10 +29,16 @@ public:
 signals:
     void chosen(const SampleStudy& sample);
 
+protected:
+    void showEvent(QShowEvent* event) override;
+
 private:
+    void fill();
     void choose(const QString& name);
 
     std::vector<SampleStudy> samples_;
+    std::vector<StudyKind> kinds_;
+    std::string chosenKind_;
     QLineEdit* words_;
     Gallery* gallery_;
 };

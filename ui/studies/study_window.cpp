@@ -49,7 +49,7 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
       progress_(new ProgressStrip(controller_, tr("study"), tr("Running"), parent))
 {
     connect(&controller_, &StudyController::stateChanged, editor_,
-            [this](StudyController::State state) { editor_->setRunning(state != StudyController::State::Idle); });
+            [this] { editor_->setRunning(controller_.active(), underWay(shown_)); });
     connect(&controller_, &StudyController::partial, this, [this](int, const StudyReport& report) {
         outcomes_[performing_].report = report;
         if (shown_ == performing_) results_->setReport(report, true);
@@ -71,6 +71,8 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
     pilotSoon_.setInterval(pilotDelay);
     connect(&pilotSoon_, &QTimer::timeout, this, &StudyWindow::startPilot);
     connect(editor_, &StudyEditor::planned, this, &StudyWindow::updateDuration);
+    connect(editor_, &StudyEditor::hidden, &pilot_, &StudyPilot::stop);
+    connect(&pilot_, &StudyPilot::failed, this, [this] { editor_->setDuration({}); });
     connect(&pilot_, &StudyPilot::estimated, this, [this](std::optional<double> seconds) {
         duration_ = seconds ? tr("Takes %1.").arg(roughTime(*seconds))
                             : tr("How long it takes cannot be told: no part of it is done within seconds.");
@@ -81,11 +83,11 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
 
 bool StudyWindow::perform()
 {
+    const StudyPlan& plan = editor_->plan();
+    if (!plan.valid() || !plan.perform) return false;
     controller_.stopAndWait();
     pilotSoon_.stop();
     pilot_.stopAndWait();
-    const StudyPlan& plan = editor_->plan();
-    if (!plan.valid() || !plan.perform) return false;
     performing_ = plan.kind;
     StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0};
     outcome.number = controller_.start(outcome.plan.perform, threads());
@@ -123,8 +125,8 @@ void StudyWindow::updateDuration()
         return say(tr("Took %1.").arg(timeText(last->report->wallSeconds)));
     if (!plan.openEnd.empty()) return say(tr("How long it takes cannot be told: %1.").arg(readable(plan.openEnd)));
     if (alike(estimated_, plan)) {
-        editor_->setDuration(duration_);
-        if (!duration_.isEmpty() || pilot_.state() == StudyPilot::State::Running) return;
+        if (pilot_.state() == StudyPilot::State::Running) return editor_->setDuration(tr("Estimating the time…"));
+        if (!duration_.isEmpty()) return editor_->setDuration(duration_);
     }
     estimated_ = plan;
     duration_.clear();
@@ -132,9 +134,18 @@ void StudyWindow::updateDuration()
     pilotSoon_.start();
 }
 
+void StudyWindow::setOthersBusy(bool busy)
+{
+    if (busy == std::exchange(othersBusy_, busy)) return;
+    if (!busy && editor_->isVisible()) updateDuration();
+    if (!busy || !pilot_.active()) return;
+    pilot_.stop();
+    editor_->setDuration({});
+}
+
 void StudyWindow::startPilot()
 {
-    if (!editor_->isVisible() || controller_.active() || !estimated_.perform) return;
+    if (!editor_->isVisible() || othersBusy_ || controller_.active() || !estimated_.perform) return;
     editor_->setDuration(tr("Estimating the time…"));
     pilot_.start(estimated_.perform, threads());
 }
@@ -142,6 +153,7 @@ void StudyWindow::startPilot()
 void StudyWindow::show()
 {
     shown_ = editor_->kind().toStdString();
+    editor_->setRunning(controller_.active(), underWay(shown_));
     const auto outcome = outcomes_.find(shown_);
     if (outcome == outcomes_.end() || !outcome->second.report)
         results_->clear(underWay(shown_));

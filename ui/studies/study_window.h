@@ -40,10 +40,14 @@ public:
     StudyResults* results() const { return results_; }
     ProgressStrip* progress() const { return progress_; }
     StudyController& controller() { return controller_; }
+    StudyPilot& pilot() { return pilot_; }
 
     /// Performs the study in the editor; false if it has errors.
     bool perform();
     bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
+
+    /// Whether a run or a static state has the processors: then no pilot runs beside it.
+    void setOthersBusy(bool busy);
 
     /// The latest of each kind.
     const std::map<std::string, StudyOutcome>& outcomes() const { return outcomes_; }
@@ -78,6 +82,7 @@ private:
     QTimer pilotSoon_;
     StudyPlan estimated_; // of which the duration was asked
     QString duration_;    // of it, in a sentence
+    bool othersBusy_ = false;
     StudyEditor* editor_;
     StudyResults* results_;
     ProgressStrip* progress_;

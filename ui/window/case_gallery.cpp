@@ -9,10 +9,13 @@
 
 #include <QDialogButtonBox>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QVBoxLayout>
 
+#include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/readable.h"
 
 namespace touchdown {
@@ -39,6 +42,13 @@ std::size_t themeOf(const QString& name)
     return static_cast<std::size_t>(found - themes.begin());
 }
 
+/// "air film asperities"
+QString wordsOf(const Case& c)
+{
+    return valueText(c, *findParameter("model"), QLocale()) + QLatin1Char(' ') +
+           valueText(c, *findParameter("contact"), QLocale());
+}
+
 } // namespace
 
 std::vector<GalleryItem> sampleCaseItems()
@@ -47,9 +57,10 @@ std::vector<GalleryItem> sampleCaseItems()
     for (const SampleCase& sample : sampleCases()) {
         const QString name = QString::fromStdString(sample.name);
         const std::size_t theme = themeOf(name);
-        byTheme[theme].push_back({name, CaseGallery::tr(themes[theme].title),
-                                  readable(parseCase(sample.text, sample.name).value.title), firstSentence(sample.text),
-                                  galleryPicture(QStringLiteral("case_") + name)});
+        const Case c = parseCase(sample.text, sample.name).value;
+        byTheme[theme].push_back({name, CaseGallery::tr(themes[theme].title), readable(c.title),
+                                  firstSentence(sample.text), galleryPicture(QStringLiteral("case_") + name),
+                                  wordsOf(c)});
     }
     std::vector<GalleryItem> all;
     for (std::vector<GalleryItem>& items : byTheme) std::ranges::move(items, std::back_inserter(all));
@@ -64,6 +75,7 @@ CaseGallery::CaseGallery(QWidget* parent) : QDialog(parent), words_(new QLineEdi
     words_->setClearButtonEnabled(true);
     words_->installEventFilter(this);
     gallery_->setAccessibleName(tr("Sample cases"));
+    gallery_->setNothingFound(tr("No case has all of these words."));
     gallery_->setItems(sampleCaseItems());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
     open_ = buttons->button(QDialogButtonBox::Open);

@@ -146,10 +146,11 @@ void MainWindow::performStudy()
 {
     setPage(Page::Studies);
     if (!readyToRun()) return;
-    messages_->clear();
-    if (studies_->perform()) return;
-    messages_->show(MessageStrip::Kind::Failure,
-                    tr("The study cannot be performed: its errors are listed below its text."));
+    if (studies_->perform())
+        messages_->clear(); // also that the one before it was stopped
+    else
+        messages_->show(MessageStrip::Kind::Failure,
+                        tr("The study cannot be performed: its errors are listed below its text."));
 }
 
 void MainWindow::onCaseOpened()
@@ -205,6 +206,8 @@ void MainWindow::updateRunActions()
                                film_->controller().state() == SteadyController::State::Running ||
                                film_->view()->busy() ||
                                studies_->controller().state() == StudyController::State::Running);
+    studies_->setOthersBusy((controller().active() && state != State::Paused) || film_->controller().active() ||
+                            film_->view()->busy());
     actions_->resetAll->setEnabled(edits_->anyChanged());
     const bool anyEnded = runs().count() > (controller().active() ? 1 : 0);
     actions_->saveResults->setEnabled(anyEnded);

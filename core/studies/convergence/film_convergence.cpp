@@ -80,19 +80,17 @@ public:
 
 private:
     static constexpr const char* notSolved = "not solved";
-    static constexpr double usualPace = 2e-5; // of a node, until the first solution tells it [s]
     static constexpr double mostOfOne = 0.95; // counted before it is solved
 
     /// Time is about proportional to the number of cells.
     static double costOf(int nodes) { return double(nodes) * nodes; }
 
     /// Solutions of `cost` are under way since `begin` [wall clock], beyond what is done: a part of them counts by the
-    /// time that they are expected to take at the pace so far.
+    /// time that they are expected to take at the pace so far. Nothing counts before the first solution tells the pace.
     bool tell(double cost, double begin, const std::string& doing)
     {
         const double passed = wallClock() - begin_, now = wallClock() - begin;
-        const double pace = done_ > 0.0 ? passed / done_ : usualPace; // [s]
-        const double part = std::min(now / (cost * pace), mostOfOne);
+        const double part = done_ > 0.0 ? std::min(now / (cost * passed / done_), mostOfOne) : 0.0;
         told_ = std::max(told_, std::min((done_ + part * cost) / all_, 1.0)); // it never falls
         return !callback_ || callback_({.share = told_, .doing = doing});
     }

@@ -68,11 +68,21 @@ Case lean(Case c)
     return c;
 }
 
-/// `ended` may be called on any thread, with the number of a job of the sorted list.
-bool performJobs(std::vector<Job>& jobs, int threads, const std::function<void(const Job&)>& ended,
+/// So that no long one is left for the end.
+void putLongestFirst(std::vector<Job>& jobs) { std::ranges::stable_sort(jobs, std::greater{}, &Job::cost); }
+
+/// So that the map shows its whole early.
+void scatter(std::vector<Job>& jobs)
+{
+    std::vector<Job> scattered;
+    for (const std::size_t i : scatteredOrder(jobs.size())) scattered.push_back(std::move(jobs[i]));
+    jobs = std::move(scattered);
+}
+
+/// In this order; `ended` may be called on any thread.
+bool performJobs(const std::vector<Job>& jobs, int threads, const std::function<void(const Job&)>& ended,
                  const std::function<bool(double share, const std::string& doing)>& tell)
 {
-    std::ranges::stable_sort(jobs, std::greater{}, &Job::cost); // so that no long one is left for the end
     std::vector<double> costs;
     for (const Job& job : jobs) costs.push_back(job.cost);
     WorkDone work(std::move(costs));
@@ -147,6 +157,8 @@ bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const Ma
         runs.push_back(
             {&setting.c, &cell.run, nameOf(method.name, setting.label) + at(cell.row), expectedCost(setting.c), i});
     }
+    putLongestFirst(references);
+    scatter(runs);
     const double all = costOf(references) + costOf(runs);
     const double proven = all > 0.0 ? (1.0 - nudgedShare) * costOf(references) / all : 0.0;
     const auto between = [&](double from, double to) {
@@ -169,6 +181,7 @@ bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const Ma
             nudges.push_back({&starts[row][k], &nudged[row][k], "starts that hardly differ" + at(row),
                               expectedCost(starts[row][k]), 0});
     }
+    putLongestFirst(nudges);
     if (!performJobs(nudges, jobs, nothing, between(proven, proven + nudgedShare))) return false;
     for (std::size_t row = 0; row < task.rows.size(); ++row) proveEnd(map.references[row], nudged[row]);
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/convergence/film_convergence.h"
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <string>
+#include <thread>
 
 #include <QTest>
 
@@ -134,6 +138,33 @@ private slots:
         QCOMPARE(study.status, StudyStatus::Failed);
         QCOMPARE(study.message, std::string("the reference has no solution: it sinks"));
         QVERIFY(!study.uncertainty.front());
+    }
+    /// At a pace that nobody knows before the first solution has ended; then its cost is the share.
+    void theFirstSolutionTellsThePace()
+    {
+        FilmConvergenceTask task = knownTask();
+        task.sliders.resize(1);
+        std::atomic<int> polls = 0;
+        const auto solve = task.methods.front().solve;
+        task.methods.front().solve = [&](const Case& slider, int nodes, const GoOn& goOn) {
+            while (nodes == task.reference && polls < 3 && goOn()) std::this_thread::yield();
+            return solve(slider, nodes, goOn);
+        };
+        double before = 0.0, after = 0.0; // the first solution ends
+        performFilmConvergence(task, 1, [&](const StudyProgress& progress) {
+            ++polls;
+            if (progress.doing.starts_with("0 of 1"))
+                before = std::max(before, progress.share);
+            else if (after == 0.0)
+                after = progress.share;
+            return true;
+        });
+        QVERIFY(polls > 3);
+        QCOMPARE(before, 0.0);
+        const double reference = 1025.0 * 1025.0, all = reference + 2.0 * (17.0 * 17.0 + 33.0 * 33.0 + 65.0 * 65.0);
+        // The first grid may be under way by then.
+        QVERIFY2(after * all > reference - 1e-3 && after * all < reference + 17.0 * 17.0,
+                 std::to_string(after).c_str());
     }
     void stops()
     {

@@ -19,9 +19,9 @@ namespace test_gallery {
 
 std::vector<GalleryItem> fewItems()
 {
-    return {{"bounce", "Springs", "A bouncing mass", "It has an exact period.", {}},
-            {"drop", "Springs", "A drop", "It comes to rest.", {}},
-            {"pico", "Films", "A pico slider", "It flies at its static attitude.", {}}};
+    return {{"bounce", "Springs", "A bouncing mass", "It has an exact period.", {}, {}},
+            {"drop", "Springs", "A drop", "It comes to rest.", {}, {}},
+            {"pico", "Films", "A pico slider", "It flies at its static attitude.", {}, "asperities"}};
 }
 
 class TestGallery : public QObject {
@@ -47,6 +47,7 @@ private slots:
         QTest::newRow("of a title") << "BOUNC" << QStringList{"bounce"};
         QTest::newRow("of a sentence") << "rest" << QStringList{"drop"};
         QTest::newRow("of a theme") << "springs" << QStringList{"bounce", "drop"};
+        QTest::newRow("of its own") << "asperities" << QStringList{"pico"};
         QTest::newRow("all of them") << " comes  drop " << QStringList{"drop"};
         QTest::newRow("of no item") << "drop pico" << QStringList{};
     }
@@ -64,6 +65,21 @@ private slots:
         QCOMPARE(gallery.currentRow(), shown.contains("bounce") ? 1 : -1);
         gallery.setWords({});
         QCOMPARE(gallery.shownNames().size(), 3);
+    }
+    void saysThatNothingIsFound()
+    {
+        Gallery gallery;
+        gallery.setItems(fewItems());
+        gallery.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&gallery));
+        gallery.setWords(QStringLiteral("drop pico"));
+        const QImage without = gallery.grab().toImage();
+        gallery.setNothingFound(QStringLiteral("Nothing has all of these words."));
+        gallery.setWords(QStringLiteral("drop pico"));
+        QCOMPARE(gallery.accessibleDescription(), QStringLiteral("Nothing has all of these words."));
+        QVERIFY(gallery.grab().toImage() != without);
+        gallery.setWords(QStringLiteral("drop"));
+        QCOMPARE(gallery.accessibleDescription(), QString());
     }
     void theKeyEnterChooses()
     {
@@ -121,7 +137,7 @@ private slots:
         QCOMPARE(withoutLicence("# SPDX-License-Identifier: X\n#\n# A.\n"), QStringLiteral("# A.\n"));
     }
     /// 240 x 160 pixels, at most 8 kB; CONTRIBUTING.md says how they are drawn. Cases whose runs take a minute, and
-    /// most studies, have none yet.
+    /// most studies, have none.
     void samplesHaveTheirPictures()
     {
         const QStringList without{"fig05_fm_3_62mN", "fig06_", "fig07_", "fig08_"};
@@ -139,7 +155,9 @@ private slots:
             const bool slow = std::ranges::any_of(without, [&](const QString& some) { return name.startsWith(some); });
             check("case_" + name, !slow);
         }
+        const std::size_t ofCases = pictures;
         for (const SampleStudy& each : sampleStudies()) check("study_" + QString::fromStdString(each.name), false);
+        QVERIFY(pictures >= ofCases + 9);
         QCOMPARE(std::size_t(QDir(QStringLiteral(":/gallery")).count()), pictures); // none of a sample that has gone
     }
     /// A sentence is a line or two of the gallery.

@@ -207,6 +207,8 @@ void TestStudyChartView::theLegendNamesCellsThatAreNotComputed()
     StudyChart chart = sampleMapChart(); // one cell of which is not
     view_->setChart(chart);
     QCOMPARE(legendTexts(view_->drawing()).back(), unknown);
+    view_->setChart(chart, true);
+    QCOMPARE(legendTexts(view_->drawing()).back(), QStringLiteral("not yet computed"));
     std::ranges::replace(chart.panels[0].map->cells, -1, 0);
     view_->setChart(chart);
     QVERIFY(!legendTexts(view_->drawing()).contains(unknown));

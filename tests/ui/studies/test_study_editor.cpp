@@ -242,11 +242,29 @@ private slots:
         QCOMPARE(text.count(QLatin1Char('\n')), 1);
         QVERIFY2(text.endsWith(QLatin1Char('.')), qPrintable(text));
         editor_->tabs()->setCurrentWidget(editor_->samples());
-        emit gallery->itemClicked(gallery->item(1));
+        emit gallery->itemClicked(gallery->item(1)); // selects alone
+        QVERIFY(editor_->toText().startsWith(QStringLiteral("kind = \"hysteresis\"\n")));
+        emit gallery->itemActivated(gallery->item(1));
+        QCOMPARE(editor_->tabs()->currentWidget(), editor_->form());
         QVERIFY(!editor_->toText().contains(QStringLiteral("SPDX")));
         QVERIFY(editor_->plan().valid());
         editor_->findChild<QPlainTextEdit*>()->undo(); // what stood there before
         QVERIFY(editor_->toText().startsWith(QStringLiteral("kind = \"hysteresis\"\n")));
+    }
+    /// The second click of a double click is on the row of the first.
+    void samplesThatAreSeenKeepTheirOrder()
+    {
+        editor_->show();
+        editor_->tabs()->setCurrentWidget(editor_->samples());
+        const Gallery* gallery = editor_->samples()->gallery();
+        QTRY_VERIFY(gallery->isVisible());
+        const QStringList names = gallery->shownNames();
+        editor_->setKind(QStringLiteral("stability"));
+        QCOMPARE(gallery->shownNames(), names);
+        editor_->tabs()->setCurrentWidget(editor_->form());
+        editor_->tabs()->setCurrentWidget(editor_->samples());
+        QVERIFY(gallery->shownNames() != names);
+        QCOMPARE(gallery->item(0)->text(), editor_->kinds()->currentText());
     }
     /// A sample of another kind chooses that kind.
     void samplesOfAllKinds()

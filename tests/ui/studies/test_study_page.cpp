@@ -2,6 +2,8 @@
 //
 // The page of studies in the window, with studies that are made up.
 #include <atomic>
+#include <functional>
+#include <stdexcept>
 #include <thread>
 
 #include <QDockWidget>
@@ -29,6 +31,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_editor.h"
+#include "ui/studies/study_pilot.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_table.h"
 #include "ui/studies/study_window.h"
@@ -55,7 +58,7 @@ StudyReport endless(const StudyCallback& callback)
     return report;
 }
 
-/// The text decides: "endless" goes on, "wrong" on a line is a problem of it.
+/// The text decides: "endless" goes on, "broken" ends with an error, "wrong" on a line is a problem of it.
 StudyPlan planned(const std::string& kind, const std::string& text, const std::string& name,
                   const std::filesystem::path&, const Case& c)
 {
@@ -71,6 +74,8 @@ StudyPlan planned(const std::string& kind, const std::string& text, const std::s
         plan.problems.push_back({name, line, "steps", "is wrong"});
     else if (text.find("endless") != std::string::npos)
         plan.perform = [](int, const StudyCallback& callback) { return endless(callback); };
+    else if (text.find("broken") != std::string::npos)
+        plan.perform = [](int, const StudyCallback&) -> StudyReport { throw std::runtime_error("broken"); };
     else
         plan.perform = [kind, c](int, const StudyCallback& callback) {
             callback({1.0, "all", nullptr});
@@ -128,6 +133,9 @@ private slots:
     void showsAReport();
     void showsWhatThereIsWhileUnderWay();
     void saysHowLongAStudyTakes();
+    void estimatesNothingBesideACalculation();
+    void saysNothingOfAStudyThatFails();
+    void saysWhatIsUnderWayAfterPerformAgain();
     void saysWhereThatCannotBeTold();
     void stops();
     void saysWhatIsWrongWhileItIsWritten();
@@ -196,23 +204,82 @@ void TestStudyPage::showsWhatThereIsWhileUnderWay()
     QTRY_COMPARE(f.window.studies().controller().state(), State::Idle);
 }
 
-/// The endless one is at a quarter at once: after the second that the pilot takes at least, four are expected.
+/// A clock that goes on by a quarter of a second whenever it is read.
+std::function<double()> quarters()
+{
+    return [now = 0.0]() mutable { return now += 0.25; };
+}
+
+/// The endless one is at a quarter at once: after the first reading beyond a second, five are expected.
 void TestStudyPage::saysHowLongAStudyTakes()
 {
     Fixture f;
+    f.window.studies().pilot().setClock(quarters());
     QTRY_COMPARE(f.editor().duration(), QStringLiteral("Takes less than 1 s."));
     f.editor().setText(QStringLiteral("wrong"));
     QTRY_COMPARE(f.editor().duration(), QString());
     f.editor().setText(QStringLiteral("endless"));
-    QTRY_COMPARE_WITH_TIMEOUT(f.editor().duration(), QStringLiteral("Takes about 4 s."), 20'000);
+    QTRY_COMPARE(f.editor().duration(), QStringLiteral("Takes about 5 s."));
     QCOMPARE(f.charts(), 0); // nothing of the pilot is shown
     f.window.actions().study->trigger();
     QCOMPARE(f.editor().duration(), QString());
     f.window.actions().stop->trigger();
-    QTRY_COMPARE(f.editor().duration(), QStringLiteral("Takes about 4 s.")); // still known
+    QTRY_COMPARE(f.editor().duration(), QStringLiteral("Takes about 5 s.")); // still known
     f.editor().setText(QStringLiteral("another"));
     f.perform();
     QCOMPARE(f.editor().duration(), QStringLiteral("Took 1.500\u00a0s.")); // as its report says
+}
+
+/// Nor does it run where nobody looks.
+void TestStudyPage::estimatesNothingBesideACalculation()
+{
+    Fixture f;
+    StudyPilot& pilot = f.window.studies().pilot();
+    pilot.setClock([] { return 0.0; }); // never enough
+    const QString estimating = QStringLiteral("Estimating the time…");
+    f.editor().setText(QStringLiteral("endless"));
+    QTRY_COMPARE(f.editor().duration(), estimating);
+    QVERIFY(pilot.active());
+    f.window.setPage(Page::Run);
+    QTRY_VERIFY(!pilot.active());
+    f.window.setPage(Page::Studies);
+    QTRY_COMPARE(f.editor().duration(), estimating);
+    f.window.studies().setOthersBusy(true);
+    QTRY_VERIFY(!pilot.active());
+    QCOMPARE(f.editor().duration(), QString());
+    f.window.studies().setOthersBusy(false);
+    QTRY_COMPARE(f.editor().duration(), estimating);
+    f.window.startRun();
+    QVERIFY(pilot.state() != State::Running);
+}
+
+/// An error of the study is said by the study.
+void TestStudyPage::saysNothingOfAStudyThatFails()
+{
+    Fixture f;
+    const QSignalSpy failed(&f.window.studies().pilot(), &StudyPilot::failed);
+    f.editor().setText(QStringLiteral("broken"));
+    QTRY_COMPARE(failed.count(), 1);
+    QCOMPARE(f.editor().duration(), QString());
+}
+
+void TestStudyPage::saysWhatIsUnderWayAfterPerformAgain()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("endless"));
+    f.window.performStudy();
+    QCOMPARE(f.editor().run()->text(), QStringLiteral("Perform again"));
+    f.editor().setKind(QStringLiteral("advise"));
+    QCOMPARE(f.editor().run()->text(), QStringLiteral("Perform"));
+    QVERIFY(f.editor().stop()->isEnabled());
+    f.editor().setKind(QStringLiteral("work-precision"));
+    QCOMPARE(f.editor().run()->text(), QStringLiteral("Perform again"));
+    f.window.performStudy();
+    QCOMPARE(f.window.studies().controller().state(), State::Running);
+    QCOMPARE(f.window.messages().text(), QString()); // not that the first one was stopped
+    f.editor().setText(QStringLiteral("wrong"));
+    f.window.performStudy();
+    QCOMPARE(f.window.studies().controller().state(), State::Running); // goes on beside the errors
 }
 
 void TestStudyPage::saysWhereThatCannotBeTold()

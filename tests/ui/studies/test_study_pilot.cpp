@@ -1,36 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/studies/study_pilot.h"
 
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
+#include <QEvent>
 #include <QTest>
 
-#include "core/numerics/wall_clock.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
 
 namespace test_study_pilot {
 
-/// A study that takes `seconds` and tells the share that has passed.
+std::atomic<double> now; // of the clock of the pilot [s]
+
+/// A study that takes `seconds` of that clock and tells the share that has passed.
 StudyPerformance steadyStudy(double seconds)
 {
     return [seconds](int, const StudyCallback& callback) {
         StudyReport report;
-        const double begin = wallClock();
-        for (double share = 0.0; share < 1.0; share = (wallClock() - begin) / seconds) {
-            if (!callback({share, "steady", nullptr})) {
+        for (const double begin = now; now - begin < seconds; now = now + 0.125)
+            if (!callback({(now - begin) / seconds, "steady", nullptr})) {
                 report.status = StudyStatus::Cancelled;
                 return report;
             }
-            std::this_thread::yield();
-        }
         return report;
     };
 }
+
+/// Goes on until it is stopped.
+StudyReport endless(const StudyCallback& callback)
+{
+    while (callback({0.0, "waiting", nullptr})) std::this_thread::yield();
+    StudyReport report;
+    report.status = StudyStatus::Cancelled;
+    return report;
+}
+
+struct ClockedPilot : StudyPilot {
+    ClockedPilot()
+    {
+        setClock([] { return now.load(); });
+    }
+};
 
 struct Heard {
     explicit Heard(StudyPilot& pilot)
@@ -39,46 +56,67 @@ struct Heard {
             ++count;
             seconds = estimate;
         });
+        QObject::connect(&pilot, &StudyPilot::failed, &pilot, [this] { ++failures; });
     }
-    int count = 0;
+    int count = 0, failures = 0;
     std::optional<double> seconds;
+};
+
+/// Stops the pilot when its mail is there, before it is handled.
+struct StopAtMail : QObject {
+    explicit StopAtMail(StudyPilot& p) : pilot(p) { p.installEventFilter(this); }
+    bool eventFilter(QObject*, QEvent* event) override
+    {
+        if (event->type() == QEvent::User) {
+            stopped = true;
+            pilot.stop();
+        }
+        return false;
+    }
+    StudyPilot& pilot;
+    bool stopped = false;
 };
 
 class TestStudyPilot : public QObject {
     Q_OBJECT
 
 private slots:
-    /// Share and clock are read one after the other, so that the estimate is nearly exact.
+    void theShareOfTheFirstSecondsGivesTheWhole_data()
+    {
+        QTest::addColumn<double>("seconds");
+        for (const double seconds : {6.0, 100.0, 4000.0}) QTest::newRow(std::to_string(seconds).c_str()) << seconds;
+    }
     void theShareOfTheFirstSecondsGivesTheWhole()
     {
-        StudyPilot pilot;
+        QFETCH(double, seconds);
+        ClockedPilot pilot;
         Heard heard(pilot);
-        pilot.start(steadyStudy(6.0), 1);
-        QTRY_COMPARE_WITH_TIMEOUT(heard.count, 1, 20'000);
-        QVERIFY(heard.seconds && std::abs(*heard.seconds - 6.0) < 0.1);
+        pilot.start(steadyStudy(seconds), 1);
+        QTRY_COMPARE(heard.count, 1);
+        QVERIFY(heard.seconds && std::abs(*heard.seconds - seconds) < 1e-9 * seconds);
         QCOMPARE(pilot.state(), StudyPilot::State::Idle);
     }
     void aStudyThatEndsIsTimed()
     {
-        StudyPilot pilot;
+        ClockedPilot pilot;
         Heard heard(pilot);
-        pilot.start([](int, const StudyCallback&) { return StudyReport(); }, 1);
+        pilot.start(steadyStudy(0.75), 1);
         QTRY_COMPARE(heard.count, 1);
-        QVERIFY(heard.seconds && *heard.seconds < 5.0);
+        QCOMPARE(heard.seconds, 0.75);
     }
     void nothingDoneTellsNothing()
     {
-        StudyPilot pilot;
+        ClockedPilot pilot;
         Heard heard(pilot);
         pilot.start(
             [](int, const StudyCallback& callback) {
-                while (callback({0.0, "waiting", nullptr})) std::this_thread::yield();
-                StudyReport report;
-                report.status = StudyStatus::Cancelled;
-                return report;
+                return endless([&](const StudyProgress& progress) {
+                    now = now + 1.0;
+                    return callback(progress);
+                });
             },
             1);
-        QTRY_COMPARE_WITH_TIMEOUT(heard.count, 1, 20'000);
+        QTRY_COMPARE(heard.count, 1);
         QVERIFY(!heard.seconds);
     }
     void anErrorTellsNothing()
@@ -86,16 +124,35 @@ private slots:
         StudyPilot pilot;
         Heard heard(pilot);
         pilot.start([](int, const StudyCallback&) -> StudyReport { throw std::runtime_error("broken"); }, 1);
-        QTRY_COMPARE(heard.count, 1);
-        QVERIFY(!heard.seconds);
+        QTRY_COMPARE(heard.failures, 1);
+        pilot.start(
+            [](int, const StudyCallback&) {
+                StudyReport report;
+                report.status = StudyStatus::Failed;
+                return report;
+            },
+            1);
+        QTRY_COMPARE(heard.failures, 2);
+        QCOMPARE(heard.count, 0);
     }
     void aPilotThatIsStoppedSaysNothing()
     {
         StudyPilot pilot;
         Heard heard(pilot);
-        pilot.start(steadyStudy(60.0), 1);
+        pilot.start([](int, const StudyCallback& callback) { return endless(callback); }, 1);
         pilot.stop();
         QTRY_COMPARE(pilot.state(), StudyPilot::State::Idle);
+        QCOMPARE(heard.count, 0);
+    }
+    /// It has posted its estimate, which nobody has read.
+    void aPilotThatIsStoppedLateSaysNothing()
+    {
+        ClockedPilot pilot;
+        Heard heard(pilot);
+        StopAtMail stop(pilot);
+        pilot.start(steadyStudy(0.75), 1);
+        QTRY_COMPARE(pilot.state(), StudyPilot::State::Idle);
+        QVERIFY(stop.stopped);
         QCOMPARE(heard.count, 0);
     }
     void roughTimes_data()

@@ -50,11 +50,22 @@ private slots:
         QCOMPARE(chosen.front().front().toString(), QStringLiteral("textbook_bounce"));
         QVERIFY(!dialog.isVisible());
     }
+    /// Also where no title names them.
+    void modelsAndContactsAreFound()
+    {
+        CaseGallery dialog(nullptr);
+        dialog.words()->setText(QStringLiteral("springs"));
+        QVERIFY(dialog.gallery()->shownNames().contains(QStringLiteral("fig10a")));
+        QVERIFY(!dialog.gallery()->shownNames().contains(QStringLiteral("film_pico")));
+        dialog.words()->setText(QStringLiteral("asperities"));
+        QVERIFY(dialog.gallery()->shownNames().contains(QStringLiteral("contact_greenwood_williamson")));
+    }
     void wordsOfNoCaseChooseNothing()
     {
         CaseGallery dialog(nullptr);
         dialog.words()->setText(QStringLiteral("no such words"));
         QVERIFY(!dialog.openButton()->isEnabled());
+        QCOMPARE(dialog.gallery()->accessibleDescription(), QStringLiteral("No case has all of these words."));
     }
     void theWindowOpensTheCase()
     {
