@@ -161,7 +161,7 @@ void ModePicture::paint(QPainter& painter, const PlotTheme& theme) const
         painter.save();
         painter.setClipRect(drawn.area, Qt::IntersectClip);
         drawn.paintDisk(painter, theme);
-        drawn.paintSlider(painter, theme, now);
+        drawn.paintSlider(painter, theme.curves[0], now);
         paintStill(painter, theme, drawn, still);
         painter.restore();
     };

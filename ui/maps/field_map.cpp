@@ -214,6 +214,16 @@ std::function<void(QIODevice&)> FieldMap::dataWriter() const
     };
 }
 
+void FieldMap::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
+{
+    const auto first = std::exchange(first_, {}), second = std::exchange(second_, {});
+    const ColourScale scale = std::exchange(look_.scale, look_.scale.onPaper());
+    SliderPlan::paintOnPaper(painter, size, font, colours);
+    look_.scale = scale;
+    first_ = first;
+    second_ = second;
+}
+
 void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
 {
     std::vector<PlanMark> marks;

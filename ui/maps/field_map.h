@@ -46,6 +46,8 @@ public:
 
     /// The centre of each cell [m] and its value, in the display unit.
     std::function<void(QIODevice&)> dataWriter() const override;
+    /// In colours for white paper, without cursors.
+    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
 
 protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;

@@ -79,7 +79,8 @@ QColor mapColour(ColourMap map, double position)
     return {};
 }
 
-ColourScale::ColourScale(Kind kind, ColourMap map, std::vector<double> knots) : kind_(kind), knots_(std::move(knots))
+ColourScale::ColourScale(Kind kind, ColourMap map, std::vector<double> knots)
+    : kind_(kind), map_(map), knots_(std::move(knots))
 {
     for (std::size_t i = 0; i < colours_.size(); ++i)
         colours_[i] = mapColour(map, static_cast<double>(i) / static_cast<double>(colours_.size() - 1)).rgb();
@@ -121,7 +122,16 @@ ColourScale ColourScale::reversed() const
 {
     ColourScale scale = *this;
     std::ranges::reverse(scale.colours_);
+    scale.reversed_ = !reversed_;
     return scale;
+}
+
+ColourScale ColourScale::onPaper() const
+{
+    if (map_ != ColourMap::DivergingOnDark) return *this;
+    ColourScale scale(kind_, ColourMap::DivergingOnLight, knots_);
+    scale.near_ = near_;
+    return reversed_ ? scale.reversed() : scale;
 }
 
 double ColourScale::position(double value) const

@@ -50,6 +50,8 @@ public:
 
     /// The same values with the colours the other way round.
     ColourScale reversed() const;
+    /// The same values with the colours of white paper.
+    ColourScale onPaper() const;
 
     double low() const { return knots_.front(); }
     double high() const { return knots_.back(); }
@@ -73,6 +75,8 @@ private:
     std::vector<ScaleTick> decadeTicks(double end, double factor) const;
 
     Kind kind_;
+    ColourMap map_;
+    bool reversed_ = false;
     std::vector<double> knots_; // ascending
     double near_ = 1.0;         // of AboutZeroLogarithmic
     std::array<QRgb, 512> colours_{};

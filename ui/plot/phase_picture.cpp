@@ -53,8 +53,8 @@ PhasePicture::Job PhasePicture::jobOf() const
             if (!isDrawn(curve) || curve.pale != pale) continue;
             const auto times = curve.data->times()->twin();
             const bool together = curve.xData->times() == curve.data->times();
-            job.lines.push_back(
-                {curve, together ? curve.xData->twin(times) : curve.xData->twin(), curve.data->twin(times)});
+            job.lines.push_back({curve, curve.data->times(), together ? curve.xData->twin(times) : curve.xData->twin(),
+                                 curve.data->twin(times)});
         }
     return job;
 }
@@ -96,14 +96,15 @@ void PhasePicture::update()
             *image = draw(*job);
             return QString();
         },
-        [this, job, image, generation = generation_](const QString&) {
+        [this, job, image, generation = generation_](const QString& problem) {
             busy_ = false;
             if (generation == generation_) {
+                problem_ = problem;
                 image_ = *image;
                 x_ = job->x;
                 y_ = job->y;
                 drawn_.clear();
-                for (const Line& line : job->lines) drawn_.emplace_back(line.curve.xData, line.curve.data);
+                for (const Line& line : job->lines) drawn_.push_back({line.curve.xData, line.curve.data, line.times});
                 if (!showsOnlyCurvesOf(plot_)) image_ = {};
             }
             arrived_();
@@ -115,16 +116,18 @@ void PhasePicture::forget()
 {
     ++generation_;
     again_ = false;
+    problem_.clear();
     image_ = {};
     drawn_.clear();
 }
 
-/// The pointers are compared, not followed: a curve may be gone.
+/// The pointers in the image are compared, not followed: a curve may be gone.
 bool PhasePicture::showsOnlyCurvesOf(const PlotWidget& plot) const
 {
     return std::ranges::all_of(drawn_, [&plot](const auto& drawn) {
         return std::ranges::any_of(plot.curves(), [&drawn](const PlotCurve& curve) {
-            return isDrawn(curve) && curve.xData == drawn.first && curve.data == drawn.second;
+            return isDrawn(curve) && curve.xData == drawn.x && curve.data == drawn.y &&
+                   curve.data->times() == drawn.times.lock();
         });
     });
 }
@@ -132,6 +135,11 @@ bool PhasePicture::showsOnlyCurvesOf(const PlotWidget& plot) const
 void PhasePicture::paint(QPainter& painter) const
 {
     const QRectF area = plot_.plotArea();
+    if (!problem_.isEmpty()) {
+        painter.setPen(plot_.theme().mutedText);
+        painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap,
+                         PlotWidget::tr("The curves could not be drawn: %1").arg(problem_));
+    }
     const PlotAxis &x = plot_.xAxis(), &y = plot_.yAxis();
     const bool sameScales = x_.label.scale == x.label.scale && y_.label.scale == y.label.scale;
     if (image_.isNull() || !sameScales) return;

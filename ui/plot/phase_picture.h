@@ -46,7 +46,8 @@ public:
 private:
     struct Line {
         PlotCurve curve;
-        std::shared_ptr<const MinMaxPyramid> x, y; // twins of its data
+        std::weak_ptr<const SampleTimes> times;    // of its data
+        std::shared_ptr<const MinMaxPyramid> x, y; // twins of them
     };
     struct Job {
         PlotAxis x, y;
@@ -59,6 +60,12 @@ private:
     };
     static QImage draw(const Job& job);
     Job jobOf() const;
+    /// A curve in the image. The times tell it from another one at the same addresses.
+    struct Drawn {
+        const MinMaxPyramid* x;
+        const MinMaxPyramid* y;
+        std::weak_ptr<const SampleTimes> times;
+    };
     bool showsOnlyCurvesOf(const PlotWidget& plot) const;
 
     const PlotWidget& plot_;
@@ -68,8 +75,9 @@ private:
     bool again_ = false;
     int generation_ = 0; // what was begun before forget() is not shown
     QImage image_;
-    PlotAxis x_, y_;                                                           // of the image
-    std::vector<std::pair<const MinMaxPyramid*, const MinMaxPyramid*>> drawn_; // in the image
+    QString problem_; // why the last picture could not be drawn
+    PlotAxis x_, y_;  // of the image
+    std::vector<Drawn> drawn_;
 };
 
 } // namespace touchdown

@@ -270,6 +270,7 @@ void PlotNavigation::showToolTip(const QHelpEvent& event) const
         }
         lines += tr("%1 at %2 %3").arg(mark.label, plot_.xAxis().number(mark.time), plot_.xAxis().label.unit);
     }
+    if (lines.isEmpty() && !plot_.toolTip().isEmpty()) lines += plot_.toolTip();
     if (lines.isEmpty())
         QToolTip::hideText();
     else

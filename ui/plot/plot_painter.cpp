@@ -163,11 +163,13 @@ void PlotPainter::paintCurves(QPainter& painter) const
 {
     painter.setRenderHint(QPainter::Antialiasing);
     const bool wide = !paper_ && plot_.hasPaleCurves();
+    const bool arrows = !paper_ && PhasePicture::isFor(plot_); // which are a part of its picture on the screen
     for (const PlotCurve& curve : curves_) {
         const std::vector<QPointF> path = pathOf(curve);
         if (path.empty()) continue;
         painter.setPen(pathPen(curve, path, area_.size(), theme_, wide));
         drawPath(painter, path, area_);
+        if (arrows && curve.arrows && !curve.pale) drawArrows(painter, path, area_, theme_.colour(curve.style));
     }
 }
 

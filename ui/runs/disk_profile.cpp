@@ -24,10 +24,13 @@ void DiskProfile::setCase(const std::optional<Case>& c)
         return;
     }
     case_ = next;
+    state_ = State::Flat;
+    problem_.clear();
     surface_.reset();
     stop_.request_stop();
     stop_ = {};
     if (case_.diskSurface.kind == DiskSurfaceKind::Flat) return;
+    state_ = State::BeingMade;
     auto result = std::make_shared<std::shared_ptr<const DiskTopography>>();
     queue_.post(
         [result, next, stop = stop_.get_token()] {
@@ -36,9 +39,11 @@ void DiskProfile::setCase(const std::optional<Case>& c)
             if (!surface->flat()) *result = surface;
             return QString();
         },
-        [this, result, stop = stop_.get_token()](const QString&) {
+        [this, result, stop = stop_.get_token()](const QString& problem) {
             if (stop.stop_requested()) return;
             surface_ = *result;
+            problem_ = problem;
+            state_ = !problem.isEmpty() ? State::Failed : surface_ ? State::Uneven : State::Flat;
             emit made();
         });
 }
@@ -61,6 +66,13 @@ std::vector<double> DiskProfile::at(double time) const
         heights.push_back(*std::max(low, high));
     }
     return heights;
+}
+
+double DiskProfile::heightAt(double x, double time) const
+{
+    if (empty()) return 0.0;
+    const Velocity velocity = surfaceVelocity(case_, *surface_);
+    return surface_->height(x - velocity.x * time, 0.5 * case_.slider.width - velocity.y * time);
 }
 
 } // namespace touchdown

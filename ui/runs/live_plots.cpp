@@ -130,7 +130,7 @@ void LivePlots::updateTitle(std::size_t s)
     QString title = spec.title;
     if (runs_.baseline() >= 0 && !spec.across) {
         title = tr("%1 minus run %2").arg(title).arg(runs_.baseline());
-        if (isBeingMade(s)) title = tr("%1: being computed").arg(title);
+        title += missingDifference(s);
     }
     if (!spec.spectrogram && plot->title() != title) plot->setTitle(title);
     plot->setAccessibleName(spec.across ? tr("Plot: %1").arg(title) : tr("Plot of %1 over time").arg(title));
@@ -314,13 +314,25 @@ void LivePlots::noteHiddenCurves()
     }
 }
 
-/// Whether a difference that the plot shows is not there yet.
-bool LivePlots::isBeingMade(std::size_t s) const
+/// Why a difference that the plot shows is not there yet, behind the title; empty: all are there.
+QString LivePlots::missingDifference(std::size_t s) const
 {
-    return isShown(s) && std::ranges::any_of(specs_[s].curves, [this](const PlotSpec::Curve& curve) {
-               return std::ranges::any_of(drawn_,
-                                          [&](int number) { return differences_->isBegun(number, curve.quantity); });
-           });
+    if (!isShown(s)) return {};
+    const auto runs = [this](int number) {
+        const RunRecord* run = runs_.find(number);
+        return run && !run->finished();
+    };
+    if (runs(runs_.baseline())) return tr(": shown when run %1 ends").arg(runs_.baseline());
+    QString remark;
+    for (const int number : drawn_)
+        if (runs(number)) remark = tr(": run %1 is shown when it ends").arg(number);
+    for (const PlotSpec::Curve& curve : specs_[s].curves)
+        for (const int number : drawn_) {
+            if (differences_->isBegun(number, curve.quantity)) return tr(": being computed");
+            if (const QString problem = differences_->problem(number, curve.quantity); !problem.isEmpty())
+                remark = tr(": run %1 could not be computed: %2").arg(number).arg(problem);
+        }
+    return remark;
 }
 
 void LivePlots::setStage(const std::optional<QStringList>& names)

@@ -129,7 +129,7 @@ private:
     PlotCurve curveOf(const RunRecord& run, std::size_t spec, std::size_t curve) const;
     void raise(const QString& curve);
     void noteHiddenCurves();
-    bool isBeingMade(std::size_t spec) const;
+    QString missingDifference(std::size_t spec) const;
     bool isShown(std::size_t spec) const;
     void updateMarks();
     std::vector<PointMark> eventPoints(const RunRecord& run) const;

@@ -197,10 +197,14 @@ LiveSpectrogram::LiveSpectrogram(RunsModel& runs, PlotWidget& plot, QObject* par
 
 LiveSpectrogram::~LiveSpectrogram() { stop_.request_stop(); }
 
-/// What was missed while the plot was hidden.
+/// A hidden plot gives its picture back; shown again, it gets one.
 bool LiveSpectrogram::eventFilter(QObject* watched, QEvent* event)
 {
     if (watched == &plot_ && event->type() == QEvent::Show) update();
+    if (watched == &plot_ && event->type() == QEvent::Hide && !plot_.isVisible()) {
+        timer_.stop();
+        forget();
+    }
     return false;
 }
 
@@ -239,6 +243,15 @@ void LiveSpectrogram::forget()
     source_ = {};
     shown_.reset();
     plot_.setBackdrop({});
+    plot_.setToolTip({});
+}
+
+/// It is not tried again before there are other samples.
+void LiveSpectrogram::fail(const QString& problem)
+{
+    shown_.reset();
+    plot_.setBackdrop({});
+    setTitle(tr(", could not be computed: %1").arg(problem));
 }
 
 void LiveSpectrogram::updateNow()
@@ -251,10 +264,10 @@ void LiveSpectrogram::updateNow()
     source_ = now;
     const RunRecord* run = runs_.find(now.run);
     const MinMaxPyramid* column = run ? run->pyramid(quantity_) : nullptr;
-    if (!column || column->size() < leastSamples) return setTitle(tr("no samples yet"));
+    if (!column || column->size() < leastSamples) return setTitle(tr(", no samples yet"));
     const std::size_t length = window_ > 0 ? window_ : spectrogramWindow(column->size());
-    if (column->size() < length) return setTitle(tr("none yet, its window has %1 samples").arg(length));
-    if (!shown_) setTitle(tr("being computed"));
+    if (column->size() < length) return setTitle(tr(", none yet, its window has %1 samples").arg(length));
+    if (!shown_) setTitle(tr(", being computed"));
     compute(*column, length);
 }
 
@@ -264,7 +277,8 @@ void LiveSpectrogram::setTitle(const QString& remark)
     const int index = run ? findQuantity(run->quantities, quantity_) : -1;
     const QString name =
         index < 0 ? QString() : QString::fromStdString(run->quantities[static_cast<std::size_t>(index)].longName);
-    plot_.setTitle(name.isEmpty() ? tr("Spectrogram") : tr("Spectrogram (%1): %2").arg(remark, name));
+    plot_.setTitle(name.isEmpty() ? tr("Spectrogram")
+                                  : tr("%1 of run %2: spectrogram%3").arg(name).arg(source_.run).arg(remark));
 }
 
 void LiveSpectrogram::compute(const MinMaxPyramid& column, std::size_t length)
@@ -287,11 +301,12 @@ void LiveSpectrogram::compute(const MinMaxPyramid& column, std::size_t length)
             result->took = clock.elapsed();
             return QString();
         },
-        [this, result, quantity, end = column.lastTime(), stop = stop_.get_token()](const QString&) {
+        [this, result, quantity, end = column.lastTime(), stop = stop_.get_token()](const QString& problem) {
             if (stop.stop_requested()) return;
             computing_ = false;
             took_ = result->took;
-            if (!result->shown) return setTitle(tr("none"));
+            if (!problem.isEmpty()) return fail(problem);
+            if (!result->shown) return setTitle(tr(", none"));
             show(result->shown, quantity, end);
             update(); // there may be more samples
         });
@@ -304,7 +319,9 @@ void LiveSpectrogram::show(const std::shared_ptr<Shown>& picture, const Quantity
     const bool simple = std::ranges::all_of(unit, [](QChar letter) { return letter.isLetter(); });
     // Not "%1²": the digit would belong to the number of the place.
     picture->unit = tr("dB re 1 %1/Hz").arg((simple ? unit : QStringLiteral("(%1)").arg(unit)) + QStringLiteral("²"));
-    setTitle(tr("%1, %2").arg(timeText(shown_->timeResolution), frequencyText(shown_->frequencyResolution)));
+    setTitle({});
+    plot_.setToolTip(
+        tr("Resolution: %1, %2").arg(timeText(shown_->timeResolution), frequencyText(shown_->frequencyResolution)));
     PlotBackdrop backdrop;
     backdrop.x = {picture->start, std::max(picture->columnStart(shown_->columns), end)};
     backdrop.y = {0.0, picture->top};

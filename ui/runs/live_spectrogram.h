@@ -2,12 +2,12 @@
 //
 // The spectrogram of a quantity of the newest run, in a plot over time: power spectral density in dB
 // (core/numerics/spectrogram.h), bright where it is high. The range of colours ends at the largest density and begins
-// 80 dB below it. The title states the resolution in time and in frequency. The automatic range of frequencies ends
+// 80 dB below it. The tool tip states the resolution in time and in frequency. The automatic range of frequencies ends
 // where no density comes within 60 dB of the largest.
 //
 // It is computed on another thread, and shown when it is there: at most four times a second while a run goes, and for
-// at most a fifth of the time. All samples count, of a run of any length: windows are averaged into at most
-// `mostColumns` columns, and at each scale the columns and the frequencies within a pixel.
+// at most a fifth of the time. A hidden plot has none. All samples count, of a run of any length: windows are averaged
+// into at most `mostColumns` columns, and at each scale the columns and the frequencies within a pixel.
 #pragma once
 
 #include <memory>
@@ -69,6 +69,7 @@ private:
     void forget();
     void compute(const MinMaxPyramid& column, std::size_t length);
     void show(const std::shared_ptr<Shown>& picture, const Quantity& quantity, double end);
+    void fail(const QString& problem);
     void setTitle(const QString& remark);
 
     RunsModel& runs_;

@@ -57,6 +57,7 @@ RunDifferences::RunDifferences(RunsModel& runs, QObject* parent) : QObject(paren
             each.second.request_stop();
             return true;
         });
+        std::erase_if(problems_, [number](const auto& each) { return each.first.first == number; });
     });
 }
 
@@ -68,8 +69,14 @@ RunDifferences::~RunDifferences()
 const MinMaxPyramid* RunDifferences::of(const RunRecord& run, const std::string& quantity)
 {
     if (const auto found = run.differences.find(quantity); found != run.differences.end()) return &found->second;
-    if (!isBegun(run.number, quantity)) begin(run, quantity);
+    if (!isBegun(run.number, quantity) && problem(run.number, quantity).isEmpty()) begin(run, quantity);
     return nullptr;
+}
+
+QString RunDifferences::problem(int run, const std::string& quantity) const
+{
+    const auto found = problems_.find({run, quantity});
+    return found == problems_.end() ? QString() : found->second;
 }
 
 void RunDifferences::begin(const RunRecord& run, const std::string& quantity)
@@ -87,16 +94,20 @@ void RunDifferences::begin(const RunRecord& run, const std::string& quantity)
             *result = difference(*from, *minus, token);
             return QString();
         },
-        [this, key, result, token = stop.get_token()](const QString&) {
+        [this, key, result, token = stop.get_token()](const QString& problem) {
             RunRecord* record = runs_.find(key.first);
             if (token.stop_requested() || !record) return;
             begun_.erase(key);
-            // The times of the run, unless the baseline begins later.
-            const MinMaxPyramid* full = record->pyramid(key.second);
-            if (!result->empty() && full->time(0) == result->time(0) &&
-                full->time(result->size() - 1) == result->lastTime())
-                result->shareTimes(full->times());
-            record->differences.insert_or_assign(key.second, std::move(*result));
+            if (problem.isEmpty()) {
+                // The times of the run, unless the baseline begins later.
+                const MinMaxPyramid* full = record->pyramid(key.second);
+                if (!result->empty() && full->time(0) == result->time(0) &&
+                    full->time(result->size() - 1) == result->lastTime())
+                    result->shareTimes(full->times());
+                record->differences.insert_or_assign(key.second, std::move(*result));
+            } else {
+                problems_.insert_or_assign(key, problem);
+            }
             if (begun_.empty())
                 soon_.start(0);
             else if (!soon_.isActive())
@@ -112,6 +123,7 @@ void RunDifferences::keepOnly(const std::set<Key>& wanted)
         each.second.request_stop();
         return true;
     });
+    std::erase_if(problems_, [&wanted](const auto& each) { return !wanted.contains(each.first); });
     for (int row = 0; row < runs_.count(); ++row) {
         RunRecord& run = *runs_.find(runs_.record(row).number);
         std::erase_if(run.differences, [&](const auto& each) { return !wanted.contains(Key(run.number, each.first)); });

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include <QObject>
+#include <QString>
 #include <QTimer>
 
 #include "ui/calculation/task_queue.h"
@@ -35,6 +36,8 @@ public:
     /// clear(), or until its run is removed.
     const MinMaxPyramid* of(const RunRecord& run, const std::string& quantity);
     bool isBegun(int run, const std::string& quantity) const { return begun_.contains({run, quantity}); }
+    /// Why there is none though it was begun: a sentence; "" else.
+    QString problem(int run, const std::string& quantity) const;
     /// Gives the others back; no curve may point to them any more.
     void keepOnly(const std::set<Key>& wanted);
     /// The baseline is another one.
@@ -49,6 +52,7 @@ private:
 
     RunsModel& runs_;
     std::map<Key, std::stop_source> begun_;
+    std::map<Key, QString> problems_;
     QTimer soon_; // so that many small ones are shown together
     TaskQueue queue_{this};
 };

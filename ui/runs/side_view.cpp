@@ -36,13 +36,12 @@ SideView::SideView(RunsModel& runs, QWidget* parent) : QWidget(parent), runs_(ru
     height_.label = {tr("Height"), QStringLiteral("nm"), unitFactor("nm"), AxisScale::Linear};
     connect(disk_, &DiskProfile::made, this, qOverload<>(&QWidget::update));
     connect(&runs_, &RunsModel::aboutToRemove, this, [this](int number) {
-        removed_ = number;
         if (number == first_.number) showRun(-1);
-        takeOther();
+        takeOther(number);
     });
-    connect(&runs_, &RunsModel::added, this, &SideView::takeOther);
-    connect(&runs_, &RunsModel::baselineChanged, this, &SideView::takeOther);
-    connect(&runs_, &RunsModel::shownChanged, this, &SideView::takeOther);
+    for (const auto changed : {&RunsModel::added, &RunsModel::baselineChanged})
+        connect(&runs_, changed, this, [this] { takeOther(); });
+    connect(&runs_, &RunsModel::shownChanged, this, [this] { takeOther(); });
     connect(&runs_, &RunsModel::namesChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -87,12 +86,12 @@ SideView::Seen SideView::seenOf(int number) const
     return seen;
 }
 
-/// Which run stands beside the shown one; -1: none.
-int SideView::wantedOther() const
+/// Which run stands beside the shown one; -1: none. `except`: a run that is about to go.
+int SideView::wantedOther(int except) const
 {
     const RunRecord* first = runs_.find(first_.number);
     const auto fits = [&](const RunRecord& run) {
-        return first && run.number != first->number && run.number != removed_ && run.value.model == first->value.model;
+        return first && run.number != first->number && run.number != except && run.value.model == first->value.model;
     };
     if (const RunRecord* baseline = runs_.find(runs_.baseline()); baseline && fits(*baseline)) return baseline->number;
     for (int row = runs_.count() - 1; row >= 0; --row)
@@ -101,14 +100,15 @@ int SideView::wantedOther() const
 }
 
 /// A hidden view needs neither a second run nor the surface of the disk.
-void SideView::takeOther()
+void SideView::takeOther(int except)
 {
     if (isVisible()) {
-        if (const int wanted = wantedOther(); wanted != second_.number) second_ = seenOf(wanted);
+        if (const int wanted = wantedOther(except); wanted != second_.number) second_ = seenOf(wanted);
         const RunRecord* run = runs_.find(first_.number);
         disk_->setCase(run && run->value.model == ModelKind::Film ? std::optional(run->value) : std::nullopt);
     } else {
         second_ = {};
+        disk_->setCase(std::nullopt);
     }
     takeState();
 }
@@ -192,10 +192,21 @@ void SideView::writeProfile(QIODevice& device) const
 {
     QTextStream out(&device);
     const auto number = [](double value) { return QString::fromStdString(formatNumber(value)); };
-    out << "x [m],height of the slider above the mean plane of the disk [m]\n";
+    const double time = first_.state->time;
+    const bool disk = disk_->state() == DiskProfile::State::Uneven || disk_->state() == DiskProfile::State::Flat;
+    // Heights above the mean plane of the disk. Under springs it has heights at three places only.
+    out << "x at " << number(time) << " s [m],height of the slider of run " << first_.number << " [m]";
+    if (!first_.springs) out << ",height of the disk [m]";
+    if (second_.state) out << ",height of the slider of run " << second_.number << " [m]";
+    out << '\n';
     for (int i = 0; i <= SliderProfile::along; ++i) {
         const double share = static_cast<double>(i) / SliderProfile::along;
-        out << number(share * first_.length) << ',' << number(heightAt(share)) << '\n';
+        const double x = share * first_.length;
+        out << number(x) << ',' << number(heightAt(share));
+        if (!first_.springs) out << ',' << (disk ? number(disk_->heightAt(x, time)) : QString());
+        if (second_.state)
+            out << ',' << (x <= second_.length ? number(second_.heightAt(x / second_.length)) : QString());
+        out << '\n';
     }
 }
 
@@ -234,115 +245,15 @@ void SideView::paintEvent(QPaintEvent*)
     paint(painter, plotTheme(palette()));
 }
 
-void SideView::paint(QPainter& painter, const PlotTheme& theme) const
-{
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), theme.background);
-    if (!first_.state) {
-        painter.setPen(theme.mutedText);
-        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         first_.number < 0 ? tr("There is nothing to show yet: run the case.")
-                                           : tr("The first samples are not ready yet."));
-        return;
-    }
-    painter.fillRect(plotArea(), theme.plotArea);
-    painter.save();
-    painter.setClipRect(plotArea());
-    const State& state = *first_.state;
-    if (disk_->empty())
-        drawing().paintDisk(painter, theme);
-    else
-        drawing().paintDisk(painter, theme, disk_->at(state.time));
-    if (!first_.springs) drawing().paintMotion(painter, theme, first_.speed * state.time);
-    paintSlider(painter, theme);
-    paintOther(painter, theme);
-    if (first_.springs) {
-        first_.springs->paintSprings(painter, theme, drawing(), heightAt(0.0), heightAt(1.0), state.disk);
-        first_.springs->paintPad(painter, theme, plotArea(), state.separation, state.contactForce > 0.0);
-    }
-    painter.restore();
-    paintAxes(painter, theme);
-    paintReadings(painter, theme);
-}
-
-void SideView::paintSlider(QPainter& painter, const PlotTheme& theme) const
-{
-    const ProfileDrawing drawn = drawing();
-    const std::vector<double> heights = first_.heights();
-    drawn.paintSlider(painter, theme, heights);
-    if (first_.springs) return; // their pad has a picture of its own
-
-    const auto lowestAt = std::ranges::min_element(heights) - heights.begin();
-    const double lowest = static_cast<double>(lowestAt) / SliderProfile::along;
-    const QPointF tip = drawn.toPixel(lowest * first_.length, heightAt(lowest));
-    const QPointF foot = drawn.toPixel(lowest * first_.length, 0.0);
-    const QColor mark = first_.state->contactForce > 0.0 ? theme.curves[1] : theme.text;
-    painter.setPen(QPen(mark, 2.0));
-    painter.drawLine(tip, foot);
-    painter.setBrush(mark);
-    painter.drawEllipse(foot, 3.5, 3.5);
-}
-
-/// The second run, with its name and its spacing.
-void SideView::paintOther(QPainter& painter, const PlotTheme& theme) const
-{
-    const RunRecord* run = runs_.find(second_.number);
-    if (!run || !second_.state) return;
-    const QColor colour = theme.paleColour(RunsModel::style(*run));
-    drawing().paintOutline(painter, colour, second_.length, second_.heights());
-    const double line = painter.fontMetrics().height();
-    const QString text = tr("%1: minimum spacing %2")
-                             .arg(run->label, readout(second_.state->spacing, "nm", 3))
-                             .replace(QLatin1Char('-'), QChar(0x2212));
-    const QRectF box(plotArea().topLeft() + QPointF(6.0, 6.0),
-                     QSizeF(painter.fontMetrics().horizontalAdvance(text) + 30.0, line + 2.0));
-    QColor paper = theme.plotArea;
-    paper.setAlphaF(0.75F);
-    painter.fillRect(box, paper);
-    painter.drawLine(QPointF(box.left() + 2.0, box.center().y()), QPointF(box.left() + 20.0, box.center().y()));
-    painter.setPen(theme.mutedText);
-    painter.drawText(box.adjusted(26.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
-}
-
-void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
-{
-    const QRectF area = plotArea();
-    const double line = fontMetrics().height();
-    drawing().paintFrame(painter, theme, tr("Along the slider"),
-                         first_.springs ? tr(", the leading edge at the left")
-                                        : tr(", the disk moves from left to right"));
-    painter.setPen(theme.text);
-    for (const AxisTick& tick : height_.ticks(7)) {
-        const double y = drawing().toPixel(0.0, tick.value).y();
-        if (!tick.text.isEmpty())
-            painter.drawText(QRectF(0.0, y - line / 2, area.left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter,
-                             tick.text);
-    }
-    painter.drawText(QRectF(0.3 * line, area.top() - 1.4 * line, area.left() + 8.0 * line, line),
-                     Qt::AlignLeft | Qt::AlignVCenter, height_.text());
-}
-
-void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const
-{
-    const QRectF area = plotArea();
-    const State& state = *first_.state;
-    const QStringList attitude{timeText(state.time), tr("minimum spacing %1").arg(readout(state.spacing, "nm", 3)),
-                               tr("pitch %1").arg(readout(state.pitch, "urad", 2))};
-    QStringList rest{tr("heights × %L1").arg(std::round(exaggeration()), 0, 'f', 0)};
-    if (state.contactForce > 0.0) rest.prepend(tr("contact %1").arg(forceText(state.contactForce)));
-    painter.setPen(theme.text);
-    const double line = fontMetrics().height();
-    double top = 0.2 * line;
-    for (const QStringList& parts : {attitude, rest}) {
-        painter.drawText(QRectF(0.0, top, area.right(), line), Qt::AlignRight | Qt::AlignVCenter,
-                         parts.join(QStringLiteral("   ·   ")).replace(QLatin1Char('-'), QChar(0x2212)));
-        top += line;
-    }
-}
-
 void SideView::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    takeOther();
+}
+
+void SideView::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
     takeOther();
 }
 

@@ -6,8 +6,8 @@
 // the model springs it shows a flat slider on two springs, and the pad near the disk. The uneven disk of a film is
 // drawn as it is along the slider's centre line at that time.
 //
-// The lower side of a second run of the same model stands there pale, at the same time: that of the baseline, or
-// without one that of the newest other run that is shown.
+// The lower side of a second run of the same model stands there dashed, at the same time: that of the baseline, or
+// without one that of the newest other run that is shown. Then a legend names both.
 #pragma once
 
 #include "ui/plot/plot_axis.h"
@@ -16,6 +16,7 @@
 #include "ui/runs/springs_drawing.h"
 #include "ui/slider/profile_drawing.h"
 
+#include <QPen>
 #include <QWidget>
 
 #include <optional>
@@ -74,6 +75,7 @@ public:
 protected:
     void changeEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
@@ -94,20 +96,21 @@ private:
     Seen seenOf(int number) const;
     std::optional<State> stateOf(const Seen& seen, const std::optional<double>& time) const;
     void takeState();
-    void takeOther();
-    int wantedOther() const;
+    void takeOther(int except = -1);
+    int wantedOther(int except) const;
     QRectF plotArea() const;
     ProfileDrawing drawing() const;
     void paint(QPainter& painter, const PlotTheme& theme) const;
     void writeProfile(QIODevice& device) const;
     void paintAxes(QPainter& painter, const PlotTheme& theme) const;
     void paintSlider(QPainter& painter, const PlotTheme& theme) const;
-    void paintOther(QPainter& painter, const PlotTheme& theme) const;
+    QPen penOf(const Seen& seen, const PlotTheme& theme) const;
+    void paintLegend(QPainter& painter, const PlotTheme& theme) const;
+    void paintRemark(QPainter& painter, const PlotTheme& theme) const;
     void paintReadings(QPainter& painter, const PlotTheme& theme) const;
 
     RunsModel& runs_;
     Seen first_, second_;
-    int removed_ = -1; // number of the run that is about to go
     std::optional<double> time_;
     DiskProfile* disk_;
     PlotAxis height_;

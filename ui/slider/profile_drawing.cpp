@@ -63,12 +63,12 @@ void ProfileDrawing::paintMotion(QPainter& painter, const PlotTheme& theme, doub
     }
 }
 
-void ProfileDrawing::paintSlider(QPainter& painter, const PlotTheme& theme, std::span<const double> at) const
+void ProfileDrawing::paintSlider(QPainter& painter, const QColor& colour, std::span<const double> at) const
 {
     QPolygonF outline = line(at);
     outline.prepend(toPixel(0.0, 2.0 * heights.high)); // above the area, which clips
     outline.append(toPixel(size, 2.0 * heights.high));
-    QColor body = theme.curves[0];
+    QColor body = colour;
     painter.setPen(QPen(body, 1.5));
     body.setAlphaF(0.4F);
     painter.setBrush(body);
@@ -76,13 +76,13 @@ void ProfileDrawing::paintSlider(QPainter& painter, const PlotTheme& theme, std:
     painter.setBrush(Qt::NoBrush);
 }
 
-void ProfileDrawing::paintOutline(QPainter& painter, const QColor& colour, double otherSize,
+void ProfileDrawing::paintOutline(QPainter& painter, const QPen& pen, double otherSize,
                                   std::span<const double> at) const
 {
     ProfileDrawing other = *this;
     other.size = otherSize;
     other.area.setWidth(area.width() * otherSize / size); // the same scale
-    painter.setPen(QPen(colour, 2.0));
+    painter.setPen(pen);
     painter.drawPolyline(other.line(at));
 }
 

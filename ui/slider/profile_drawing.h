@@ -6,7 +6,9 @@
 
 #include <span>
 
+#include <QColor>
 #include <QPainter>
+#include <QPen>
 #include <QPolygonF>
 #include <QRectF>
 
@@ -34,10 +36,10 @@ struct ProfileDrawing {
     void paintDisk(QPainter& painter, const PlotTheme& theme, std::span<const double> at) const;
     /// Marks on the disk that have moved to the right by `distance` [m].
     void paintMotion(QPainter& painter, const PlotTheme& theme, double distance) const;
-    /// The body above these heights, in the colour of the first curve.
-    void paintSlider(QPainter& painter, const PlotTheme& theme, std::span<const double> at) const;
+    /// The body above these heights.
+    void paintSlider(QPainter& painter, const QColor& colour, std::span<const double> at) const;
     /// The lower side alone of another slider, which begins where this one does.
-    void paintOutline(QPainter& painter, const QColor& colour, double otherSize, std::span<const double> at) const;
+    void paintOutline(QPainter& painter, const QPen& pen, double otherSize, std::span<const double> at) const;
     /// Frame, numbers along the slider, in mm, and below them `title` with that unit, then `remark`.
     void paintFrame(QPainter& painter, const PlotTheme& theme, const QString& title, const QString& remark = {}) const;
 };

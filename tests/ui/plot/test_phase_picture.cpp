@@ -33,6 +33,8 @@ private slots:
     void movesUntilTheNextComes();
     void followsTheNewestView();
     void showsNothingOfARemovedCurve();
+    void anotherRunAtTheSamePlaceIsNotTheOneBefore();
+    void aSavedPictureHasItsArrows();
     void fewSamplesAreDrawnAtOnce();
 
 private:
@@ -193,6 +195,54 @@ void TestPhasePicture::showsNothingOfARemovedCurve()
     QVERIFY(plot_->phasePicture().image().isNull());
     QTRY_VERIFY(!plot_->phasePicture().busy());
     QVERIFY(plot_->phasePicture().image().isNull());
+}
+
+/// Another run with the same number: its samples may stand where those of the one before stood.
+void TestPhasePicture::anotherRunAtTheSamePlaceIsNotTheOneBefore()
+{
+    fill([](double part) { return QPointF(std::sin(900.0 * part), std::cos(700.0 * part)); });
+    addCurve();
+    QTRY_VERIFY(ready());
+    plot_->removeCurve(plot_->curves().front().id);
+    MinMaxPyramid across, up(across.times());
+    std::vector<double> times, values;
+    for (int k = 0; k < count; ++k) {
+        times.push_back(k);
+        values.push_back(std::sin(2e-3 * k));
+    }
+    across.append(times, values);
+    up.append(times, values);
+    *x_ = std::move(across); // at the same addresses
+    *y_ = std::move(up);
+    PlotCurve curve{QStringLiteral("run 1/y"), QStringLiteral("Run 1"), {0, 0}, y_.get(), x_.get()};
+    curve.arrows = true;
+    plot_->setCurves({curve});
+    plot_->refreshNow();
+    QVERIFY(plot_->phasePicture().image().isNull());
+    QTRY_VERIFY(ready());
+    QCOMPARE(plot_->phasePicture().image(), fullDrawing());
+}
+
+/// In the plot area, an exported picture is the one on the screen: a spiral of one turn, with three arrows or more.
+void TestPhasePicture::aSavedPictureHasItsArrows()
+{
+    fill([](double part) { return QPointF(part * std::sin(6.3 * part), part * std::cos(6.3 * part)); });
+    addCurve();
+    QTRY_VERIFY(ready());
+    const auto saved = [this](bool arrows) {
+        plot_->updateCurves([arrows](PlotCurve& curve) { curve.arrows = arrows; });
+        QImage image(plot_->size(), QImage::Format_ARGB32_Premultiplied);
+        QPainter painter(&image);
+        plot_->paintInto(painter, plot_->rect(), plot_->theme());
+        painter.end();
+        int dark = 0;
+        const QColor ink = plot_->theme().colour({0, 0});
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) dark += image.pixelColor(x, y) == ink ? 1 : 0;
+        return dark;
+    };
+    const int without = saved(false), with = saved(true);
+    QVERIFY2(with > without + 20, qPrintable(QStringLiteral("%1, %2").arg(without).arg(with)));
 }
 
 void TestPhasePicture::fewSamplesAreDrawnAtOnce()

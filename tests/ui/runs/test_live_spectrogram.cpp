@@ -53,6 +53,7 @@ private slots:
     void init();
     void isBrightWhereTheFrequencyIs();
     void saysItsResolutions();
+    void aHiddenPlotGivesItBack();
     void theWindowIsChosen();
     void followsTheNewestRun();
     void anotherQuantityTakesItsPlace();
@@ -114,11 +115,20 @@ void TestLiveSpectrogram::isBrightWhereTheFrequencyIs()
 void TestLiveSpectrogram::saysItsResolutions()
 {
     QCOMPARE(plots_->spectrogram()->shown()->window, std::size_t(256));
-    QVERIFY2(plot()->title().contains(QStringLiteral("256.0\u00a0µs")), qPrintable(plot()->title()));
-    QVERIFY2(plot()->title().contains(QStringLiteral("5.859\u00a0kHz")), qPrintable(plot()->title()));
-    QVERIFY(plot()->title().endsWith(QStringLiteral(": Minimum spacing of pad and pressure centres")));
+    QCOMPARE(plot()->toolTip(), QStringLiteral("Resolution: 256.0\u00a0µs, 5.859\u00a0kHz"));
+    QCOMPARE(plot()->title(), QStringLiteral("Minimum spacing of pad and pressure centres of run 1: spectrogram"));
     QCOMPARE(spectrogramWindow(100), std::size_t(64));
     QCOMPARE(spectrogramWindow(1'000'000), std::size_t(4096));
+}
+
+/// Shown again, it has one.
+void TestLiveSpectrogram::aHiddenPlotGivesItBack()
+{
+    plots_->entry(name).wanted->trigger();
+    QVERIFY(!plot()->isVisible());
+    QVERIFY(!plots_->spectrogram()->shown() && !plot()->backdrop());
+    plots_->entry(name).wanted->trigger();
+    QTRY_VERIFY(plots_->spectrogram()->shown() && plot()->backdrop());
 }
 
 void TestLiveSpectrogram::theWindowIsChosen()
@@ -145,7 +155,7 @@ void TestLiveSpectrogram::followsTheNewestRun()
 void TestLiveSpectrogram::anotherQuantityTakesItsPlace()
 {
     QCOMPARE(plots_->addCurve(name, quantity("pitch")), QString());
-    QTRY_VERIFY(plot()->title().endsWith(QStringLiteral(": Pitch")));
+    QTRY_VERIFY(plot()->title().startsWith(QStringLiteral("Pitch of run 1")));
     QCOMPARE(plots_->spec(name).curves.size(), std::size_t(1));
     QCOMPARE(plot()->yAxis().label.unit, QStringLiteral("kHz"));
     QTRY_VERIFY(plots_->spectrogram()->shown());
@@ -203,12 +213,12 @@ void TestLiveSpectrogram::nothingOfAnotherQuantityIsShown()
     plots_->addCurve(name, quantity("pitch"));
     plots_->spectrogram()->updateNow();
     QVERIFY(!plots_->spectrogram()->shown() && !plot()->backdrop());
-    QCOMPARE(plot()->title(), QStringLiteral("Spectrogram (being computed): Pitch"));
+    QCOMPARE(plot()->title(), QStringLiteral("Pitch of run 1: spectrogram, being computed"));
     plots_->addCurve(name, quantity("minimum_spacing"));
     plots_->spectrogram()->updateNow(); // the one of the pitch is not waited for
     QTRY_VERIFY(plots_->spectrogram()->shown());
     QVERIFY(plots_->spectrogram()->shown()->at(10, 30) > 0.0); // the pitch stands still
-    QVERIFY(plot()->title().endsWith(QStringLiteral(": Minimum spacing of pad and pressure centres")));
+    QVERIFY(plot()->title().startsWith(QStringLiteral("Minimum spacing of pad and pressure centres of run 1")));
 }
 
 /// The picture stays until the next one comes.

@@ -52,6 +52,7 @@ private slots:
     void stopsWhenItIsAsked();
     void isMadeForShownPlotsAlone();
     void saysThatItIsBeingMade();
+    void saysThatARunThatGoesIsShownLater();
     void anotherBaselineMeanwhile();
     void aRunThatIsRemovedMeanwhile();
     void countsInTheMemoryOfTheRuns();
@@ -153,6 +154,20 @@ void TestRunDifferences::saysThatItIsBeingMade()
     QCOMPARE(plot("pitch")->curves().size(), std::size_t(2));
     runs_->setBaseline(-1);
     QCOMPARE(plot("pitch")->title(), QStringLiteral("Pitch"));
+}
+
+void TestRunDifferences::saysThatARunThatGoesIsShownLater()
+{
+    runs_->setBaseline(1);
+    const Case c = openCase("fig10a").value;
+    runs_->add(std::make_unique<RunRecord>(4, c, "", recordedQuantities(c)));
+    QTRY_COMPARE(plot("pitch")->title(), QStringLiteral("Pitch minus run 1: run 4 is shown when it ends"));
+    runs_->setBaseline(4);
+    QCOMPARE(plot("pitch")->title(), QStringLiteral("Pitch minus run 4: shown when run 4 ends"));
+    runs_->setBaseline(1);
+    runs_->finish(4, Summary{});
+    plots_->runFinished(4);
+    QTRY_COMPARE(plot("pitch")->title(), QStringLiteral("Pitch minus run 1"));
 }
 
 void TestRunDifferences::anotherBaselineMeanwhile()

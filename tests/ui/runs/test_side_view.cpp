@@ -6,6 +6,7 @@
 #include <memory>
 #include <numbers>
 
+#include <QBuffer>
 #include <QFile>
 #include <QFontInfo>
 #include <QRegularExpression>
@@ -16,6 +17,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/plot/paper_figure.h"
+#include "ui/plot/plot_theme.h"
 #include "ui/runs/disk_profile.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
@@ -49,10 +51,15 @@ private slots:
     void paintsBothThemes();
     void textOfAPictureHasItsSize();
     void aSecondRunStandsThereAtTheSameTime();
+    void aRunThatIsReplacedIsTheSecondAgain();
+    void bothRunsAreDrawnAndNamed();
     void aRoughDiskIsDrawnAsItIs();
+    void saysWhyAnUnevenDiskIsFlat();
+    void aHiddenViewGivesTheSurfaceBack();
+    void writesDiskAndSecondRun();
 
 private:
-    void add(const Case& c) { runs_->add(std::make_unique<RunRecord>(1, c, "", quantities)); }
+    void add(const Case& c, int number = 1) { runs_->add(std::make_unique<RunRecord>(number, c, "", quantities)); }
 
     std::unique_ptr<RunsModel> runs_;
     std::unique_ptr<SideView> view_;
@@ -266,6 +273,57 @@ void TestSideView::aSecondRunStandsThereAtTheSameTime()
     QVERIFY(view_->state());
 }
 
+/// As a window does when it shows the case that is edited: another run with the number of one that was removed.
+void TestSideView::aRunThatIsReplacedIsTheSecondAgain()
+{
+    for (const int number : {1, 2, 3}) {
+        add(sampleFilmCase(), number);
+        runs_->append(number, falling(), {});
+    }
+    view_->showRun(2);
+    QCOMPARE(view_->otherRun(), 3);
+    runs_->remove(2);
+    QCOMPARE(view_->otherRun(), 1);
+    Case longer = sampleFilmCase();
+    longer.slider.length *= 1.5;
+    add(longer, 3);
+    SampleBatch other = falling();
+    other.columns[1] = {200e-6, 210e-6};
+    runs_->append(3, other, {});
+    view_->showTime(0.0);
+    QCOMPARE(view_->otherRun(), 3);
+    QVERIFY(view_->otherState() && view_->otherState()->pitch == 200e-6);
+    QCOMPARE(view_->otherState()->trailingHeight, 60e-9 - 0.5 * longer.slider.length * 200e-6);
+}
+
+/// Over the second run, that of the shown run has the colour of this one; the legend has a line of each colour.
+void TestSideView::bothRunsAreDrawnAndNamed()
+{
+    const PlotTheme theme = lightPlotTheme();
+    const auto colourOf = [&](int number) { return theme.colour(RunsModel::style(*runs_->find(number))); };
+    const auto pixels = [&](const QColor& colour) {
+        const QImage image = view_->grab().toImage();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour ? 1 : 0;
+        return count;
+    };
+    add(sampleFilmCase(), 1);
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    const int alone = pixels(colourOf(1));
+    QVERIFY(alone > 100);
+    add(sampleFilmCase(), 2); // at the same place
+    runs_->append(2, falling(), {});
+    view_->showTime(std::nullopt);
+    QVERIFY(view_->otherState());
+    const int above = pixels(colourOf(1));
+    QVERIFY2(above > 0.75 * alone, qPrintable(QStringLiteral("%1 of %2").arg(above).arg(alone)));
+    QVERIFY(pixels(colourOf(2)) >= 12); // in the legend
+    view_->showRun(2);
+    QVERIFY(pixels(colourOf(2)) > 0.75 * alone);
+}
+
 /// A wave of 3 nm and 0.1 mm along the centre line, which has moved with the disk: at time t the height at x is that of
 /// the disk at x - U t. It is as high in the picture as in the surface.
 void TestSideView::aRoughDiskIsDrawnAsItIs()
@@ -290,6 +348,22 @@ void TestSideView::aRoughDiskIsDrawnAsItIs()
         }
     }
     const QImage wavy = view_->grab().toImage();
+    // In the picture: the upper border of the disk at its crests and troughs, below what flies.
+    const PlotTheme theme = lightPlotTheme();
+    int highest = wavy.height(), lowest = 0;
+    const int floor = wavy.height() - static_cast<int>(2.6 * view_->fontMetrics().height()) - 3;
+    for (int x = wavy.width() / 4; x < wavy.width() / 2; ++x) {
+        int top = floor; // upwards through the disk and the marks on it
+        while (top > 0 && wavy.pixelColor(x, top - 1) != theme.plotArea &&
+               wavy.pixelColor(x, top - 1).saturation() < 40)
+            --top;
+        highest = std::min(highest, top);
+        lowest = std::max(lowest, top);
+    }
+    const double pixelsOfLength = (wavy.width() - 6.5 * view_->fontMetrics().height()) / c.slider.length;
+    const double expected = 6e-9 * view_->exaggeration() * pixelsOfLength;
+    QVERIFY2(expected > 8.0 && std::abs(lowest - highest - expected) <= 2.5,
+             qPrintable(QStringLiteral("%1 of %2").arg(lowest - highest).arg(expected)));
     view_->showTime(0.4e-6);
     QVERIFY(view_->grab().toImage() != wavy);
     // Held still it does not move; a flat disk has no profile.
@@ -302,6 +376,87 @@ void TestSideView::aRoughDiskIsDrawnAsItIs()
     QVERIFY(still.empty() && still.at(0.0).empty());
     runs_->remove(0);
     QVERIFY(view_->disk()->empty());
+}
+
+/// While it is made, and where its file cannot be read.
+void TestSideView::saysWhyAnUnevenDiskIsFlat()
+{
+    add(sampleFilmCase());
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    QCOMPARE(view_->disk()->state(), DiskProfile::State::Flat);
+    const QImage flat = view_->grab().toImage();
+    Case c = sampleFilmCase();
+    c.diskSurface.kind = DiskSurfaceKind::File;
+    c.diskSurface.file = "no_such_map.toml";
+    DiskProfile profile(nullptr);
+    profile.setCase(c);
+    QCOMPARE(profile.state(), DiskProfile::State::BeingMade);
+    QTRY_COMPARE(profile.state(), DiskProfile::State::Failed);
+    QVERIFY2(profile.problem().contains(QStringLiteral("no_such_map.toml")), qPrintable(profile.problem()));
+    QVERIFY(profile.empty());
+    runs_->remove(0);
+    add(c);
+    runs_->append(1, falling(), {});
+    view_->showRun(1);
+    const QImage being = view_->grab().toImage();
+    QTRY_COMPARE(view_->disk()->state(), DiskProfile::State::Failed);
+    const QImage failed = view_->grab().toImage();
+    QVERIFY(being != flat && failed != flat && failed != being);
+}
+
+void TestSideView::aHiddenViewGivesTheSurfaceBack()
+{
+    Case c = sampleFilmCase();
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {3e-9};
+    c.diskSurface.waveLengths = {1e-4};
+    for (const int number : {1, 2}) {
+        add(c, number);
+        runs_->append(number, falling(), {});
+    }
+    view_->showRun(1);
+    QTRY_VERIFY(!view_->disk()->empty());
+    QCOMPARE(view_->otherRun(), 2);
+    view_->hide();
+    QVERIFY(view_->disk()->empty());
+    QCOMPARE(view_->otherRun(), -1);
+    view_->show();
+    QTRY_VERIFY(!view_->disk()->empty());
+    QCOMPARE(view_->otherRun(), 2);
+}
+
+/// At 0.5 us, over a wave of 3 nm.
+void TestSideView::writesDiskAndSecondRun()
+{
+    Case c = sampleFilmCase();
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {3e-9};
+    c.diskSurface.waveLengths = {1e-4};
+    c.diskSurface.motion = SurfaceMotion::Still;
+    for (const int number : {1, 2}) {
+        add(c, number);
+        SampleBatch batch = falling();
+        for (double& height : batch.columns[2]) height += 1e-9 * (number - 1);
+        runs_->append(number, batch, {});
+    }
+    view_->showRun(1);
+    view_->showTime(0.5e-6);
+    QTRY_VERIFY(!view_->disk()->empty());
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    view_->dataWriter()(buffer);
+    const QList<QByteArray> lines = buffer.data().trimmed().split('\n');
+    QCOMPARE(lines.front(), QByteArray("x at 5e-7 s [m],height of the slider of run 1 [m],height of the disk [m],"
+                                       "height of the slider of run 2 [m]"));
+    QVERIFY(lines.size() > 300);
+    for (qsizetype i = 1; i < lines.size(); ++i) {
+        const QList<QByteArray> cells = lines[i].split(',');
+        QCOMPARE(cells.size(), 4);
+        QVERIFY(std::abs(cells[2].toDouble() - 3e-9 * std::sin(2.0 * std::numbers::pi * cells[0].toDouble() / 1e-4)) <
+                1e-13);
+        QVERIFY(std::abs(cells[3].toDouble() - cells[1].toDouble() - 1e-9) < 1e-13);
+    }
 }
 
 TOUCHDOWN_TEST(TestSideView)

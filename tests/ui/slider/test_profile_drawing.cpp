@@ -54,7 +54,7 @@ void TestProfileDrawing::drawsTheBodyAboveTheDisk()
     {
         QPainter painter(&image);
         drawing().paintDisk(painter, theme);
-        drawing().paintSlider(painter, theme, std::vector<double>{100e-9, 100e-9});
+        drawing().paintSlider(painter, theme.curves[0], std::vector<double>{100e-9, 100e-9});
     }
     // 100 nm is at y = 60, the disk at y = 100.
     QVERIFY(image.pixelColor(100, 40) != theme.plotArea);
