@@ -20,7 +20,7 @@ using Texts = std::vector<std::string>;
 constexpr const char* twoDrops = R"(
 kind = "statements"
 case = "fig10a"
-set = { "run.duration" = "20 ms" }
+set = { "run.duration" = "100 ms" }
 [[statement]]
 figure = "Fig. 10"
 quote = "It flies."
@@ -42,7 +42,7 @@ private slots:
         const auto add = [](const char* kind, const char* name, const Texts& settings = {}, const Texts& options = {}) {
             QTest::newRow(kind) << openStudy(kind, name, settings, options);
         };
-        add("work-precision", "precision_springs", {}, {"budget=1.5 s"});
+        add("work-precision", "precision_springs", {}, {"budget=6 s"});
         add("stability", "stability_start_height", {"run.duration=0.3 ms"});
         add("hysteresis", "hysteresis_take_off");
         add("cycles", "cycles_meniscus_force");

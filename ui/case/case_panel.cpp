@@ -18,7 +18,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double mostOfScreen = 0.24; // its width
+constexpr double mostOfScreen = 0.27; // its width
 
 QString groupTitle(const std::string& name)
 {
@@ -280,7 +280,8 @@ void CasePanel::refreshVisibility()
 void CasePanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange) alignUnits();
+    if (event->type() == QEvent::FontChange) // when the rows have the new font, too
+        QMetaObject::invokeMethod(this, &CasePanel::alignUnits, Qt::QueuedConnection);
     if (event->type() == QEvent::PaletteChange) setTextColour(legend_, meaningColours(palette()).warning);
 }
 

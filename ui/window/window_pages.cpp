@@ -30,7 +30,7 @@ namespace touchdown {
 namespace {
 
 // The most that is asked for, of the screen: a pane at the left, three at the right, the page between them.
-constexpr double widestPane = 0.24, widestPage = 0.5;
+constexpr double widestPane = 0.27, widestPage = 0.44;
 constexpr double highestPane = 0.18, highestPage = 0.7;
 
 } // namespace

@@ -121,8 +121,10 @@ private:
     bool tell(double left, const std::string& doing)
     {
         const std::unique_ptr<StudyReport> report = std::exchange(soFar_, nullptr);
-        const double passed = wallClock() - begin_, share = passed > 0.0 ? passed / (passed + left) : 0.0;
-        return !callback_ || callback_({share, doing, report.get()});
+        const double passed = wallClock() - begin_;
+        // More may be left than was expected: the bar waits.
+        share_ = std::max(share_, passed > 0.0 ? passed / (passed + left) : 0.0);
+        return !callback_ || callback_({share_, doing, report.get()});
     }
 
     const PrecisionTask& task_;
@@ -132,6 +134,7 @@ private:
     std::vector<Ensemble> ensembles_;    // the first one is the reference
     std::unique_ptr<StudyReport> soFar_; // not told yet
     double reported_ = 0.0;
+    double share_ = 0.0; // told
     double begin_ = wallClock();
 };
 
