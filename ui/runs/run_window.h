@@ -57,7 +57,7 @@ private:
     RecordPanel* panel_;
     CursorTable* values_;
     ProgressStrip* progress_;
-    int number_ = -1;     // in the list, of the active run
+    int number_ = -1;    // in the list, of the active run
     int announced_ = -1; // of a run that waits for its end
 };
 

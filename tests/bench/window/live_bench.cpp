@@ -138,7 +138,8 @@ int main(int argc, char** argv)
     timer.start(16);
     waitFor(static_cast<int>(1e3 * seconds));
     timer.stop();
-    std::printf("%zu movements, %d runs in the list, newest %g\n", moved.size(), window.runs().count(), window.runs().newestShown() ? numberOfCase(window.runs().newestShown()->value) : -1.0);
+    std::printf("%zu movements, %d runs in the list, newest %g\n", moved.size(), window.runs().count(),
+                window.runs().newestShown() ? numberOfCase(window.runs().newestShown()->value) : -1.0);
     print("movement to picture", delays);
     print("between pictures", gaps);
     slider.setSliderDown(false);
