@@ -6,8 +6,6 @@
 // A timer fires each 5 ms. Prints the longest time between two of its calls, wall and processor time, until a task is
 // done: a baseline is chosen, a spectrogram is shown, a phase portrait is moved and zoomed. The runs are oscillations
 // whose amplitude decays.
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,11 +17,11 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QKeyEvent>
-#include <QTemporaryDir>
 #include <QTimer>
 
 #include "core/case_files/case_file.h"
 #include "core/simulation/run.h"
+#include "tests/bench/window/bench_window.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrogram.h"
@@ -67,14 +65,6 @@ void add(RunsModel& runs, std::size_t samples, bool all)
     runs.finish(number, Summary{});
 }
 
-/// Of the calling thread [ms].
-double processorTime()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 /// Prints the longest gap of the event loop from `begin` until `done`, and how long that takes.
 void measure(const char* name, const std::function<void()>& begin, const std::function<bool()>& done)
 {
@@ -100,20 +90,11 @@ void measure(const char* name, const std::function<void()>& begin, const std::fu
                 1e-6 * static_cast<double>(longest), most, 1e-6 * static_cast<double>(clock.nsecsElapsed()));
 }
 
-void waitFor(int milliseconds)
-{
-    QEventLoop loop;
-    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-    loop.exec();
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-    const QTemporaryDir data;
-    qputenv("XDG_DATA_HOME", data.path().toLocal8Bit());
-    qputenv("XDG_CONFIG_HOME", data.path().toLocal8Bit());
+    const OwnData data;
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     QApplication application(argc, argv);
     const QStringList arguments = QApplication::arguments();

@@ -15,12 +15,11 @@
 #include <vector>
 
 #include <QApplication>
-#include <QEventLoop>
 #include <QSettings>
-#include <QTemporaryDir>
 #include <QTimer>
 
 #include "core/case/parameters.h"
+#include "tests/bench/window/bench_window.h"
 #include "ui/case/case_edits.h"
 #include "ui/lesson/live_values.h"
 #include "ui/lesson/marked_slider.h"
@@ -44,13 +43,6 @@ using Clock = std::chrono::steady_clock;
 double since(Clock::time_point start) // [ms]
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-void waitFor(int milliseconds)
-{
-    QEventLoop loop;
-    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-    loop.exec();
 }
 
 /// Calls back after each paint of a widget.
@@ -85,9 +77,7 @@ void print(const char* what, std::vector<double> times)
 
 int main(int argc, char** argv)
 {
-    const QTemporaryDir data;
-    qputenv("XDG_DATA_HOME", data.path().toLocal8Bit());
-    qputenv("XDG_CONFIG_HOME", data.path().toLocal8Bit());
+    const OwnData data;
     QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("touchdown"));
     QCoreApplication::setApplicationName(QStringLiteral("live-bench"));

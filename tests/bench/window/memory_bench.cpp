@@ -7,8 +7,6 @@
 // every run with what the solver delivered, then moves and zooms the plots over the last run alone. A frame is the time
 // that the thread of the window is occupied from a key to the picture of all plots: wall time, which includes waiting
 // for the disk and for other programs, and processor time.
-#include <time.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -22,10 +20,9 @@
 #include <QEventLoop>
 #include <QFile>
 #include <QKeyEvent>
-#include <QTemporaryDir>
-#include <QTimer>
 
 #include "core/case/parameters.h"
+#include "tests/bench/window/bench_window.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/plot/plot_group.h"
@@ -51,21 +48,6 @@ double status(const char* line)
     for (const QByteArray& each : file.readAll().split('\n'))
         if (each.startsWith(line)) return each.simplified().split(' ').value(1).toDouble() / 1e3;
     return 0.0;
-}
-
-/// Processor time of the calling thread [ms].
-double processorTime()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
-void waitFor(int milliseconds)
-{
-    QEventLoop loop;
-    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-    loop.exec();
 }
 
 /// Of numbers bit for bit, in their order (Fowler, Noll and Vo 1991).
@@ -192,9 +174,7 @@ private:
 
 int main(int argc, char** argv)
 {
-    const QTemporaryDir data(QStringLiteral("/var/tmp/touchdown-bench-XXXXXX")); // on a disk
-    qputenv("XDG_DATA_HOME", data.path().toLocal8Bit());
-    qputenv("XDG_CONFIG_HOME", data.path().toLocal8Bit());
+    const OwnData data(QStringLiteral("/var/tmp/touchdown-bench-XXXXXX")); // on a disk
     std::setvbuf(stdout, nullptr, _IOLBF, 0);
     QApplication application(argc, argv);
     const QStringList arguments = QApplication::arguments();

@@ -4,8 +4,6 @@
 //
 // Some runs are overlaid; then the case runs again and again. Prints the processor time of the window's thread for
 // each rerun, from the start until the window has nothing left to do, and the memory of the process.
-#include <time.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <vector>
@@ -14,9 +12,8 @@
 #include <QEventLoop>
 #include <QFile>
 #include <QSettings>
-#include <QTemporaryDir>
-#include <QTimer>
 
+#include "tests/bench/window/bench_window.h"
 #include "ui/case/case_files.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
@@ -25,27 +22,12 @@ using namespace touchdown;
 
 namespace {
 
-/// Processor time of the calling thread [ms].
-double processorTime()
-{
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 /// Resident [MB].
 double memory()
 {
     QFile file(QStringLiteral("/proc/self/statm"));
     if (!file.open(QIODevice::ReadOnly)) return 0.0;
     return file.readAll().split(' ').value(1).toDouble() * 4096.0 / 1e6;
-}
-
-void waitFor(int milliseconds)
-{
-    QEventLoop loop;
-    QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
-    loop.exec();
 }
 
 void runOnce(MainWindow& window)
@@ -60,9 +42,7 @@ void runOnce(MainWindow& window)
 
 int main(int argc, char** argv)
 {
-    const QTemporaryDir data;
-    qputenv("XDG_DATA_HOME", data.path().toLocal8Bit());
-    qputenv("XDG_CONFIG_HOME", data.path().toLocal8Bit());
+    const OwnData data;
     QApplication application(argc, argv);
     const QStringList arguments = QApplication::arguments();
     const int overlaid = arguments.value(1, QStringLiteral("20")).toInt();
