@@ -72,7 +72,8 @@ int demonstrationsCommand(bool json)
     const std::vector<LessonStep>& steps = demonstrationSteps();
     if (json) return printJson(steps);
     const std::size_t width = std::min(outputWidth(), std::size_t(100));
-    std::string text = "The figures of the paper: " + counted(steps.size(), "demonstration") + ".\n";
+    std::string text = counted(steps.size(), "demonstration") +
+                       ": the figures of Chen and Bogy's paper, and what follows from them.\n";
     for (const LessonStep& step : steps) {
         text += '\n' + step.title + '\n' + wrapped("What the paper reports: " + step.text, indent, width);
         for (const LessonRun& run : step.runs) text += runText(run, width);

@@ -25,6 +25,7 @@ private slots:
     void validateStudies();
     void list();
     void listLesson();
+    void listDemonstrations();
     void describeAll();
     void describeOne();
     void describeTheSurface();
@@ -216,6 +217,20 @@ void TestCommandLine::list()
     for (const auto& each : studies) {
         QVERIFY(!each.toObject()["kind"].toString().isEmpty());
         QVERIFY(text.out.contains(each.toObject()["title"].toString().toUtf8() + "\n"));
+    }
+}
+
+void TestCommandLine::listDemonstrations()
+{
+    const Outcome text = folder_->touchdown({"list", "demonstrations"});
+    QCOMPARE(text.code, 0);
+    QCOMPARE(text.err, QByteArray());
+    const QJsonArray steps = folder_->touchdown({"list", "demonstrations", "--json"}).json()["steps"].toArray();
+    QCOMPARE(steps.size(), 12);
+    for (const auto& step : steps) {
+        QVERIFY(text.out.contains("\n" + step.toObject()["title"].toString().toUtf8() + "\n"));
+        for (const auto& run : step.toObject()["runs"].toArray())
+            QVERIFY(text.out.contains("\n      " + run.toObject()["command"].toString().toUtf8() + "\n"));
     }
 }
 
