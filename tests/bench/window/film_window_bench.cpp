@@ -84,7 +84,7 @@ int main(int argc, char** argv)
         window.files().leaveUnsaved();
         window.files().openNow(arguments[i]);
         Case c = window.edits().value();
-        c.duration = 1e-6 * arguments[i + 1].toDouble();
+        c.run.duration = 1e-6 * arguments[i + 1].toDouble();
         window.edits().setAll(c, QStringLiteral("duration"));
         waitFor(1000);
         alone(c); // pages of memory and files are there
