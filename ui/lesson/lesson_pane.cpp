@@ -151,10 +151,8 @@ void LessonPane::go(std::size_t step)
     back_->setEnabled(step_ > 0);
     next_->setEnabled(step_ + 1 < steps_.size());
     show_->setChecked(false);
-    const LessonStep& shown = steps_[step_];
-    const bool ofCase = !shown.runs.empty() && shown.runs.front().kind.empty();
-    live_->setValues(ofCase ? shown.live : std::vector<LiveValue>(), ofCase ? caseOf(shown.runs.front()) : Case());
-    results_.assign(shown.runs.size(), {});
+    live_->setStep(shown());
+    results_.assign(shown().runs.size(), {});
     buildRuns();
     showAnswer(kind_ == Kind::Demonstrations);
     write();
@@ -214,6 +212,7 @@ void LessonPane::write()
                         .arg(colours.success.name(), results_[i].toHtmlEscaped());
         purposes_[i]->setText(text);
     }
+    emit written();
 }
 
 void LessonPane::showResult(std::size_t run, const QString& result)

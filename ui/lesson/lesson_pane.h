@@ -26,6 +26,7 @@ public:
 
     explicit LessonPane(Kind kind, std::vector<LessonStep> steps, QWidget* parent = nullptr);
 
+    Kind kind() const { return kind_; }
     std::size_t step() const { return step_; }
     std::size_t count() const { return steps_.size(); }
     const LessonStep& shown() const { return steps_[step_]; }
@@ -34,9 +35,17 @@ public:
     LiveValues& live() { return *live_; }
     /// What a run of the shown step gave, in a few words; "" takes it back.
     void showResult(std::size_t run, const QString& result);
+    /// As the button of a run of the shown step.
+    void perform(std::size_t run) { emit runRequested(shown().runs.at(run)); }
+    /// Of the shown step, as HTML.
+    QString questionText() const { return question_->text(); }
+    QString answerText() const { return answer_->text(); }
+    QString runText(std::size_t run) const { return purposes_.at(run)->text(); }
 
 signals:
     void stepShown(std::size_t step);
+    /// The texts are other ones.
+    void written();
     void runRequested(const touchdown::LessonRun& run);
     /// A key of a parameter in the text was chosen.
     void keyChosen(const QString& key);

@@ -55,25 +55,34 @@ QString endText(const LiveValue& value, double number)
 
 } // namespace
 
-LiveValues::LiveValues(QWidget* parent) : QWidget(parent)
+LiveValues::LiveValues(QWidget* parent, Qt::Orientation rows) : QWidget(parent)
 {
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
+    const bool beside = rows == Qt::Horizontal;
+    auto* cells = new QBoxLayout(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom, this);
+    cells->setContentsMargins(0, 0, 0, 0);
+    cells->setSpacing(beside ? 24 : 2);
     hide();
+}
+
+void LiveValues::setStep(const LessonStep& step)
+{
+    const bool ofCase = !step.runs.empty() && step.runs.front().kind.empty();
+    setValues(ofCase ? step.live : std::vector<LiveValue>(), ofCase ? caseOf(step.runs.front()) : Case());
 }
 
 void LiveValues::setValues(const std::vector<LiveValue>& values, const Case& own)
 {
     settle(); // the reader may not have let go
-    for (const Row& row : rows_) {
-        delete row.label;
-        delete row.slider;
-    }
+    for (const Row& row : rows_) delete row.cell;
     rows_.clear();
     for (const LiveValue& value : values) {
         const Parameter& parameter = parameterOf(value);
-        Row row{value, numberOf(parameter, own), toText(own, parameter), new MarkedSlider(this), new QLabel(this)};
+        auto* cell = new QWidget(this);
+        Row row{value, numberOf(parameter, own), toText(own, parameter),
+                cell,  new MarkedSlider(cell),   new QLabel(cell)};
+        auto* column = new QVBoxLayout(cell);
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(2);
         row.label->setWordWrap(true);
         row.label->setBuddy(row.slider);
         row.slider->setAccessibleName(sentence(parameter.label).chopped(1));
@@ -86,8 +95,9 @@ void LiveValues::setValues(const std::vector<LiveValue>& values, const Case& own
                 emit moved(value, at == slider->markedStep() ? own : textOf(value, numberAt(value, slider->share())));
             });
         connect(row.slider, &MarkedSlider::settled, this, &LiveValues::settle);
-        layout()->addWidget(row.label);
-        layout()->addWidget(row.slider);
+        column->addWidget(row.label);
+        column->addWidget(row.slider);
+        layout()->addWidget(cell);
         rows_.push_back(row);
     }
     setVisible(!rows_.empty());

@@ -21,11 +21,15 @@ class LiveValues : public QWidget {
     Q_OBJECT
 
 public:
-    explicit LiveValues(QWidget* parent = nullptr);
+    /// `rows`: one below another, or beside it.
+    explicit LiveValues(QWidget* parent = nullptr, Qt::Orientation rows = Qt::Vertical);
+    /// The values of a step, of the case of its first run; none where that is a study.
+    void setStep(const LessonStep& step);
     /// `own`: the case that these values are of.
     void setValues(const std::vector<LiveValue>& values, const Case& own);
     /// The case that is edited; a slider whose parameter it does not use is disabled.
     void showCase(const Case& c);
+    const Case& shownCase() const { return case_; }
     /// In the order of Tab.
     std::vector<QWidget*> inputs() const;
 
@@ -43,6 +47,7 @@ private:
         LiveValue value;
         double own = 0.0;    // [unit of the parameters]
         std::string ownText; // the same, as a case file has it
+        QWidget* cell;       // of the two
         MarkedSlider* slider;
         QLabel* label; // with the number
     };

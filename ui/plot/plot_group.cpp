@@ -168,6 +168,12 @@ void PlotGroup::followNewest()
     history_[position_] = state();
 }
 
+std::optional<PlotRange> PlotGroup::fixedRange() const
+{
+    if (follow_ == Follow::Frozen) return xRange_;
+    return everything_ ? std::nullopt : firstRange_;
+}
+
 void PlotGroup::setFirstRange(std::optional<PlotRange> range)
 {
     if (firstRange_ == range) return;

@@ -58,6 +58,8 @@ public:
     /// The range of the time axis, instead of the whole run, until the axis is zoomed or everything is shown.
     void setFirstRange(std::optional<PlotRange> range);
     const std::optional<PlotRange>& firstRange() const { return firstRange_; }
+    /// The range of the time axis where the length of the run does not change it.
+    std::optional<PlotRange> fixedRange() const;
 
     bool canGoBack() const { return position_ > 0; }
     bool canGoForward() const { return position_ + 1 < history_.size(); }

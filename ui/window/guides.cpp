@@ -11,6 +11,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/lesson/guide_strip.h"
 #include "ui/lesson/live_values.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
@@ -65,8 +66,12 @@ Guides::Guides(MainWindow& window, WindowPages& pages)
       window_(window),
       pages_(pages),
       stages_(new LessonStages(window.runView(), window.runs(), this)),
-      live_(new LiveRuns(window))
+      live_(new LiveRuns(window)),
+      strip_(new GuideStrip(&window))
 {
+    pages_.addFoot(*strip_);
+    connect(&strip_->live(), &LiveValues::moved, live_, &LiveRuns::move);
+    connect(&strip_->live(), &LiveValues::settled, live_, &LiveRuns::settle);
     connect(&window_.edits(), &CaseEdits::edited, this, &Guides::showLive);
     connect(&window_.runWindow(), &RunWindow::ended, this, &Guides::showResults);
     connect(&window_.runs(), &RunsModel::rowsRemoved, this, &Guides::showResults);
@@ -100,7 +105,17 @@ void Guides::showLive()
         pane->live().setEnabled(ownCase_ && pane == shown_);
         pane->live().showCase(window_.edits().value());
     }
+    strip_->live().setEnabled(ownCase_);
+    strip_->live().showCase(window_.edits().value());
 }
+
+void Guides::present(bool on)
+{
+    presented_ = on;
+    showStrip();
+}
+
+void Guides::showStrip() { strip_->follow(presented_ ? shown_ : nullptr); }
 
 /// Whether another case would take more from the reader than values that were tried in a step: a shape that was drawn.
 bool Guides::maybeLost() const
@@ -151,6 +166,7 @@ void Guides::open(Kind kind)
         pane->go(QSettings().value(settingOf(kind), 0).toUInt());
     else if (!stages_->active())
         onStep(kind);
+    if (presented_) showStrip();
 }
 
 void Guides::onStep(Kind kind)
@@ -159,6 +175,7 @@ void Guides::onStep(Kind kind)
     QSettings().setValue(settingOf(kind), static_cast<int>(pane->step()));
     window_.setPage(MainWindow::Page::Run);
     shown_ = pane;
+    if (presented_) showStrip();
     stage();
     showResults();
     showLive();

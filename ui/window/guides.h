@@ -14,6 +14,7 @@
 
 namespace touchdown {
 
+class GuideStrip;
 class LessonStages;
 class LiveRuns;
 class MainWindow;
@@ -36,6 +37,9 @@ public:
     bool staged() const;
     /// The pane whose stage it is; nullptr: none.
     const LessonPane* shown() const { return shown_; }
+    /// For a lecture: what the pane says stands below the page.
+    void present(bool on);
+    GuideStrip* strip() const { return strip_; }
     /// So many steps on in it.
     void go(int steps);
 
@@ -44,6 +48,7 @@ signals:
 
 private:
     void showLive();
+    void showStrip();
     bool maybeLost() const;
     /// Opens the case of a run, then runs it, or only shows it.
     void openCaseOf(const LessonRun& run, bool start);
@@ -56,6 +61,8 @@ private:
     WindowPages& pages_;
     LessonStages* stages_;
     LiveRuns* live_;
+    GuideStrip* strip_;
+    bool presented_ = false;
     std::array<LessonPane*, 2> panes_{};                        // by kind
     LessonPane* shown_ = nullptr;                               // whose stage it is
     std::map<std::string, std::map<std::size_t, int>> numbers_; // in the list, by title of a step: of its runs

@@ -11,8 +11,14 @@
 #include "core/simulation/run.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
+#include "ui/plot/plot_group.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
+#include "ui/style/quantity_format.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 
@@ -23,14 +29,16 @@ namespace {
 constexpr int mergeOfMovements = 1 << 16;       // with the number of the movement: of edits that are one for undo
 constexpr std::chrono::milliseconds quick{300}; // for a run that follows the hand
 
-/// The whole run of a case; nothing where it takes too long, is left, or breaks off.
-std::unique_ptr<RunRecord> performed(const Case& c, const std::atomic<bool>& left)
+/// The run of a case until a time [s], or to its end; nothing where it takes too long, is left, or breaks off.
+std::unique_ptr<RunRecord> performed(const Case& c, double until, const std::atomic<bool>& left)
 {
     const auto start = std::chrono::steady_clock::now();
+    Case part = c;
+    part.run.duration = std::min(until, c.run.duration);
     auto record = std::make_unique<RunRecord>(0, c, std::string(), recordedQuantities(c), recordedFields(c));
     bool whole = true;
     try {
-        record->finish(run(c, [&](const RunUpdate& update) {
+        record->finish(run(part, [&](const RunUpdate& update) {
             record->append(update.samples, update.events, update.fields);
             whole = !left && std::chrono::steady_clock::now() - start < quick;
             return whole;
@@ -38,10 +46,22 @@ std::unique_ptr<RunRecord> performed(const Case& c, const std::atomic<bool>& lef
     } catch (const std::exception&) {
         return nullptr;
     }
+    if (part.run.duration < c.run.duration) record->note = LiveRuns::tr("first %1").arg(timeText(part.run.duration));
     return whole ? std::move(record) : nullptr;
 }
 
 } // namespace
+
+double neededUntil(const RunView& view, const Case& c)
+{
+    const LivePlots& plots = *view.plots();
+    const std::optional<PlotRange> range = plots.group()->fixedRange();
+    const bool byTime = view.page() == RunView::Page::Plots && view.spectrum()->isHidden() &&
+                        plots.plot(QStringLiteral("spectrogram"))->isHidden() && range && range->high > 0.0;
+    Case part = c;
+    part.run.duration = byTime ? std::min(range->high, c.run.duration) : c.run.duration;
+    return checkCombinations(part).empty() ? part.run.duration : c.run.duration;
+}
 
 Case coarser(const Case& c)
 {
@@ -100,16 +120,19 @@ void LiveRuns::settle()
     else if (movement_->value.model != ModelKind::Springs || movement_->slow)
         window_.startRun();
     else if (!movement_->busy)
-        finish(*movement_);
+        movement_->part ? runOnce(movement_) : finish(*movement_);
 }
 
 void LiveRuns::runOnce(const std::shared_ptr<Movement>& movement)
 {
     movement->busy = true;
+    const Case& now = movement->value;
+    const double until = movement->settled ? now.run.duration : neededUntil(window_.runView(), now);
+    movement->part = until < now.run.duration;
     auto record = std::make_shared<std::unique_ptr<RunRecord>>();
     queue_.post(
-        [record, movement, c = movement->value] {
-            *record = performed(c, movement->left);
+        [record, movement, until, c = now] {
+            *record = performed(c, until, movement->left);
             return QString();
         },
         [this, record, movement](const QString&) { show(movement, std::move(*record)); });
@@ -132,7 +155,7 @@ void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<R
     record->number = row >= 0 ? movement->number : runs.nextNumber();
     movement->number = runs.add(std::move(record)).number;
     emit shown(movement->number);
-    if (!newest)
+    if (!newest || (movement->settled && movement->part))
         runOnce(movement);
     else if (movement->settled)
         finish(*movement);

@@ -3,8 +3,9 @@
 // Runs the case again while the reader moves one of its values.
 //
 // Springs run at each movement, beside the window, in milliseconds: one run of the list is made anew again and again,
-// with the newest value whenever the last run is there. When the reader lets go, it is a run like any other. A case
-// that takes longer runs when the reader lets go; a film first on a coarse grid, then on its own.
+// with the newest value whenever the last run is there, as far as the plots show it. When the reader lets go, it is a
+// whole run like any other. A case that takes longer runs when the reader lets go; a film first on a coarse grid, then
+// on its own.
 #pragma once
 
 #include <atomic>
@@ -21,12 +22,17 @@
 namespace touchdown {
 
 class MainWindow;
+class RunView;
 struct RunRecord;
 struct Summary;
 
 /// A film's grid with half the intervals along and across, its elastic contact with cells of twice the side. Nothing is
 /// coarser where that gives no case that can run.
 Case coarser(const Case& c);
+
+/// Until when a run is wanted for what the view shows [s]: to the end of the time axis, where that is not the end of
+/// the run and nothing else needs the rest.
+double neededUntil(const RunView& view, const Case& c);
 
 class LiveRuns : public QObject {
     Q_OBJECT
@@ -55,6 +61,7 @@ private:
         Case value;           // the newest
         std::string text;     // of the case; empty until the reader lets go
         bool settled = false; // the reader let go
+        bool part = false;    // the last run ends where the plots end
         bool busy = false;    // a run is under way beside the window
         bool slow = false;    // a run takes too long for that
         std::atomic<bool> left = false;

@@ -97,6 +97,7 @@ void Presenter::begin()
     bar_->setIconSize({icon, icon});
     bar_->show();
     for (QAction* action : {next_, back_, leave_}) action->setEnabled(true);
+    window_.guides().present(true);
     emit changed();
     showCaption();
     window_.showFullScreen();
@@ -107,6 +108,7 @@ void Presenter::end()
     on_ = false;
     for (QAction* action : {next_, back_, leave_}) action->setEnabled(false);
     bar_->hide();
+    window_.guides().present(false);
     emit changed();
     QCoreApplication::sendPostedEvents(); // the parts have their former font, and need no more room than before
     window_.actions().toolBar->show();

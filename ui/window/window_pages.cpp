@@ -78,15 +78,17 @@ void WindowPages::buildCentre()
     tabs_->setFocusPolicy(Qt::StrongFocus);
 
     auto* centre = new QWidget(&parts_.window);
-    auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(&parts_.start);
-    layout->addWidget(tabs_);
-    layout->addWidget(pages_, 1);
-    layout->addWidget(&parts_.messages);
+    centre_ = new QVBoxLayout(centre);
+    centre_->setContentsMargins(0, 0, 0, 0);
+    centre_->setSpacing(0);
+    centre_->addWidget(&parts_.start);
+    centre_->addWidget(tabs_);
+    centre_->addWidget(pages_, 1);
+    centre_->addWidget(&parts_.messages);
     parts_.window.setCentralWidget(centre);
 }
+
+void WindowPages::addFoot(QWidget& foot) { centre_->addWidget(&foot); }
 
 void WindowPages::buildPanes()
 {

@@ -9,6 +9,7 @@
 #include <QMainWindow>
 #include <QStackedWidget>
 #include <QTabBar>
+#include <QVBoxLayout>
 
 #include <map>
 #include <vector>
@@ -54,7 +55,6 @@ public:
     ModelKind model() const { return model_; }
     /// Only the panes of the page that is shown, as after an arrangement was restored.
     void showPanesOfPage();
-    /// In a pane of its own, which begins in front of the description of the case.
     /// A pane that guides the reader, beside the description of the case; `name` of its dock.
     void showGuide(QWidget& guide, const QString& name, const QString& title);
     void hideGuide(QWidget& guide);
@@ -62,6 +62,8 @@ public:
     void hidePanes();
     void bringPanesBack(const QByteArray& arrangement);
     bool panesHidden() const { return panesHidden_; }
+    /// Below the page.
+    void addFoot(QWidget& foot);
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
     /// Panes and pages ask for no more room than the screen has, however large the font is.
@@ -87,6 +89,7 @@ private:
 
     Parts parts_;
     QTabBar* tabs_;
+    QVBoxLayout* centre_ = nullptr;
     QStackedWidget* pages_;
     QLabel* memory_;
     QDockWidget *about_ = nullptr, *runs_ = nullptr, *values_ = nullptr;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/live_runs.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <QDockWidget>
 #include <QSettings>
 #include <QSignalSpy>
@@ -88,6 +91,51 @@ private slots:
         QCOMPARE(window_->edits().value().initial.flyingHeight, 350e-9);
         window_->edits().undoStack().undo();
         QCOMPARE(window_->edits().value().initial.flyingHeight, 250e-9);
+    }
+
+    /// Where the plots show the beginning alone, a movement computes no more; when the reader lets go, the whole run.
+    void computesWhatIsShown()
+    {
+        const Case& c = window_->edits().value();
+        RunView& view = window_->runView();
+        QCOMPARE(neededUntil(view, c), c.run.duration); // of the spectrum
+        PlotStage stage;
+        stage.plots << "spacing";
+        stage.time = PlotRange{0.0, 0.25e-3};
+        view.setStage(stage);
+        QCOMPARE(neededUntil(view, c), 0.25e-3);
+
+        live_->move(height, "300 nm");
+        QTRY_COMPARE(window_->runs().count(), 1);
+        const RunRecord& part = window_->runs().record(0);
+        QCOMPARE(part.lastTime(), 0.25e-3);
+        QCOMPARE(part.note, QString("first 250.0\u00a0µs"));
+        const std::vector<double> shown = spacingOf(part);
+        QCOMPARE(part.value, c);
+        QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
+        live_->settle();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        QCOMPARE(window_->runs().count(), 1);
+        const RunRecord& whole = window_->runs().record(0);
+        QCOMPARE(whole.lastTime(), c.run.duration);
+        QVERIFY(whole.note.isEmpty() && sameAsARun(whole));
+        const std::vector<double> all = spacingOf(whole);
+        QVERIFY(shown.size() > 2000 && all.size() > shown.size());
+        QVERIFY(std::equal(shown.begin(), shown.end() - 1, all.begin()));
+
+        // Whatever needs the rest.
+        view.fit();
+        QCOMPARE(neededUntil(view, c), c.run.duration);
+        stage.time = PlotRange{0.0, 0.1e-3};
+        view.setStage(stage);
+        QCOMPARE(neededUntil(view, c), 0.1e-3);
+        stage.spectrum = true;
+        view.setStage(stage);
+        QCOMPARE(neededUntil(view, c), c.run.duration);
+        stage.spectrum = false;
+        stage.time = PlotRange{0.0, 1.0};
+        view.setStage(stage);
+        QCOMPARE(neededUntil(view, c), c.run.duration);
     }
 
     void settlesWhileARunIsUnderWay()
@@ -307,6 +355,16 @@ private slots:
     }
 
 private:
+    static std::vector<double> spacingOf(const RunRecord& record)
+    {
+        const auto column = std::size_t(findQuantity(record.quantities, "minimum_spacing"));
+        std::vector<double> held;
+        for (std::size_t part = 0; part < record.parts(); ++part) {
+            const std::vector<double> piece = record.samples(part).columns[column];
+            held.insert(held.end(), piece.begin(), piece.end());
+        }
+        return held;
+    }
     /// As the core runs the case.
     static bool sameAsARun(const RunRecord& record)
     {
@@ -317,11 +375,7 @@ private:
             spacing.insert(spacing.end(), added.begin(), added.end());
             return true;
         });
-        std::vector<double> held;
-        for (std::size_t part = 0; part < record.parts(); ++part) {
-            const std::vector<double> piece = record.samples(part).columns[column];
-            held.insert(held.end(), piece.begin(), piece.end());
-        }
+        const std::vector<double> held = spacingOf(record);
         return !held.empty() && held == spacing && record.events.size() == summary.events.size();
     }
 
