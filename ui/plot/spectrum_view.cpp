@@ -15,6 +15,8 @@ namespace touchdown {
 namespace {
 
 constexpr double kilohertz = 1e3; // [Hz]
+// Of the power of the highest peak: a fainter one does not widen the axis. 50 dB.
+constexpr double faintest = 1e-5;
 
 QString squared(const QString& unit)
 {
@@ -289,7 +291,10 @@ void SpectrumView::updateMarks()
     for (const PlotCurve& curve : plot_->curves()) {
         const auto found = peaks_.find(curve.id);
         if (!curve.visible || !curve.leads || found == peaks_.end()) continue;
-        for (const PointMark& mark : found->second) last = std::max(last, mark.x);
+        double highest = 0.0;
+        for (const PointMark& mark : found->second) highest = std::max(highest, mark.y);
+        for (const PointMark& mark : found->second)
+            if (mark.y >= faintest * highest) last = std::max(last, mark.x);
         marks.insert(marks.end(), found->second.begin(), found->second.end());
     }
     plot_->setPointMarks(std::move(marks));

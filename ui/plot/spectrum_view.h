@@ -2,7 +2,8 @@
 //
 // Power spectra of one quantity of several runs, with the choices of Welch's method above them.
 //
-// The frequency axis ends a little above the last peak that stands out, until the user zooms or asks for everything.
+// The frequency axis ends a little above the last peak that stands out and is not faint, until the user zooms or asks
+// for everything.
 // The view computes nothing: connect `requested`, compute (on any thread), and hand the result to setSpectrum().
 // Power that is zero, negative or not finite is left out.
 #pragma once

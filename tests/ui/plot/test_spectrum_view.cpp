@@ -204,6 +204,14 @@ void TestSpectrumView::endsAboveTheLastPeak()
     QCOMPARE(plot->xAxis().range(), (PlotRange{1e3, 500e3})); // as the user wanted
     view_->group()->followNewest();
     QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 200e3}));
+    // A faint peak has its mark, and does not widen the axis: 49 and 51 dB below the highest.
+    for (const auto& [power, end] : {std::pair{1.2e-23, 400e3}, std::pair{0.8e-23, 200e3}}) {
+        Spectrum faint = sample();
+        faint.power[300] = power;
+        view_->setSpectrum("1", "Run 1", {0, 0}, faint, {{42.3e3, 1e-9}, {152.4e3, 1e-10}, {300e3, 1e-12}});
+        QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, end}));
+        QCOMPARE(plot->pointMarks().size(), std::size_t(3));
+    }
     view_->setSpectrum("1", "Run 1", {0, 0}, sample()); // no peak: all of it
     QCOMPARE(plot->xAxis().range(), (PlotRange{1e3, 500e3}));
 }
