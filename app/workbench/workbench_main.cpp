@@ -168,7 +168,6 @@ int main(int argc, char** argv)
     MainWindow window;
     // Pictures must not depend on the last session.
     if (!pictures && !arguments.fresh) window.restoreArrangement();
-    if (!pictures) window.resize(window.size().boundedTo(window.screen()->availableSize()));
     if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
 
     const QFileInfo info(arguments.file);

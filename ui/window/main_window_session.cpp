@@ -13,6 +13,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
+#include <QScreen>
 #include <QSettings>
 
 #include "core/case_files/case_file.h"
@@ -153,6 +154,7 @@ void MainWindow::restoreArrangement()
 {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+    resize(size().boundedTo(screen()->availableSize())); // before look(), which keeps it
     restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
     runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/parts")).toByteArray());
     const auto check = [](QActionGroup* group, const QVariant& value) {

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QStatusBar>
@@ -38,8 +39,9 @@ private slots:
     {
         QSettings().clear();
         window_ = std::make_unique<MainWindow>();
-        window_->resize(1280, 720);
         window_->restoreArrangement();
+        QCoreApplication::processEvents(); // it keeps the size that it had then
+        window_->resize(1280, 720);
         window_->show();
         window_->files().openNow("fig10a");
         QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
@@ -121,6 +123,24 @@ private slots:
                                             .arg(window_->minimumSizeHint().width())
                                             .arg(window_->minimumSizeHint().height())));
             }
+        }
+    }
+
+    /// Nor does it open larger than the screen, at its first start and at the next one.
+    void opensWithinTheScreen()
+    {
+        for (const QSize& last : {QSize(), QSize(3000, 2000)}) {
+            if (last.isValid()) {
+                window_->resize(last);
+                window_->close();
+            }
+            window_ = std::make_unique<MainWindow>();
+            window_->restoreArrangement();
+            window_->show();
+            for (int i = 0; i < 5; ++i) QCoreApplication::processEvents(); // what follows a new font
+            const QSize screen = window_->screen()->availableSize();
+            QVERIFY2(window_->width() <= screen.width() && window_->height() <= screen.height(),
+                     qPrintable(QStringLiteral("%1 x %2").arg(window_->width()).arg(window_->height())));
         }
     }
 
