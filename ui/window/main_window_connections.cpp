@@ -22,6 +22,7 @@
 #include "ui/film/modes_page.h"
 #include "ui/film/solution_files.h"
 #include "ui/film/surface_page.h"
+#include "ui/lesson/guide_strip.h"
 #include "ui/lists/record_panel.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_group.h"
@@ -308,7 +309,11 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
         kind = MessageStrip::Kind::Failure;
         lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
     }
-    messages_->show(kind, lines.join(QLatin1Char('\n')));
+    // In a lecture the end of a good run stands below the page already.
+    if (kind == MessageStrip::Kind::Success && guides_->strip()->isVisible())
+        messages_->clear();
+    else
+        messages_->show(kind, lines.join(QLatin1Char('\n')));
     emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
 }
 

@@ -16,6 +16,7 @@
 #include "ui/lesson/marked_slider.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/message_strip.h"
 #include "ui/window/guides.h"
 #include "ui/window/main_window.h"
 #include "ui/window/presenter.h"
@@ -82,6 +83,8 @@ private slots:
         QCOMPARE(window_->edits().value(), caseOf(pane.shown().runs[2]));
         QCOMPARE(text("What the run shows"), pane.runText(2));
         QVERIFY2(text("What the run shows").contains("ends at"), qPrintable(text("What the run shows")));
+
+        QVERIFY(!window_->messages().isVisible()); // it would say the same again
 
         // The next step has its own, without the answer.
         press(Qt::Key_A);
