@@ -2,6 +2,7 @@
 #include "ui/plot/plot_legend.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QFontMetricsF>
 
@@ -11,7 +12,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double longestLegend = 170.0; // text of an entry on the screen [px]
+constexpr double leastText = 11.0; // of an entry in a row, before another has no room [heights of the text]
 
 QString legendText(const PlotCurve& curve) { return curve.legend.isEmpty() ? curve.name : curve.legend; }
 
@@ -36,6 +37,19 @@ std::vector<const PlotCurve*> namedCurves(const std::vector<PlotCurve>& curves, 
     return named;
 }
 
+/// To which length texts are cut so that they fit into `room` together: those that are shorter leave it to the others.
+double longestText(std::vector<double> lengths, double room)
+{
+    std::ranges::sort(lengths);
+    double share = room;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+        share = room / static_cast<double>(lengths.size() - i);
+        if (lengths[i] > share) return share;
+        room -= lengths[i];
+    }
+    return lengths.empty() ? share : lengths.back();
+}
+
 } // namespace
 
 Legend legendInRow(const std::vector<PlotCurve>& curves, const QString& title, const QRectF& row, const QFont& font)
@@ -46,10 +60,15 @@ Legend legendInRow(const std::vector<PlotCurve>& curves, const QString& title, c
     const double moreWidth = metrics.horizontalAdvance(QStringLiteral("+00"));
     Legend legend;
     legend.height = row.height();
+    constexpr double around = Legend::sample + 3.0 * gap;
+    std::vector<double> lengths;
+    for (const PlotCurve* curve : named) lengths.push_back(std::ceil(metrics.horizontalAdvance(legendText(*curve))));
+    const double room = row.width() - around * static_cast<double>(named.size());
+    const double longest = std::max(longestText(lengths, room), leastText * metrics.height());
     double used = 0.0;
     for (std::size_t i = 0; i < named.size(); ++i) {
-        const QString text = metrics.elidedText(legendText(*named[i]), Qt::ElideRight, longestLegend);
-        const double width = Legend::sample + gap + metrics.horizontalAdvance(text) + 2.0 * gap;
+        const QString text = metrics.elidedText(legendText(*named[i]), Qt::ElideRight, longest);
+        const double width = around + metrics.horizontalAdvance(text);
         if (used + width + (i + 1 < named.size() ? moreWidth : 0.0) > row.width()) break;
         legend.entries.push_back({named[i], text, QRectF(used, row.top(), width, row.height())});
         used += width;

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/plot_legend.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
+#include <QFontMetricsF>
 #include <QTest>
 
 #include "tests/support/test_program.h"
+#include "ui/plot/plot_frame.h"
 
 using namespace touchdown;
 
@@ -28,6 +32,7 @@ class TestPlotLegend : public QObject {
 
 private slots:
     void rowOfTheScreenStaysInside();
+    void cutsOnlyWhatHasNoRoom();
     void rowsOnPaperNameEveryCurve();
     void plotThatStandsAloneNeedsNone();
 
@@ -46,6 +51,41 @@ void TestPlotLegend::rowOfTheScreenStaysInside()
         QCOMPARE(legend.entries.size() + legend.more, curves.size());
         for (const LegendEntry& entry : legend.entries) QVERIFY(entry.box.left() >= row.left() - 1.0);
     }
+}
+
+/// Names that fit together stand whole. Where they do not, the longest are cut, to one length.
+void TestPlotLegend::cutsOnlyWhatHasNoRoom()
+{
+    std::mt19937 generator(5);
+    const QFontMetricsF metrics(font_);
+    int whole = 0, cut = 0;
+    for (int draw = 0; draw < 300; ++draw) {
+        auto curves = drawnCurves(generator, data_);
+        curves.resize(std::min<std::size_t>(curves.size(), 4));
+        const QRectF row(60.0, 6.0, std::uniform_real_distribution(600.0, 1600.0)(generator), 15.0);
+        double needed = 0.0;
+        for (const PlotCurve& curve : curves)
+            needed += std::ceil(metrics.horizontalAdvance(curve.name)) + Legend::sample + 3.0 * PlotFrame::gap;
+        const Legend legend = legendInRow(curves, {}, row, font_);
+        double longestWhole = 0.0, shortestCut = 1e9;
+        for (const LegendEntry& entry : legend.entries) {
+            const double length = metrics.horizontalAdvance(entry.text);
+            if (entry.text == entry.curve->name)
+                longestWhole = std::max(longestWhole, length);
+            else
+                shortestCut = std::min(shortestCut, length);
+        }
+        // The last name needs the room of "+1".
+        if (needed + metrics.horizontalAdvance("+00") <= row.width()) {
+            ++whole;
+            QCOMPARE(legend.more, std::size_t(0));
+            QCOMPARE(shortestCut, 1e9);
+        } else if (shortestCut < 1e9) {
+            ++cut;
+            QVERIFY(longestWhole <= shortestCut + metrics.horizontalAdvance("n…"));
+        }
+    }
+    QVERIFY(whole > 50 && cut > 50);
 }
 
 void TestPlotLegend::rowsOnPaperNameEveryCurve()
