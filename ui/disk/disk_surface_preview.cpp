@@ -98,7 +98,7 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
     const DiskSurface& asked = preview.asked;
     const bool rough = !preview.requested.empty(); // and nothing else, so that the request is that of the whole
     const bool byLength = rough && asked.spectrum != RoughnessSpectrum::SelfAffine;
-    const auto nanometres = [&locale](double value) { return trueMinus(readout(value, "nm", 4, locale)); };
+    const auto nanometres = [&locale](double value) { return readout(value, "nm", 4, locale); };
     const auto length = [&locale](double value) { return trackText(value, locale); };
     const auto shape = [&locale](double value) {
         return trueMinus(locale.toString(std::abs(value) < 5e-4 ? 0.0 : value, 'f', 3));

@@ -290,7 +290,7 @@ QString RunMaps::readingText(const RunRecord& shown, const FieldHistory& history
     QStringList parts{timeText(time)};
     const MinMaxPyramid* spacing = shown.pyramid("minimum_spacing");
     if (const auto at = spacing ? spacing->valueAt(time) : std::nullopt) {
-        const QString text = readout(*at, "nm", 3).replace(QLatin1Char('-'), QChar(0x2212));
+        const QString text = readout(*at, "nm", 3);
         parts << (shown.value.model == ModelKind::Contact ? tr("separation %1") : tr("minimum spacing %1")).arg(text);
     }
     parts << tr("%1 of %2").arg(index + 1).arg(history.snapshots.size());

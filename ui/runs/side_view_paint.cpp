@@ -85,7 +85,7 @@ void SideView::paintLegend(QPainter& painter, const PlotTheme& theme) const
     QRectF row(plotArea().topLeft() + QPointF(gap, gap), QSizeF(0.0, line));
     for (const Seen* seen : {&first_, &second_}) {
         const RunRecord* run = runs_.find(seen->number);
-        const QString spacing = readout(seen->state->spacing, "nm", 3).replace(QLatin1Char('-'), QChar(0x2212));
+        const QString spacing = readout(seen->state->spacing, "nm", 3);
         const QString text =
             painter.fontMetrics().elidedText(tr("%1: minimum spacing %2").arg(run->label, spacing), Qt::ElideLeft,
                                              static_cast<int>(plotArea().width() - sample - 4.0 * gap));
@@ -147,7 +147,7 @@ void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const
     double top = 0.2 * line;
     for (const QStringList& parts : {attitude, rest}) {
         painter.drawText(QRectF(0.0, top, area.right(), line), Qt::AlignRight | Qt::AlignVCenter,
-                         parts.join(QStringLiteral("   ·   ")).replace(QLatin1Char('-'), QChar(0x2212)));
+                         parts.join(QStringLiteral("   ·   ")));
         top += line;
     }
 }

@@ -95,7 +95,7 @@ QString readout(double value, std::string_view displayUnit, int decimals, const 
     double scaled = displayUnit.empty() ? value : value / unitFactor(displayUnit);
     // No "-0.000".
     if (std::abs(scaled) < 0.5 * std::pow(10.0, -decimals)) scaled = 0.0;
-    const QString number = locale.toString(scaled, 'f', decimals);
+    const QString number = trueMinus(locale.toString(scaled, 'f', decimals));
     return displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(displayUnit);
 }
 

@@ -29,7 +29,7 @@ QString trueMinus(QString number);
 /// A reason as the core writes it ("must be >= 0 kg") as a complete sentence, with the characters of print.
 QString sentence(std::string_view reason);
 
-/// A read-out in the display unit: "7.000 nm" for 7e-9 with three decimals.
+/// A read-out in the display unit, with a true minus sign: "7.000 nm" for 7e-9 with three decimals.
 QString readout(double value, std::string_view displayUnit, int decimals = 3, const QLocale& locale = QLocale());
 /// A read-out of a recorded quantity with as many decimals as its unit deserves.
 QString readout(double value, const Quantity& quantity, const QLocale& locale = QLocale());
