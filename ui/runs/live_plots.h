@@ -64,6 +64,16 @@ public:
     /// Shows these plots alone, whatever the user chose; nothing: as the user chose.
     void setStage(const std::optional<QStringList>& names);
 
+    /// A word at a place of the curves of a run: where to look.
+    struct Word {
+        int run = -1; // number of it
+        QString plot;
+        double at = 0.0; // [s]
+        QString text;
+        bool operator==(const Word&) const = default;
+    };
+    void setWords(std::vector<Word> words);
+
     /// Samples of this run have arrived.
     void dataArrived(int number);
     /// The run has ended: its last events, and its difference to the baseline.
@@ -132,6 +142,7 @@ private:
     QString missingDifference(std::size_t spec) const;
     bool isShown(std::size_t spec) const;
     void updateMarks();
+    std::vector<PointMark> wordsOf(std::size_t spec) const;
     std::vector<PointMark> eventPoints(const RunRecord& run) const;
     void updateWanted();
     void updateVisibility();
@@ -153,6 +164,7 @@ private:
     std::set<int> drawn_;                // numbers of the runs that were shown when curves were last made
     std::map<std::string, bool> wanted_; // by plot and quantity: what the user chose in the menus of the plots
     std::size_t marksShown_ = 0;
+    std::vector<Word> words_;
     DropHint* hint_;
     LiveSpectrogram* spectrogram_ = nullptr;
 };

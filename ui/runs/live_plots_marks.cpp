@@ -50,7 +50,10 @@ void LivePlots::updateMarks()
             if (c.model == ModelKind::Springs) pitch.push_back({c.springs.pitch, tr("static")});
         }
     }
-    for (const Entry& entry : entries_) entry.plot->setEventMarks(marks);
+    for (std::size_t s = 0; s < entries_.size(); ++s) {
+        entries_[s].plot->setEventMarks(marks);
+        entries_[s].plot->setPointMarks(wordsOf(s));
+    }
     PlotWidget* forces = plot(QStringLiteral("force_separation"));
     forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
     std::vector<ShadedArea> areas;
@@ -66,6 +69,28 @@ void LivePlots::updateMarks()
     forces->setMostX(falls ? std::optional(2.0 * run->value.onoYamane.takeOff) : std::nullopt);
     plot(QStringLiteral("spacing"))->setReferenceLines(spacing);
     plot(QStringLiteral("pitch"))->setReferenceLines(pitch);
+}
+
+void LivePlots::setWords(std::vector<Word> words)
+{
+    if (words_ == words) return;
+    words_ = std::move(words);
+    updateMarks();
+}
+
+/// At the first curve of the plot.
+std::vector<PointMark> LivePlots::wordsOf(std::size_t s) const
+{
+    std::vector<PointMark> marks;
+    const PlotSpec& spec = specs_[s];
+    if (spec.across || spec.spectrogram || spec.curves.empty() || runs_.baseline() >= 0) return marks;
+    for (const Word& word : words_) {
+        const RunRecord* run = word.plot == entries_[s].name ? runs_.find(word.run) : nullptr;
+        const MinMaxPyramid* curve = run && run->shown ? run->pyramid(spec.curves.front().quantity) : nullptr;
+        if (const std::optional<double> y = curve ? curve->valueAt(word.at) : std::nullopt)
+            marks.push_back({word.at, *y, word.text, RunsModel::style(*run)});
+    }
+    return marks;
 }
 
 /// Where each kind of event took place first: the snap into contact, the pull-off.

@@ -13,12 +13,15 @@
 #include "ui/case/case_panel.h"
 #include "ui/lesson/guide_strip.h"
 #include "ui/lesson/live_values.h"
+#include "ui/runs/live_plots.h"
 #include "ui/runs/run_record.h"
+#include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 #include "ui/window/lesson_stages.h"
 #include "ui/window/live_runs.h"
 #include "ui/window/main_window.h"
@@ -82,6 +85,7 @@ Guides::Guides(MainWindow& window, WindowPages& pages)
             stage();
         } else if (guide == shown_) {
             shown_ = nullptr;
+            showWords();
             stages_->end();
         }
     });
@@ -93,6 +97,7 @@ bool Guides::leave()
 {
     ownCase_ = false;
     stages_->end();
+    window_.runView().plots()->setWords({});
     showLive();
     return !opens_.isEmpty() && window_.files().sample() == opens_;
 }
@@ -196,6 +201,20 @@ void Guides::showResults()
         const RunRecord* run = window_.runs().find(number);
         shown_->showResult(index, run && run->summary ? resultOf(*run) : QString());
     }
+    showWords();
+}
+
+/// At the curves of the step's runs that have ended.
+void Guides::showWords()
+{
+    std::vector<LivePlots::Word> words;
+    if (shown_) {
+        const std::map<std::size_t, int>& numbers = numbers_[shown_->shown().title];
+        for (const LessonMark& mark : shown_->shown().marks)
+            if (const auto found = numbers.find(mark.run); found != numbers.end())
+                words.push_back({found->second, QString::fromStdString(mark.plot), mark.at, readable(mark.text)});
+    }
+    window_.runView().plots()->setWords(std::move(words));
 }
 
 void Guides::perform(const LessonRun& run)

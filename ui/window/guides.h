@@ -55,6 +55,7 @@ private:
     LessonPane* build(LessonPane::Kind kind);
     void onStep(LessonPane::Kind kind);
     void showResults();
+    void showWords();
     void stage();
 
     MainWindow& window_;

@@ -104,6 +104,25 @@ LiveValue readLive(StudyReader& reader, const std::string& table, const Case& c)
     return live;
 }
 
+LessonMark readMark(StudyReader& reader, const std::string& table, const LessonStep& step)
+{
+    LessonMark mark;
+    const auto last = static_cast<double>(step.runs.size());
+    const double run = reader.number(table + ".run", "1", "1", 1.0, last).value_or(1.0);
+    mark.run = static_cast<std::size_t>(run) - 1;
+    if (run != std::floor(run)) reader.add(table + ".run", "is not a whole number");
+    if (mark.run < step.runs.size() && !step.runs[mark.run].kind.empty())
+        reader.add(table + ".run", "is a study, without curves over time");
+    mark.plot = requiredText(reader, table + ".plot");
+    if (!mark.plot.empty() && std::ranges::find(step.stage.plots, mark.plot) == step.stage.plots.end())
+        reader.add(table + ".plot", inQuotes(mark.plot) + " is not a plot of the stage");
+    if (!reader.has(table + ".at")) reader.add(table + ".at", "is missing");
+    const LessonStage& stage = step.stage;
+    mark.at = reader.number(table + ".at", "s", "ms", stage.from, stage.until > 0.0 ? stage.until : 1.0).value_or(0.0);
+    mark.text = requiredText(reader, table + ".text");
+    return mark;
+}
+
 LessonStep readStep(StudyReader& reader, const std::string& table)
 {
     LessonStep step;
@@ -118,6 +137,7 @@ LessonStep readStep(StudyReader& reader, const std::string& table)
     step.change = requiredText(reader, table + ".change");
     step.answer = requiredText(reader, table + ".answer");
     step.stage = readStage(reader, table + ".stage");
+    for (const std::string& mark : reader.tables(table + ".mark")) step.marks.push_back(readMark(reader, mark, step));
     for (const std::string& live : reader.tables(table + ".live")) step.live.push_back(readLive(reader, live, c));
     return step;
 }

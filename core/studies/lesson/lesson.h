@@ -19,6 +19,10 @@
 //   lowest = "-6 nm", highest = "20 nm" # of the minimum spacing; may be left out
 //   side = true, spectrum = true        # the side view above the plots, the spectrum below; false if left out
 //
+//   [[step.mark]]      # a word at a place of a curve: where to look
+//   run = 1            # whose curve, of the runs below
+//   plot = "spacing", at = "25 us", text = "first touch"
+//
 //   [[step.live]]      # a value that the reader moves; the case of the first run has it within these ends
 //   keys = ["springs.front_damping_ratio", "springs.rear_damping_ratio"]   # that get the same number
 //   from = "0.001", until = "0.1"
@@ -67,6 +71,14 @@ struct LessonStage {
     bool side = false, spectrum = false;
 };
 
+/// A word at a place of the curve of a run.
+struct LessonMark {
+    std::size_t run = 0; // of the step, the first is 0
+    std::string plot;    // one of those of the stage
+    double at = 0.0;     // [s]
+    std::string text;
+};
+
 struct LessonStep {
     std::string title;
     std::string text;
@@ -76,6 +88,7 @@ struct LessonStep {
     LessonStage stage;
     std::vector<LessonRun> runs;
     std::vector<LiveValue> live;
+    std::vector<LessonMark> marks{};
 };
 
 struct Lesson {

@@ -220,6 +220,75 @@ private slots:
         QVERIFY(problemsOf(readLesson(wrong, "l.toml")).contains("stage.until: is below the other end of its axis"));
     }
 
+    void marksAreRead()
+    {
+        const std::string step = "[[step]]\ntitle = 'a'\ntext = 'b'\nquestion = 'c'\nchange = 'd'\nanswer = 'e'\n"
+                                 "stage.plots = ['spacing']\nstage.until = '1 ms'\n"
+                                 "[[step.run]]\npurpose = 'x'\ncase = 'fig10a'\n"
+                                 "[[step.run]]\npurpose = 'y'\nstudy = 'hysteresis_flying_height'\n[[step.mark]]\n";
+        const Lesson good =
+            readLesson(step + "run = 1\nplot = 'spacing'\nat = '25 us'\ntext = 'first touch'\n", "l.toml");
+        QVERIFY2(good.problems.empty(), qPrintable(problemsOf(good)));
+        const LessonMark& mark = good.steps.at(0).marks.at(0);
+        QVERIFY(mark.run == 0 && mark.plot == "spacing" && mark.text == "first touch");
+        QCOMPARE(mark.at, 25e-6);
+        const std::pair<std::string, QString> wrong[]{
+            {"run = 3\nplot = 'spacing'\nat = '25 us'\ntext = 'x'\n", "mark[1].run"},
+            {"run = 1.5\nplot = 'spacing'\nat = '25 us'\ntext = 'x'\n", "run: is not a whole number"},
+            {"run = 2\nplot = 'spacing'\nat = '25 us'\ntext = 'x'\n", "run: is a study"},
+            {"run = 1\nplot = 'energy'\nat = '25 us'\ntext = 'x'\n", "\"energy\" is not a plot of the stage"},
+            {"run = 1\nplot = 'spacing'\nat = '2 ms'\ntext = 'x'\n", "mark[1].at"},
+            {"run = 1\nplot = 'spacing'\ntext = 'x'\n", "at: is missing"},
+            {"run = 1\nplot = 'spacing'\nat = '25 us'\n", "text: is missing"}};
+        for (const auto& [text, says] : wrong) {
+            const QString said = problemsOf(readLesson(step + text, "l.toml"));
+            QVERIFY2(said.contains(says), qPrintable(said));
+        }
+    }
+
+    /// The last number of a word in a plot is that of its run: at its place, at its end, or how far it swings there.
+    /// The numbers before it are those of the run's settings.
+    void marksAreTrue()
+    {
+        int numbers = 0;
+        for (const std::vector<LessonStep>* steps : {&lessonSteps(), &demonstrationSteps()})
+            for (const LessonStep& step : *steps)
+                for (const LessonMark& mark : step.marks) {
+                    const LessonRun& lessonRun = step.runs.at(mark.run);
+                    const Case c = caseOf(lessonRun);
+                    QCOMPARE(c.model, ModelKind::Springs);
+                    QCOMPARE(mark.plot, std::string("spacing"));
+                    const auto column = std::size_t(findQuantity(recordedQuantities(c), "minimum_spacing"));
+                    double there = std::numeric_limits<double>::quiet_NaN();
+                    const bool ends = mark.text.find("ends") != std::string::npos;
+                    const Summary summary = run(c, [&](const RunUpdate& update) {
+                        for (std::size_t i = 0; i < update.samples.time.size(); ++i)
+                            if (ends || update.samples.time[i] <= mark.at * (1.0 + 1e-9))
+                                there = update.samples.columns[column][i];
+                        return true;
+                    });
+                    const bool swings = mark.text.find("swings") != std::string::npos;
+                    for (const auto& [quantity, tail] : summary.tail)
+                        if (swings && quantity == "minimum_spacing") there = tail.max - tail.min;
+                    const std::vector<Amount> said = amountsIn(mark.text);
+                    if (said.empty()) { // "first touch"
+                        QVERIFY(mark.text.find("touch") != std::string::npos && there <= c.onoYamane.touchDown);
+                        continue;
+                    }
+                    const double unit = said.back().unit == "um" ? 1e-6 : 1e-9; // [m]
+                    QVERIFY2(std::abs(there / unit - said.back().value) <= 0.5 * std::pow(10.0, -said.back().decimals),
+                             mark.text.c_str());
+                    for (std::size_t i = 0; i + 1 < said.size(); ++i)
+                        QVERIFY2(std::ranges::any_of(lessonRun.settings,
+                                                     [&](const CaseSetting& setting) {
+                                                         return setting.value == said[i].text.toStdString();
+                                                     }),
+                                 mark.text.c_str());
+                    ++numbers;
+                }
+        QVERIFY(numbers >= 10);
+    }
+
     /// The springs of the last step.
     void wavesForceTheSlider()
     {

@@ -14,7 +14,10 @@
 #include "ui/lesson/lesson_pane.h"
 #include "ui/lesson/live_values.h"
 #include "ui/lesson/marked_slider.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/runs/live_plots.h"
 #include "ui/runs/run_controller.h"
+#include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/guides.h"
@@ -86,6 +89,12 @@ private slots:
 
         QVERIFY(!window_->messages().isVisible()); // it would say the same again
 
+        // The words of the run stand at its curve, in this step alone.
+        PlotWidget* spacing = window_->runView().plots()->plot("spacing");
+        QCOMPARE(spacing->pointMarks().size(), std::size_t(1));
+        QCOMPARE(spacing->pointMarks()[0].label, QStringLiteral("thrown up to 1.11 µm"));
+        QVERIFY(std::abs(spacing->pointMarks()[0].y - 1.1078e-6) < 1e-10);
+
         // The next step has its own, without the answer.
         press(Qt::Key_A);
         QTRY_COMPARE(text("Question or answer"), pane.answerText());
@@ -94,6 +103,12 @@ private slots:
         QCOMPARE(text("Question or answer"), pane.questionText());
         QCOMPARE(strip().runs().size(), pane.shown().runs.size());
         QCOMPARE(text("What the run shows"), pane.runText(0));
+        QVERIFY(spacing->pointMarks().empty());
+        press(Qt::Key_PageUp);
+        QCOMPARE(spacing->pointMarks().size(), std::size_t(1));
+        window_->files().leaveUnsaved();
+        window_->files().openNow("fig12a");
+        QVERIFY(spacing->pointMarks().empty());
     }
 
     void movesTheValuesOfADemonstration()
