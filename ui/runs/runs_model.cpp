@@ -6,6 +6,7 @@
 #include "ui/case/parameter_text.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -44,13 +45,13 @@ QString RunsModel::labelOf(const RunRecord& run) const
     for (int row = 0; row < count() && !base; ++row)
         if (record(row).value.title == run.value.title) base = &record(row);
     if (const RunRecord* chosen = find(baseline()); chosen && chosen->value.title == run.value.title) base = chosen;
-    if (!base || base->number == run.number)
-        return run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
+    const QString own = run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
+    if (!base || base->number == run.number) return own;
     const QStringList changes = shortDifference(base->value, run.value);
-    if (changes.isEmpty()) return tr("run %1, as run %2").arg(run.number).arg(base->number);
+    if (changes.isEmpty()) return run.value.title.empty() ? own : tr("%1, run %2").arg(own).arg(run.number);
     QString text = changes.first(std::min(mostInLabel, changes.size())).join(QStringLiteral(", "));
     if (changes.size() > mostInLabel) text += QStringLiteral(" +%1").arg(changes.size() - mostInLabel);
-    return text;
+    return readable(text.toStdString());
 }
 
 void RunsModel::relabel()

@@ -35,12 +35,17 @@ MessageStrip::MessageStrip(QWidget* parent)
     layout->addWidget(text_, 1);
     layout->addWidget(action_, 0, Qt::AlignVCenter);
     layout->addWidget(close, 0, Qt::AlignTop);
-    // The page above keeps its place when a message of one line comes or goes.
-    QSizePolicy keeping = sizePolicy();
-    keeping.setRetainSizeWhenHidden(true);
-    setSizePolicy(keeping);
+    keepPlace(true);
     action_->hide();
     hide();
+}
+
+void MessageStrip::keepPlace(bool kept)
+{
+    // The page above keeps its place when a message of one line comes or goes.
+    QSizePolicy keeping = sizePolicy();
+    keeping.setRetainSizeWhenHidden(kept);
+    setSizePolicy(keeping);
 }
 
 void MessageStrip::show(Kind kind, const QString& text, const QString& action)

@@ -21,6 +21,8 @@ public:
     /// `action` is the text of a button, for which `actionRequested` is emitted; none when empty.
     void show(Kind kind, const QString& text, const QString& action = {});
     void clear();
+    /// Whether it takes the place of one line while it is hidden; it does at first.
+    void keepPlace(bool kept);
     QString text() const { return text_->text(); }
     Kind kind() const { return kind_; }
 

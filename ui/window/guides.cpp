@@ -120,7 +120,11 @@ void Guides::present(bool on)
     showStrip();
 }
 
-void Guides::showStrip() { strip_->follow(presented_ ? shown_ : nullptr); }
+void Guides::showStrip()
+{
+    strip_->follow(presented_ ? shown_ : nullptr);
+    window_.messages().keepPlace(strip_->isHidden());
+}
 
 /// Whether another case would take more from the reader than values that were tried in a step: a shape that was drawn.
 bool Guides::maybeLost() const

@@ -155,8 +155,8 @@ void TestRunsPanel::namesRunsByWhatChanged()
     QCOMPARE(name(0), QStringLiteral("1  Fig. 10 (a)"));
     QCOMPARE(name(1), QStringLiteral("2  FH(0) 20\u00a0nm"));
     QCOMPARE(name(2), QStringLiteral("3  FH(0) 30\u00a0nm"));
-    QCOMPARE(name(3), QStringLiteral("4  f_m 1\u00a0mN"));
-    QCOMPARE(name(4), QStringLiteral("5  run 5, as run 1"));
+    QCOMPARE(name(3), QStringLiteral("4  fₘ 1\u00a0mN"));
+    QCOMPARE(name(4), QStringLiteral("5  Fig. 10 (a), run 5"));
     QCOMPARE(name(5), QStringLiteral("6  Fig. 14 (a)"));
     QCOMPARE(name(6).count(QStringLiteral(", ")), 1);
     QVERIFY2(name(6).endsWith(QStringLiteral(" +1")), qPrintable(name(6)));

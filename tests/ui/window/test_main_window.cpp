@@ -201,7 +201,7 @@ void TestMainWindow::overlaysASecondRun()
     QVERIFY(curves[0].style.colour != curves[1].style.colour);
     QCOMPARE(curves[1].style.dash, 0);
     QVERIFY(curves[0].pale && !curves[1].pale);
-    QCOMPARE(curves[1].name, QStringLiteral("d_e 8\u00a0nm"));
+    QCOMPARE(curves[1].name, QStringLiteral("dₑ 8\u00a0nm"));
     f.window.runs().raise(1);
     QVERIFY(!curves[0].pale && curves[1].pale);
     f.window.runs().raise(-1);
