@@ -169,7 +169,7 @@ void TestRunsPanel::namesRunsByWhatChanged()
     model.setBaseline(-1);
     model.remove(0);
     QCOMPARE(name(0), QStringLiteral("2  Fig. 10 (a)"));
-    QVERIFY2(name(2).contains(QStringLiteral("f_m 1")) && name(2).contains(QStringLiteral("FH(0) 250")),
+    QVERIFY2(name(2).contains(QStringLiteral("fₘ 1")) && name(2).contains(QStringLiteral("FH(0) 250")),
              qPrintable(name(2)));
 }
 
