@@ -124,7 +124,8 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
                          first_.springs ? tr(", the leading edge at the left")
                                         : tr(", the disk moves from left to right"));
     painter.setPen(theme.text);
-    for (const AxisTick& tick : height_.ticks(7)) {
+    const int most = std::clamp(static_cast<int>(area.height() / (1.6 * line)), 2, 7);
+    for (const AxisTick& tick : height_.ticks(most)) {
         const double y = drawing().toPixel(0.0, tick.value).y();
         if (!tick.text.isEmpty())
             painter.drawText(QRectF(0.0, y - line / 2, area.left() - 6.0, line), Qt::AlignRight | Qt::AlignVCenter,

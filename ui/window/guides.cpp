@@ -56,8 +56,8 @@ QString resultOf(const RunRecord& run)
         if (quantity == "minimum_spacing" && tail.max - tail.min >= leastSwing) {
             parts << Guides::tr("swings by %1 from peak to peak").arg(lengthText(tail.max - tail.min, 3));
             parts << Guides::tr("standard deviation %1").arg(lengthText(tail.std, 3));
-            if (!summary.peaks.empty())
-                parts << Guides::tr("highest peak at %1").arg(frequencyText(summary.peaks.front().frequency));
+            if (const double frequency = summary.verdict.frequency; frequency > 0.0)
+                parts << Guides::tr("at %1").arg(frequencyText(frequency));
         }
     return parts.join(QStringLiteral(" · "));
 }
