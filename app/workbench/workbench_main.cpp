@@ -22,6 +22,7 @@
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_card.h"
+#include "ui/window/window_actions.h"
 
 namespace {
 
@@ -168,7 +169,11 @@ int main(int argc, char** argv)
     MainWindow window;
     // Pictures must not depend on the last session.
     if (!pictures && !arguments.fresh) window.restoreArrangement();
-    if (!arguments.theme.isEmpty()) applyTheme(themeFromName(arguments.theme));
+    if (!arguments.theme.isEmpty()) {
+        for (QAction* theme : window.actions().theme->actions())
+            if (theme->data() == arguments.theme) theme->setChecked(true); // so that it stays with another font
+        applyTheme(themeFromName(arguments.theme));
+    }
 
     const QFileInfo info(arguments.file);
     if (!document.valid()) {

@@ -159,6 +159,7 @@ void RunView::showTime()
 void RunView::setStage(const std::optional<PlotStage>& stage)
 {
     if (stage == stage_) return;
+    if (!stage_) beforeStage_ = splitter_->saveState();
     stage_ = stage;
     plots_->setStage(stage ? std::optional(stage->plots) : std::nullopt);
     showParts();
@@ -172,6 +173,24 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
     group->followNewest();
     showTime();
     group->forgetHistory();
+    if (stage_)
+        shareHeight();
+    else
+        splitter_->restoreState(beforeStage_);
+}
+
+/// Of a stage: each plot has two shares, the side view and the spectrum three.
+void RunView::shareHeight()
+{
+    const int plots = std::max(2 * static_cast<int>(stage_->plots.size()), 3);
+    const int share = std::max(splitter_->height() / (plots + 6), 1);
+    splitter_->setSizes({3 * share, plots * share, 3 * share});
+}
+
+void RunView::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    if (stage_) shareHeight();
 }
 
 void RunView::showParts()

@@ -8,8 +8,10 @@
 #include <optional>
 
 #include <QAction>
+#include <QByteArray>
 #include <QMenu>
 #include <QPointer>
+#include <QResizeEvent>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStringList>
@@ -80,8 +82,12 @@ public:
     /// Offers the plots, new ones, the spectrum and the list of quantities.
     void fillPlotsMenu(QMenu& menu);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showParts();
+    void shareHeight();
     void showTime();
     std::optional<PlotRange> replayed() const;
 
@@ -90,6 +96,7 @@ private:
     LivePlots* plots_;
     LiveSpectrum* spectrum_;
     std::optional<PlotStage> stage_;
+    QByteArray beforeStage_; // of the splitter
     SideView* side_;
     SideView* sideAbove_;
     ReplayBar* replay_;

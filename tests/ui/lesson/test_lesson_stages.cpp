@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QSplitter>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -89,6 +90,30 @@ private slots:
         QCOMPARE(shown(), (std::set<int>{1, 4}));
         click("Next");
         QCOMPARE(shown(), (std::set<int>{2, 3}));
+    }
+
+    /// Side view, plots and spectrum of a stage share the height, at each size; what the reader set comes back.
+    void sharesTheHeight()
+    {
+        RunView& view = window_->runView();
+        window_->findChild<QDockWidget*>("lesson")->close();
+        QVERIFY(!view.stage());
+        view.splitter()->setSizes({0, 500, 100});
+        const QList<int> own = view.splitter()->sizes();
+        PlotStage stage;
+        stage.plots << "spacing";
+        stage.side = stage.spectrum = true;
+        view.setStage(stage);
+        for (const QSize& size : {QSize(1400, 900), QSize(1100, 640)}) {
+            window_->resize(size);
+            QCoreApplication::processEvents();
+            for (const int height : view.splitter()->sizes())
+                QVERIFY2(height >= view.splitter()->height() / 5, qPrintable(QString::number(height)));
+        }
+        window_->resize(1400, 900);
+        QCoreApplication::processEvents();
+        view.setStage(std::nullopt);
+        QCOMPARE(view.splitter()->sizes(), own);
     }
 
     void closingItEndsTheStage()
