@@ -46,12 +46,13 @@ SpectrumView::SpectrumView(QWidget* parent)
     : QWidget(parent),
       plot_(new PlotWidget(this)),
       group_(new PlotGroup(this, PlotGroup::Across::Frequency)),
-      quantity_(new QComboBox(this)),
-      window_(new QComboBox(this)),
-      segment_(new QComboBox(this)),
-      overlap_(new QSpinBox(this)),
-      scaling_(new QComboBox(this)),
-      logFrequency_(new QCheckBox(tr("&Log"), this))
+      controls_(new QWidget(this)),
+      quantity_(new QComboBox(controls_)),
+      window_(new QComboBox(controls_)),
+      segment_(new QComboBox(controls_)),
+      overlap_(new QSpinBox(controls_)),
+      scaling_(new QComboBox(controls_)),
+      logFrequency_(new QCheckBox(tr("&Log"), controls_))
 {
     window_->addItem(tr("Hann"), static_cast<int>(SpectrumWindow::Hann));
     window_->addItem(tr("Hamming"), static_cast<int>(SpectrumWindow::Hamming));
@@ -70,7 +71,7 @@ SpectrumView::SpectrumView(QWidget* parent)
     plot_->setYScale(AxisScale::Logarithmic);
     setOptions({});
 
-    auto* row = new QHBoxLayout;
+    auto* row = new QHBoxLayout(controls_);
     row->setSpacing(6);
     row->setContentsMargins(6, 4, 6, 4);
     // The boxes have no labels: these would make the window too wide for a small screen.
@@ -92,7 +93,7 @@ SpectrumView::SpectrumView(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addLayout(row);
+    layout->addWidget(controls_);
     layout->addWidget(plot_, 1);
 
     group_->add(plot_);

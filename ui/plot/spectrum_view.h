@@ -51,6 +51,9 @@ public:
     /// Shows the lines of this kind.
     QAction* linesWanted(FrequencyKind kind) const { return lines_.at(kind); }
 
+    /// The choices of Welch's method and of the quantity, above the plot.
+    void showControls(bool shown) { controls_->setVisible(shown); }
+
     PlotWidget* plot() const { return plot_; }
     PlotGroup* group() const { return group_; }
 
@@ -68,6 +71,7 @@ private:
 
     PlotWidget* plot_;
     PlotGroup* group_;
+    QWidget* controls_;
     QComboBox* quantity_;
     QComboBox* window_;
     QComboBox* segment_;

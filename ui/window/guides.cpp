@@ -13,7 +13,9 @@
 #include "ui/case/case_panel.h"
 #include "ui/lesson/guide_strip.h"
 #include "ui/lesson/live_values.h"
+#include "ui/plot/spectrum_view.h"
 #include "ui/runs/live_plots.h"
+#include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
@@ -124,6 +126,7 @@ void Guides::showStrip()
 {
     strip_->follow(presented_ ? shown_ : nullptr);
     window_.messages().keepPlace(strip_->isHidden());
+    window_.runView().spectrum()->view()->showControls(strip_->isHidden());
 }
 
 /// Whether another case would take more from the reader than values that were tried in a step: a shape that was drawn.

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include <QComboBox>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QtTest>
@@ -55,8 +56,10 @@ private slots:
         QVERIFY(!strip().isVisible());
         window_->actions().presenter->trigger();
         QVERIFY(strip().isVisible());
+        const auto* window = namedWidget<QComboBox>(window_->runView(), "Window");
+        QVERIFY(window && window->parentWidget()->isHidden()); // the choices of the spectrum
         window_->actions().presenter->trigger();
-        QVERIFY(!strip().isVisible());
+        QVERIFY(!strip().isVisible() && !window->parentWidget()->isHidden());
         // A guide that opens in a lecture is there, too.
         window_ = std::make_unique<MainWindow>();
         window_->show();
