@@ -6,54 +6,17 @@
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QRegularExpression>
 #include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include "core/case/parameters.h"
+#include "ui/lesson/lesson_text.h"
 #include "ui/lesson/live_values.h"
-#include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
-
-/// A text of the lesson as HTML: f_m with a subscript, us as µs, a minus sign; a number stays beside its unit.
-QString html(const std::string& text)
-{
-    static const QRegularExpression symbol(QStringLiteral("\\b([a-zA-Z])_(\\w+)"));
-    static const QRegularExpression amount(QStringLiteral("(\\d) (u?)(m?[sNm]|nm|ns|pJ|rad)\\b"));
-    static const QRegularExpression minus(QStringLiteral("(^|[ (])-(?=[\\d(])|(?<= )-(?= )"));
-    static const QRegularExpression key(QStringLiteral("\\b([a-z_]+(?:\\.[a-z_]+)+)\\b"));
-    QString html = QString::fromStdString(text).toHtmlEscaped();
-    html.replace(QStringLiteral("&gt;="), QStringLiteral("≥")).replace(QStringLiteral("^2"), QStringLiteral("²"));
-    html.replace(minus, QStringLiteral("\\1−"));
-    html.replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));
-    html.replace(amount, QStringLiteral("\\1\u00a0\\2\\3"))
-        .replace(QStringLiteral("\u00a0u"), QStringLiteral("\u00a0µ"));
-    qsizetype from = 0;
-    for (auto found = key.match(html); found.hasMatch(); found = key.match(html, from)) {
-        const QString name = found.captured(1);
-        const QString shown = findParameter(name.toStdString()) ? QStringLiteral("<a href='%1'>%1</a>").arg(name)
-                                                                : QStringLiteral("<code>%1</code>").arg(name);
-        html.replace(found.capturedStart(), found.capturedLength(), shown);
-        from = found.capturedStart() + shown.size();
-    }
-    return html;
-}
-
-/// Paragraphs under a heading; the heading may be empty.
-QString block(const QString& heading, const std::string& text, const QColor& colour)
-{
-    QString all;
-    if (!heading.isEmpty())
-        all = QStringLiteral("<p style='margin:0; color:%1; font-weight:600'>%2</p>").arg(colour.name(), heading);
-    for (const QString& part : html(text).split(QLatin1Char('\n')))
-        all += QStringLiteral("<p style='margin:2px 0 4px 0'>%1</p>").arg(part);
-    return all;
-}
 
 QLabel* textLabel(QWidget* parent)
 {
@@ -63,19 +26,6 @@ QLabel* textLabel(QWidget* parent)
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
                                    Qt::LinksAccessibleByKeyboard);
     return label;
-}
-
-/// "fig13a, d_e = 7 nm", as HTML.
-QString subject(const LessonRun& run)
-{
-    QString text = QString::fromStdString(run.name);
-    for (const CaseSetting& setting : run.settings) {
-        const Parameter& parameter = *findParameter(setting.key);
-        const QString name =
-            parameter.symbol.empty() ? QString::fromStdString(parameter.label) : symbolText(parameter.symbol);
-        text += QStringLiteral(", %1\u00a0=\u00a0%2").arg(name, html(setting.value));
-    }
-    return text;
 }
 
 } // namespace
@@ -198,15 +148,16 @@ void LessonPane::write()
                         .arg(colours.muted.name(),
                              (lesson ? tr("Step %1 of %2") : tr("%1 of %2")).arg(step_ + 1).arg(steps_.size())));
     const QString number = lesson ? QStringLiteral("%1. ").arg(step_ + 1) : QString();
-    title_->setText(QStringLiteral("<h3 style='margin:0'>%1%2</h3>").arg(number, html(step.title)));
-    text_->setText(block(lesson ? QString() : tr("What the paper reports"), step.text, colours.muted));
-    question_->setText(block(lesson ? tr("Question") : tr("What to watch"), step.question, colours.change));
-    change_->setText(block(lesson ? tr("Then change it yourself") : tr("What to try"), step.change, colours.muted));
-    answer_->setText(block(lesson ? tr("Answer") : tr("How sure it is"), step.answer, colours.success));
+    title_->setText(QStringLiteral("<h3 style='margin:0'>%1%2</h3>").arg(number, lessonHtml(step.title)));
+    text_->setText(lessonBlock(lesson ? QString() : tr("What the paper reports"), step.text, colours.muted));
+    question_->setText(lessonBlock(lesson ? tr("Question") : tr("What to watch"), step.question, colours.change));
+    change_->setText(
+        lessonBlock(lesson ? tr("Then change it yourself") : tr("What to try"), step.change, colours.muted));
+    answer_->setText(lessonBlock(lesson ? tr("Answer") : tr("How sure it is"), step.answer, colours.success));
     for (std::size_t i = 0; i < purposes_.size(); ++i) {
         const LessonRun& run = step.runs.at(i);
         QString text = QStringLiteral("%1<br><span style='color:%2'>%3</span>")
-                           .arg(html(run.purpose), colours.muted.name(), subject(run));
+                           .arg(lessonHtml(run.purpose), colours.muted.name(), lessonSubject(run));
         if (!results_[i].isEmpty())
             text += QStringLiteral("<br><span style='color:%1'>→ %2</span>")
                         .arg(colours.success.name(), results_[i].toHtmlEscaped());
