@@ -34,6 +34,7 @@ struct Arguments {
     QString screenshot;
     QString study;    // kind
     QString pictures; // folder
+    QString printLesson;
     QString size;
     QString theme;
     bool fresh = false;
@@ -63,6 +64,8 @@ Arguments parse(int argc, char** argv)
           "writes its charts as PNG and SVG to the folder of --pictures, prints their paths and ends.",
           "kind"},
          {"pictures", "Folder for the charts of --study.", "folder"},
+         {"print-lesson", "Performs the runs of the lesson, needs no display, writes it as PDF to <file> and ends.",
+          "file"},
          {"size", "Size of the window for pictures, as 1600x1000.", "size", "1600x1000"},
          {"theme", "light, dark or system.", "name"},
          {"allow-paths", "Also reads files that a case or a study names outside its own folder."},
@@ -91,12 +94,13 @@ Arguments parse(int argc, char** argv)
                               .screenshot = parser.value("screenshot"),
                               .study = parser.value("study"),
                               .pictures = parser.value("pictures"),
+                              .printLesson = parser.value("print-lesson"),
                               .size = parser.value("size"),
                               .theme = parser.value("theme"),
                               .fresh = parser.isSet("fresh"),
                               .outside = parser.isSet("allow-paths") ? touchdown::OutsidePaths::Allowed
                                                                      : touchdown::OutsidePaths::Refused};
-    for (const char* option : {"export", "screenshot", "study", "pictures"})
+    for (const char* option : {"export", "screenshot", "study", "pictures", "print-lesson"})
         if (parser.isSet(option) && parser.value(option).isEmpty())
             fail(QString("the value of --%1 is empty.").arg(option));
     if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
@@ -147,6 +151,14 @@ int main(int argc, char** argv)
         applyTheme(Theme::Light);
         return takeStudyPictures(arguments.study, arguments.file.isEmpty() ? defaultCase : arguments.file,
                                  arguments.pictures, arguments.outside);
+    }
+    if (!arguments.printLesson.isEmpty()) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        const QApplication application(argc, argv);
+        std::setlocale(LC_NUMERIC, "C");
+        useNames();
+        applyTheme(Theme::Light);
+        return printLesson(arguments.printLesson);
     }
     const bool isRun = MainWindow::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();

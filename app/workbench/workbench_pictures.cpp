@@ -2,16 +2,19 @@
 #include "app/workbench/workbench_pictures.h"
 
 #include <algorithm>
+#include <iostream>
 
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QEventLoop>
 #include <QPixmap>
 #include <QRegularExpression>
 #include <QThread>
 
 #include "app/terminal/console.h"
 #include "app/terminal/refusal.h"
+#include "core/studies/lesson/lesson.h"
 #include "core/studies/study_plan.h"
 #include "ui/disk/disk_surface_view.h"
 #include "ui/film/film_view.h"
@@ -23,6 +26,8 @@
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_view.h"
 #include "ui/studies/study_chart_drawing.h"
+#include "ui/style/whole_file.h"
+#include "ui/window/lesson_print.h"
 #include "ui/window/main_window.h"
 
 namespace touchdown {
@@ -171,6 +176,25 @@ int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QS
     if (study.status == StudyStatus::Completed) return exitDone;
     complain("The study ended without a valid answer: " + study.message);
     return exitNoAnswer;
+}
+
+int printLesson(const QString& file)
+{
+    LessonPrint print(lessonSteps(), QCoreApplication::translate("LessonPrint", "Touchdown: the lesson"), nullptr);
+    int code = exitDone;
+    QEventLoop loop;
+    QObject::connect(&print, &LessonPrint::ended, &loop, [&](bool whole, const QString& problem) {
+        QString said = problem;
+        if (whole) said = writeWholeFile(file, print.pdf());
+        if (whole && !said.isEmpty()) code = exitWrongInput;
+        if (!whole) code = exitNoAnswer;
+        if (!said.isEmpty()) complain("touchdown-workbench: " + said.toStdString());
+        loop.quit();
+    });
+    print.start();
+    loop.exec();
+    if (code == exitDone) std::cout << file.toStdString() << '\n';
+    return code;
 }
 
 } // namespace touchdown

@@ -27,4 +27,7 @@ int takePictures(MainWindow& window, const PictureRequest& request);
 /// where there are several; its findings go to standard error.
 int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QString& folder, OutsidePaths outside);
 
+/// Performs the runs of the lesson without a window and writes it as PDF.
+int printLesson(const QString& file);
+
 } // namespace touchdown

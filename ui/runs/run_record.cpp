@@ -15,6 +15,7 @@
 #include "core/results/results_reader.h"
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/run.h"
 #include "ui/style/translate.h"
 #include "ui/style/whole_file.h"
 
@@ -179,6 +180,18 @@ void RunRecord::letGo() const
 double RunRecord::lastTime() const
 {
     return columns.empty() || columns.front().empty() ? 0.0 : columns.front().lastTime();
+}
+
+std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const std::function<bool()>& goOn)
+{
+    Case part = c;
+    part.run.duration = std::min(until, c.run.duration);
+    auto record = std::make_unique<RunRecord>(0, c, std::string(), recordedQuantities(c), recordedFields(c));
+    record->finish(run(part, [&](const RunUpdate& update) {
+        record->append(update.samples, update.events, update.fields);
+        return goOn();
+    }));
+    return record;
 }
 
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem)

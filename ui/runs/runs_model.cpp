@@ -64,6 +64,13 @@ void RunsModel::relabel()
     emit namesChanged();
 }
 
+void RunsModel::rename(int number, const QString& name)
+{
+    for (int row = 0; row < count(); ++row)
+        if (auto& run = static_cast<RunRecord&>(changeable(row)); run.number == number) run.label = name;
+    emit namesChanged();
+}
+
 const RunRecord* RunsModel::newestShown() const
 {
     for (int row = count() - 1; row >= 0; --row)

@@ -34,6 +34,9 @@ public:
     RunRecord* find(int number);
     const RunRecord* find(int number) const;
 
+    /// Another name of a run, until names are made anew.
+    void rename(int number, const QString& name);
+
     /// The newest run that is shown; nullptr: none is.
     const RunRecord* newestShown() const;
     /// Number of the run that speaks; -1: none is shown.

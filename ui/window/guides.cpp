@@ -38,31 +38,7 @@ using Kind = LessonPane::Kind;
 /// Of the pane, and of the setting with its last step.
 QString nameOf(Kind kind) { return kind == Kind::Lesson ? QStringLiteral("lesson") : QStringLiteral("demonstrations"); }
 
-constexpr double leastSwing = 1e-12; // that is said [m]
-
 QString settingOf(Kind kind) { return nameOf(kind) + QStringLiteral("/step"); }
-
-/// What a run gave, in a few words: "ends at 7.000 nm · 6 touches".
-QString resultOf(const RunRecord& run)
-{
-    const Summary& summary = *run.summary;
-    QStringList parts;
-    if (summary.status == RunStatus::Cancelled) return Guides::tr("stopped");
-    if (summary.status != RunStatus::Completed) parts << Guides::tr("fails");
-    if (const std::optional<EndHeight> end = endHeight(run))
-        parts << Guides::tr("ends at %1").arg(readout(end->value, *end->quantity));
-    for (const RunFigure& figure : summary.figures)
-        if (figure.quantity.name == "touch_downs")
-            parts << (figure.value == 1.0 ? Guides::tr("1 touch") : Guides::tr("%L1 touches").arg(figure.value));
-    for (const auto& [quantity, tail] : summary.tail)
-        if (quantity == "minimum_spacing" && tail.max - tail.min >= leastSwing) {
-            parts << Guides::tr("swings by %1 from peak to peak").arg(lengthText(tail.max - tail.min, 3));
-            parts << Guides::tr("standard deviation %1").arg(lengthText(tail.std, 3));
-            if (const double frequency = summary.verdict.frequency; frequency > 0.0)
-                parts << Guides::tr("at %1").arg(frequencyText(frequency));
-        }
-    return parts.join(QStringLiteral(" · "));
-}
 
 } // namespace
 
@@ -206,7 +182,7 @@ void Guides::showResults()
     if (!shown_) return;
     for (const auto& [index, number] : numbers_[shown_->shown().title]) {
         const RunRecord* run = window_.runs().find(number);
-        shown_->showResult(index, run && run->summary ? resultOf(*run) : QString());
+        shown_->showResult(index, run && run->summary ? lessonResult(*run, shown_->shown().stage.from) : QString());
     }
     showWords();
 }
@@ -215,12 +191,7 @@ void Guides::showResults()
 void Guides::showWords()
 {
     std::vector<LivePlots::Word> words;
-    if (shown_) {
-        const std::map<std::size_t, int>& numbers = numbers_[shown_->shown().title];
-        for (const LessonMark& mark : shown_->shown().marks)
-            if (const auto found = numbers.find(mark.run); found != numbers.end())
-                words.push_back({found->second, QString::fromStdString(mark.plot), mark.at, readable(mark.text)});
-    }
+    if (shown_) words = lessonWords(shown_->shown(), numbers_[shown_->shown().title]);
     window_.runView().plots()->setWords(std::move(words));
 }
 

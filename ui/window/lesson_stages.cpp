@@ -2,22 +2,78 @@
 #include "ui/window/lesson_stages.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include <QStringList>
 
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
 #include "ui/runs/side_view.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr double leastSwing = 1e-12; // that is said [m]
 
 std::optional<PlotRange> rangeOf(double low, double high)
 {
     return high > low ? std::optional(PlotRange{low, high}) : std::nullopt;
 }
 
+/// Standard deviation of the minimum spacing from a time on [m].
+double deviationFrom(const RunRecord& run, double from)
+{
+    const MinMaxPyramid* spacing = run.pyramid("minimum_spacing");
+    if (!spacing || spacing->empty()) return 0.0;
+    double count = 0.0, mean = 0.0, squares = 0.0; // West (1979)
+    for (std::size_t i = 0; i < spacing->size(); ++i) {
+        if (spacing->time(i) < from) continue;
+        const double before = spacing->value(i) - mean;
+        mean += before / ++count;
+        squares += before * (spacing->value(i) - mean);
+    }
+    return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
 } // namespace
+
+QString lessonResult(const RunRecord& run, double from)
+{
+    const Summary& summary = *run.summary;
+    QStringList parts;
+    if (summary.status == RunStatus::Cancelled) return LessonStages::tr("stopped");
+    if (summary.status != RunStatus::Completed) parts << LessonStages::tr("fails");
+    if (const std::optional<EndHeight> end = endHeight(run))
+        parts << LessonStages::tr("ends at %1").arg(readout(end->value, *end->quantity));
+    for (const RunFigure& figure : summary.figures)
+        if (figure.quantity.name == "touch_downs")
+            parts << (figure.value == 1.0 ? LessonStages::tr("1 touch")
+                                          : LessonStages::tr("%L1 touches").arg(figure.value));
+    for (const auto& [quantity, tail] : summary.tail)
+        if (quantity == "minimum_spacing" && summary.status == RunStatus::Completed &&
+            tail.max - tail.min >= leastSwing) {
+            parts << LessonStages::tr("swings by %1 from peak to peak").arg(lengthText(tail.max - tail.min, 3));
+            parts << (from > 0.0 ? LessonStages::tr("standard deviation %1 from %2 on")
+                                       .arg(lengthText(deviationFrom(run, from), 4), timeText(from))
+                                 : LessonStages::tr("standard deviation %1").arg(lengthText(tail.std, 4)));
+            if (const double frequency = summary.verdict.frequency; frequency > 0.0)
+                parts << LessonStages::tr("at %1").arg(frequencyText(frequency));
+        }
+    return parts.join(QStringLiteral(" · "));
+}
+
+std::vector<LivePlots::Word> lessonWords(const LessonStep& step, const std::map<std::size_t, int>& numbers)
+{
+    std::vector<LivePlots::Word> words;
+    for (const LessonMark& mark : step.marks)
+        if (const auto found = numbers.find(mark.run); found != numbers.end())
+            words.push_back({found->second, QString::fromStdString(mark.plot), mark.at, readable(mark.text)});
+    return words;
+}
 
 LessonStages::LessonStages(RunView& view, RunsModel& runs, QObject* parent) : QObject(parent), view_(view), runs_(runs)
 {

@@ -8,15 +8,24 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include <QObject>
+#include <QString>
 
 #include "core/studies/lesson/lesson.h"
+#include "ui/runs/live_plots.h"
 
 namespace touchdown {
 
 class RunView;
 class RunsModel;
+struct RunRecord;
+
+/// What a run gave, in a few words: "ends at 7.000 nm · 6 touches". `from`: where the stage begins [s].
+QString lessonResult(const RunRecord& run, double from);
+/// The words at the curves of a step; `numbers` in the list, by the place of the run in the step.
+std::vector<LivePlots::Word> lessonWords(const LessonStep& step, const std::map<std::size_t, int>& numbers);
 
 class LessonStages : public QObject {
     Q_OBJECT

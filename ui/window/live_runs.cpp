@@ -33,20 +33,17 @@ constexpr std::chrono::milliseconds quick{300}; // for a run that follows the ha
 std::unique_ptr<RunRecord> performed(const Case& c, double until, const std::atomic<bool>& left)
 {
     const auto start = std::chrono::steady_clock::now();
-    Case part = c;
-    part.run.duration = std::min(until, c.run.duration);
-    auto record = std::make_unique<RunRecord>(0, c, std::string(), recordedQuantities(c), recordedFields(c));
     bool whole = true;
+    std::unique_ptr<RunRecord> record;
     try {
-        record->finish(run(part, [&](const RunUpdate& update) {
-            record->append(update.samples, update.events, update.fields);
+        record = performedRecord(c, until, [&] {
             whole = !left && std::chrono::steady_clock::now() - start < quick;
             return whole;
-        }));
+        });
     } catch (const std::exception&) {
         return nullptr;
     }
-    if (part.run.duration < c.run.duration) record->note = LiveRuns::tr("first %1").arg(timeText(part.run.duration));
+    if (until < c.run.duration) record->note = LiveRuns::tr("first %1").arg(timeText(until));
     return whole ? std::move(record) : nullptr;
 }
 

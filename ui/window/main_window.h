@@ -67,6 +67,8 @@ public:
     void performStudy();
     /// Opens and runs what a step of the lesson or a demonstration asks for.
     void performLessonRun(const LessonRun& run);
+    /// Performs the lesson beside the window and writes it as PDF.
+    void printLessonTo(const QString& file);
     /// A case that was read elsewhere; `file` is empty for a sample case.
     void openCase(const CaseDocument& document, const QString& file);
     /// Reads a case file; shows its problems, and asks where it names files outside its folder.
@@ -128,6 +130,7 @@ private:
     void updateRecentMenu();
     void chooseRecording(bool on);
     void makeFigure();
+    void printLesson();
     void showGallery();
     void endSlowMotion();
     void useParametersOf(int number);

@@ -3,15 +3,22 @@
 // What helps a person along: first steps, gallery, lesson, help, and the figure for a paper.
 #include "ui/window/main_window.h"
 
+#include <QDir>
+#include <QFileDialog>
 #include <QMessageBox>
+#include <QProgressDialog>
 
 #include "core/case_files/case_file.h"
 #include "ui/case/case_files.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/style/save_dialog.h"
+#include "ui/style/whole_file.h"
 #include "ui/window/case_gallery.h"
 #include "ui/window/figure_dialog.h"
 #include "ui/window/guides.h"
+#include "ui/window/lesson_print.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
@@ -34,6 +41,7 @@ void MainWindow::connectHelp()
     };
     connect(actions_->lesson, &QAction::triggered, this, [open] { open(LessonPane::Kind::Lesson); });
     connect(actions_->demonstrations, &QAction::triggered, this, [open] { open(LessonPane::Kind::Demonstrations); });
+    connect(actions_->printLesson, &QAction::triggered, this, &MainWindow::printLesson);
     connect(startCard_, &StartCard::lessonRequested, this, [open] { open(LessonPane::Kind::Lesson); });
     connect(startCard_, &StartCard::demonstrationsRequested, this, [open] { open(LessonPane::Kind::Demonstrations); });
     connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
@@ -88,6 +96,39 @@ void MainWindow::makeFigure()
                                     files_->shortName().section(u'.', 0, 0), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open();
+}
+
+/// The window goes on meanwhile.
+void MainWindow::printLesson()
+{
+    const QFileDialog* dialog =
+        openSaveDialog(this, tr("Print the lesson"), {tr("Portable document (*.pdf)")}, QStringLiteral("lesson.pdf"));
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { printLessonTo(file); });
+}
+
+void MainWindow::printLessonTo(const QString& file)
+{
+    auto* print = new LessonPrint(lessonSteps(), tr("Touchdown: the lesson"), this);
+    auto* progress =
+        new QProgressDialog(tr("The runs of the lesson, for its print"), tr("Cancel"), 0, print->runs(), this);
+    progress->setWindowTitle(tr("Print the lesson"));
+    progress->setAutoClose(false);
+    progress->setAutoReset(false);
+    progress->setMinimumDuration(0);
+    progress->setValue(0);
+    connect(progress, &QProgressDialog::canceled, print, &LessonPrint::cancel);
+    connect(print, &LessonPrint::performed, progress, &QProgressDialog::setValue);
+    connect(print, &LessonPrint::ended, this, [this, print, progress, file](bool whole, const QString& problem) {
+        progress->deleteLater();
+        print->deleteLater();
+        const QString said = whole ? writeWholeFile(file, print->pdf()) : problem;
+        if (!said.isEmpty())
+            messages_->show(MessageStrip::Kind::Failure, said);
+        else if (whole)
+            messages_->show(MessageStrip::Kind::Success,
+                            tr("The lesson is in %1.").arg(QDir::toNativeSeparators(file)));
+    });
+    print->start();
 }
 
 void MainWindow::showGallery()

@@ -29,6 +29,7 @@ public:
         *exportCsv, *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
+    QAction* printLesson;
     QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *presenter, *fullScreen;
     QAction *help, *firstSteps, *lesson, *demonstrations, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
