@@ -80,6 +80,7 @@ struct RunRecord : ListedRecord {
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
     bool fromFile = false;    // it holds only a part of what its file does: no events, no figures
+    bool ofGuide = false;     // of a step of the lesson or of a demonstration, which can make it again
     bool interrupted = false; // read from a file whose writer was killed
 };
 

@@ -112,6 +112,11 @@ bool Guides::maybeLost() const
     return !ownCase_ || !window_.files().file().isEmpty() || edits.value().surface != edits.opened().surface;
 }
 
+void Guides::forgetTried()
+{
+    if (!maybeLost()) window_.files().leaveUnsaved();
+}
+
 void Guides::go(int steps)
 {
     if (!shown_) return;
@@ -208,7 +213,7 @@ void Guides::perform(const LessonRun& run)
 void Guides::openCaseOf(const LessonRun& run, bool start)
 {
     CaseFiles& files = window_.files();
-    if (!maybeLost()) files.leaveUnsaved();
+    forgetTried();
     opens_ = QString::fromStdString(run.name);
     files.openChanged(QString::fromStdString(run.name), run.settings, [this, start, run] {
         opens_.clear();
@@ -218,8 +223,9 @@ void Guides::openCaseOf(const LessonRun& run, bool start)
         showLive();
         if (!start) return;
         window_.startRun();
-        const RunRecord* started = window_.runWindow().runUnderWay();
+        RunRecord* started = window_.runWindow().runUnderWay();
         if (!started || !shown_) return;
+        started->ofGuide = true;
         const std::vector<LessonRun>& runs = shown_->shown().runs;
         const auto found = std::ranges::find(runs, run);
         if (found != runs.end())

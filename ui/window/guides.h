@@ -40,6 +40,8 @@ public:
     /// For a lecture: what the pane says stands below the page.
     void present(bool on);
     GuideStrip* strip() const { return strip_; }
+    /// Values that the reader tried in a step are nothing to ask about.
+    void forgetTried();
     /// So many steps on in it.
     void go(int steps);
 
@@ -48,8 +50,8 @@ signals:
 
 private:
     void showLive();
-    void showStrip();
     bool maybeLost() const;
+    void showStrip();
     /// Opens the case of a run, then runs it, or only shows it.
     void openCaseOf(const LessonRun& run, bool start);
     LessonPane* build(LessonPane::Kind kind);

@@ -149,6 +149,7 @@ void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<R
     // The reader may have removed it.
     const int row = movement->number < 0 ? -1 : runs.rowOf(movement->number);
     if (row >= 0) runs.remove(row);
+    record->ofGuide = true;
     record->number = row >= 0 ? movement->number : runs.nextNumber();
     movement->number = runs.add(std::move(record)).number;
     emit shown(movement->number);
@@ -183,6 +184,7 @@ void LiveRuns::runFilm()
     RunRecord* run = window_.runWindow().runUnderWay();
     if (!run) return;
     run->note = tr("coarse grid");
+    run->ofGuide = true;
     grids.coarse = run->number;
     grids_ = grids;
 }
@@ -200,7 +202,10 @@ void LiveRuns::onEnded(int number, const Summary& summary)
                 if (!grids_ || grids_->coarse != number || runs.runUnderWay()) return;
                 if (window_.edits().value() != grids_->own) return grids_.reset();
                 runs.start({grids_->own, grids_->text, {}});
-                if (const RunRecord* run = runs.runUnderWay()) grids_->fine = run->number;
+                if (RunRecord* run = runs.runUnderWay()) {
+                    run->ofGuide = true;
+                    grids_->fine = run->number;
+                }
             },
             Qt::QueuedConnection);
     } else if (number == grids_->fine) {

@@ -118,6 +118,7 @@ void MainWindow::takeSession(std::unique_ptr<SessionFolder> folder)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    guides_->forgetTried();
     if (!mayClose_ && !closing_->nothingLost(session_ && session_->keepsAll())) {
         event->ignore();
         return;
@@ -133,6 +134,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::saveArrangement()
 {
     presenter_->set(false);
+    runs_->view()->setStage(std::nullopt); // the parts have the sizes that the user gave them
     setPage(Page::Run); // the next session begins with its panes
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());

@@ -116,6 +116,22 @@ private slots:
         QCOMPARE(view.splitter()->sizes(), own);
     }
 
+    /// What a step made it can make again; the parts have the sizes that the reader gave them.
+    void theWindowClosesWithoutAQuestion()
+    {
+        RunView& view = window_->runView();
+        window_->findChild<QDockWidget*>("lesson")->close();
+        view.splitter()->setSizes({0, 500, 100});
+        const QByteArray own = view.splitter()->saveState();
+        window_->actions().lesson->trigger();
+        run(lessonSteps()[0].runs[0]);
+        Case tried = window_->edits().value();
+        tried.initial.flyingHeight = 30e-9;
+        window_->edits().setAll(tried, "tried");
+        QVERIFY(window_->close());
+        QCOMPARE(QSettings().value("window/parts").toByteArray(), own);
+    }
+
     void closingItEndsTheStage()
     {
         run(lessonSteps()[0].runs[0]);
