@@ -28,6 +28,7 @@ namespace test_glossary {
 const std::vector<GlossaryEntry> few{{"spacing", {"spacings"}, "nm", "A distance."},
                                      {"minimum spacing", {}, "nm", "The smallest distance."},
                                      {"slip", {}, "", "A velocity."},
+                                     {"slip length", {}, "nm", "Another distance."},
                                      {"meniscus force", {"f_m"}, "mN", "A force."}};
 
 /// A use of a term in a text without tags.
@@ -213,6 +214,9 @@ private slots:
                  (std::vector<std::string>{"minimum spacing", "spacing"}));
         // The second use of the longer one is no first use of the shorter one.
         QCOMPARE(linkedTerms(marked("Minimum spacing, minimum spacing.")), std::vector<std::string>{"minimum spacing"});
+        QCOMPARE(linkedTerms(marked("Slip length and slip.")), (std::vector<std::string>{"slip length", "slip"}));
+        QCOMPARE(linkedTerms(marked("Slip lengths.")),
+                 std::vector<std::string>{"slip"}); // no spelling of the longer one
         QCOMPARE(linkedTerms(marked("With f_m = 3 mN")), std::vector<std::string>{"meniscus force"});
     }
 
