@@ -6,6 +6,7 @@
 
 #include "ui/lesson/lesson_pane.h"
 #include "ui/lesson/live_values.h"
+#include "ui/lesson/term_marks.h"
 
 namespace touchdown {
 
@@ -26,6 +27,7 @@ GuideStrip::GuideStrip(QWidget* parent)
     for (QLabel* label : {text_, run_}) {
         label->setWordWrap(true);
         label->setTextFormat(Qt::RichText);
+        explainTerms(label);
     }
     text_->setAccessibleName(tr("Question or answer"));
     run_->setAccessibleName(tr("What the run shows"));

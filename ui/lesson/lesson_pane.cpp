@@ -12,6 +12,7 @@
 
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/live_values.h"
+#include "ui/lesson/term_marks.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -25,6 +26,7 @@ QLabel* textLabel(QWidget* parent)
     label->setTextFormat(Qt::RichText);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::LinksAccessibleByMouse |
                                    Qt::LinksAccessibleByKeyboard);
+    explainTerms(label);
     return label;
 }
 
@@ -43,7 +45,9 @@ LessonPane::LessonPane(Kind kind, std::vector<LessonStep> steps, QWidget* parent
 {
     for (QLabel** label : {&place_, &title_, &text_, &question_, &change_, &answer_}) {
         *label = textLabel(this);
-        connect(*label, &QLabel::linkActivated, this, &LessonPane::keyChosen);
+        connect(*label, &QLabel::linkActivated, this, [this](const QString& link) {
+            if (!linkedEntry(link)) emit keyChosen(link);
+        });
     }
     build();
     connect(show_, &QPushButton::toggled, this, &LessonPane::showAnswer);
@@ -149,20 +153,24 @@ void LessonPane::write()
                              (lesson ? tr("Step %1 of %2") : tr("%1 of %2")).arg(step_ + 1).arg(steps_.size())));
     const QString number = lesson ? QStringLiteral("%1. ").arg(step_ + 1) : QString();
     title_->setText(QStringLiteral("<h3 style='margin:0'>%1%2</h3>").arg(number, lessonHtml(step.title)));
-    text_->setText(lessonBlock(lesson ? QString() : tr("What the paper reports"), step.text, colours.muted));
-    question_->setText(lessonBlock(lesson ? tr("Question") : tr("What to watch"), step.question, colours.change));
-    change_->setText(
-        lessonBlock(lesson ? tr("Then change it yourself") : tr("What to try"), step.change, colours.muted));
-    answer_->setText(lessonBlock(lesson ? tr("Answer") : tr("How sure it is"), step.answer, colours.success));
+    // In the order in which they are read.
+    terms_.restart();
+    const auto marked = [this](const QString& html) { return terms_.marked(html, palette().windowText().color()); };
+    text_->setText(marked(lessonBlock(lesson ? QString() : tr("What the paper reports"), step.text, colours.muted)));
+    question_->setText(
+        marked(lessonBlock(lesson ? tr("Question") : tr("What to watch"), step.question, colours.change)));
     for (std::size_t i = 0; i < purposes_.size(); ++i) {
         const LessonRun& run = step.runs.at(i);
         QString text = QStringLiteral("%1<br><span style='color:%2'>%3</span>")
-                           .arg(lessonHtml(run.purpose), colours.muted.name(), lessonSubject(run));
+                           .arg(marked(lessonHtml(run.purpose)), colours.muted.name(), lessonSubject(run));
         if (!results_[i].isEmpty())
             text += QStringLiteral("<br><span style='color:%1'>→ %2</span>")
                         .arg(colours.success.name(), results_[i].toHtmlEscaped());
         purposes_[i]->setText(text);
     }
+    change_->setText(
+        marked(lessonBlock(lesson ? tr("Then change it yourself") : tr("What to try"), step.change, colours.muted)));
+    answer_->setText(marked(lessonBlock(lesson ? tr("Answer") : tr("How sure it is"), step.answer, colours.success)));
     emit written();
 }
 

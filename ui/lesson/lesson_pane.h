@@ -2,7 +2,7 @@
 //
 // The lesson or the demonstrations, one step at a time: text, a button for each run, values to move, what to change.
 // The lesson asks a question and answers it when it is asked to; a demonstration says what to watch, and how sure it
-// is.
+// is. The first use of a term in a step leads to its explanation.
 #pragma once
 
 #include <vector>
@@ -13,6 +13,7 @@
 #include <QWidget>
 
 #include "core/studies/lesson/lesson.h"
+#include "ui/lesson/term_marks.h"
 
 namespace touchdown {
 
@@ -66,6 +67,7 @@ private:
     QLabel *place_, *title_, *text_, *question_, *change_, *answer_;
     QWidget* runs_; // a row for each run
     LiveValues* live_;
+    TermMarks terms_;
     std::vector<QLabel*> purposes_;
     std::vector<QString> results_; // of the runs of the shown step
     QPushButton *show_, *back_, *next_;

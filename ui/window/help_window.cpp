@@ -12,6 +12,7 @@
 #include "core/case/parameters.h"
 #include "core/formats/csv_cell.h"
 #include "ui/case/parameter_text.h"
+#include "ui/lesson/glossary.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -80,7 +81,8 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
 {
     setWindowTitle(tr("Touchdown: help"));
     contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"),
-                         tr("The paper and this program"), tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
+                         tr("The paper and this program"), tr("Glossary"), tr("Parameters"), tr("Shortcuts"),
+                         tr("About Touchdown")});
     contents_->setAccessibleName(tr("Contents"));
     browser_->setAccessibleName(tr("Help text"));
     browser_->setOpenExternalLinks(true);
@@ -119,6 +121,10 @@ QString HelpWindow::html(Page page) const
         return resource(QStringLiteral("paper.html")) + paperTable(resource(QStringLiteral("paper.csv"))) +
                resource(QStringLiteral("paper_grids.html")) +
                paperTable(resource(QStringLiteral("film_fig5_to_8.csv")));
+    case Page::Glossary:
+        return QStringLiteral("<h2>%1</h2><p>%2</p>")
+                   .arg(tr("Glossary"), tr("Terms of disk drives and of this program, with their symbols and units.")) +
+               glossaryPage(glossaryEntries());
     case Page::Parameters: return parameterTable();
     case Page::Shortcuts:
         return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ +

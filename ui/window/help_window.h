@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Help inside the program: how to use it, the equations of the model, what the paper says
-// and what is found, every parameter, the shortcuts, the licence.
+// and what is found, the terms, every parameter, the shortcuts, the licence.
 #pragma once
 
 #include <QListWidget>
@@ -18,7 +18,7 @@ public:
     /// `shortcuts` as rows of a table, in HTML.
     explicit HelpWindow(const QString& shortcuts, QWidget* parent = nullptr);
 
-    enum class Page { Use, Equations, AirFilm, Contact, Paper, Parameters, Shortcuts, About };
+    enum class Page { Use, Equations, AirFilm, Contact, Paper, Glossary, Parameters, Shortcuts, About };
     Q_ENUM(Page)
     void open(Page page);
     QString text() const { return browser_->toPlainText(); }

@@ -33,7 +33,7 @@ const LessonRun study{"A study.", "hysteresis_flying_height", "hysteresis", {}};
 std::vector<LessonStep> sampleSteps()
 {
     return {{"First",
-             "It flies at 7 nm with f_m.\nW >= 0 at -5 us.",
+             "It flies at 7 nm with f_m.\nP >= 0 at -5 us.",
              "Why?",
              "Try run.step.",
              "Because.",
@@ -114,7 +114,7 @@ private slots:
     {
         const LessonPane pane(LessonPane::Kind::Lesson, sampleSteps());
         const QString text = shownText(pane, "Text of the step");
-        for (const char* part : {"7\u00a0nm", "f<sub>m</sub>", "W ≥ 0", "−5\u00a0µs"})
+        for (const char* part : {"7\u00a0nm", "f<sub>m</sub>", "P ≥ 0", "−5\u00a0µs"})
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
         QVERIFY(shownText(pane, "What to change").contains(QStringLiteral("<a href='run.step'>run.step</a>")));
     }
