@@ -65,6 +65,8 @@ public:
 
     double frequency() const { return 1.0 / period_; }      // f [Hz]
     double waveAmplitude() const { return waveAmplitude_; } // [m]
+    /// Of the height in one step [m].
+    double stepError() const { return tolerance_ * model_.scale()[0]; }
     const SpringModel& model() const { return model_; }
     /// From the start of the case.
     ForcedState start() const;

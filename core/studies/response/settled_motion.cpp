@@ -19,6 +19,7 @@ constexpr int mostNewtonSteps = 12;
 constexpr double nearlyRepeats = 0.3;    // of the size of the motion [-]
 constexpr double clearlyNearer = 0.5;    // a longer period must repeat better by that factor [-]
 constexpr double comesNearer = 0.5;      // of the distance at the look before [-]
+constexpr double aboveNoise = 30.0;      // residual, in errors of one step of the integrator [-]
 constexpr double repeats = 1e-8;         // of the size of the motion, for residual and last change of Newton [-]
 constexpr double repeatsByItself = 1e-9; // of the size of the motion, without Newton [-]
 constexpr double shorterRepeats = 1e-6;  // a part of n periods is the period [-]
@@ -53,6 +54,7 @@ std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, Force
                                              const SpringModel::State& units)
 {
     const ForcedRequest request{.periods = n, .derivative = true};
+    const double enough = std::max(repeats, aboveNoise * springs.stepError() / units[0]);
     for (int k = 0; k < mostNewtonSteps; ++k) {
         const ForcedPeriods way = springs.run(at, request);
         if (!way.problem.empty()) return {};
@@ -60,7 +62,7 @@ std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, Force
         const Eigen::Matrix4d slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
         const Eigen::Vector4d change = (Eigen::Matrix4d::Identity() - slope).fullPivLu().solve(residual);
         if (!change.allFinite() || change.norm() > nearlyRepeats) return {};
-        if (residual.norm() <= repeats && change.norm() <= repeats) {
+        if (residual.norm() <= enough && change.norm() <= enough) {
             const double multiplier = spectralRadius(SmallMatrix(slope));
             if (!(multiplier < 1.0) || !(way.end.mode == at.mode)) return {};
             for (int part = 1; part < n; ++part) {
