@@ -20,6 +20,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double waveShare = 1e-10;                 // of the wave's amplitude: local error of a step [-]
+constexpr double roughTimes = 1e3;                  // error of a rough step [-]
 constexpr double finestTolerance = 1e-13;           // above round-off [-]
 constexpr double smallMotion = 1e-4;                // of the wave, for derivatives of a quantity [-]
 constexpr double firstStepShare = 1.0 / 64.0;       // of a period [-]
@@ -214,7 +215,8 @@ ForcedPeriods ForcedSprings::run(const ForcedState& start, const ForcedRequest& 
     recorder.minimumSpacing = minimumSpacing_;
     recorder.values.resize(quantities_);
     const SpringsOverDisk system(model_, disk_, period_);
-    const AdaptiveOptions options{.tolerance = tolerance_, .firstStep = firstStepShare * period_};
+    const AdaptiveOptions options{.tolerance = (request.rough ? roughTimes : 1.0) * tolerance_,
+                                  .firstStep = firstStepShare * period_};
     result.end = start;
     for (int k = 0; k < request.periods; ++k) {
         Start<SpringsOverDisk> from{SpringsOverDisk::State::Zero(), result.end.mode};

@@ -41,6 +41,7 @@ struct ForcedRequest {
     int periods = 1;
     bool derivative = false;   // dP^n/dy
     bool measurements = false; // of the quantity and the contact
+    bool rough = false;        // with a thousand times the error of a step, which is enough while a motion settles
 };
 
 struct ForcedPeriods {

@@ -218,7 +218,7 @@ StudyForm responseForm(const Case& c)
                   "of the waves, which replace the surface of the case"),
         onlyOffered(numberKey("wavelength", std::monostate{}, "m", "um", 1e-9, longestWave,
                               "of the waves, if it is held and the speed of the disk changes instead")),
-        integerKey("periods", 2000, 10, 1000000, "of the forcing within which the motion must settle"),
+        integerKey("periods", 1000, 10, 1000000, "of the forcing within which the motion must settle"),
         integerKey("longest_period", 8, 1, 64, "in periods of the forcing, after which a motion may repeat"),
     };
     return form;

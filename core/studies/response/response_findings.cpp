@@ -15,7 +15,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double touchesAll = 0.999; // of the time [-]
+constexpr double touchesAll = 0.999;  // of the time [-]
+constexpr double littleChange = 0.05; // of an amplitude [-]
 
 using IsSo = std::function<bool(const ForcedMotion&)>;
 
@@ -57,8 +58,16 @@ private:
 
     std::string jumpText(const ResponseJump& jump) const
     {
-        return std::string(jump.down ? "down: " : "up: ") + (jump.reached < jump.left ? "falls from " : "rises from ") +
-               amount(jump.left) + " to " + amount(jump.reached) + " at " + frequencyText().of(jump.frequency());
+        const std::string way = jump.down ? "down: " : "up: ", at = " at " + frequencyText().of(jump.frequency());
+        const double larger = std::max(jump.left, jump.reached);
+        if (std::abs(jump.reached - jump.left) > littleChange * larger)
+            return way + (jump.reached < jump.left ? "falls from " : "rises from ") + amount(jump.left) + " to " +
+                   amount(jump.reached) + at;
+        if (jump.periodAfter == 0) return way + "no longer settles" + at;
+        if (jump.periodAfter != jump.periodBefore)
+            return way + "the period changes from " + std::to_string(jump.periodBefore) + " to " +
+                   std::to_string(jump.periodAfter) + " periods of the forcing" + at;
+        return way + "the motion changes with little change of its amplitude of " + amount(jump.left) + at;
     }
 
     void addJumps()
@@ -127,7 +136,7 @@ private:
 
     void addContact()
     {
-        add("Touches the disk in every period or some ", "", [](const ForcedMotion& motion) {
+        add("In and out of contact ", "", [](const ForcedMotion& motion) {
             return motion.valid() && motion.contactShare > 0.0 && motion.contactShare < touchesAll;
         });
         add("Stays in contact ", "",

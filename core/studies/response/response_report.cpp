@@ -158,10 +158,13 @@ StudyTable jumpTable(const ResponseTask& task, const ResponseResult& result)
                      {"frequency", "Hz", "kHz", "Frequency of the jump"},
                      {"uncertainty", "Hz", "kHz", "Half of the interval in which it lies"},
                      {"before", q.unit, q.displayUnit, "Amplitude before it"},
-                     {"after", q.unit, q.displayUnit, "Amplitude after it"}};
+                     {"after", q.unit, q.displayUnit, "Amplitude after it"},
+                     {"period_before", "", "", "Period before it, in periods of the forcing (0: not settled)"},
+                     {"period_after", "", "", "Period after it"}};
     for (const ResponseJump& jump : result.jumps)
         table.rows.push_back({std::string(jump.down ? "down" : "up"), jump.frequency(),
-                              0.5 * std::abs(jump.after - jump.before), jump.left, jump.reached});
+                              0.5 * std::abs(jump.after - jump.before), jump.left, jump.reached,
+                              double(jump.periodBefore), double(jump.periodAfter)});
     return table;
 }
 

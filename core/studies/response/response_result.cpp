@@ -19,7 +19,8 @@ ResponseJump locatedJump(const ResponseTask& task, ForcedMotion before, ForcedMo
                            std::abs(motion.harmonic - before.harmonic) < std::abs(motion.harmonic - after.harmonic);
         (stays ? before : after) = std::move(motion);
     }
-    return {down, before.frequency, after.frequency, before.amplitude(), after.amplitude()};
+    return {down,          before.frequency, after.frequency, before.amplitude(), after.amplitude(),
+            before.period, after.period};
 }
 
 } // namespace

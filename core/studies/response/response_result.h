@@ -39,9 +39,10 @@ struct ResponsePoint {
 
 /// A change of the state on one way between two neighbouring frequencies.
 struct ResponseJump {
-    bool down = false;                // on the way down
-    double before = 0.0, after = 0.0; // the nearest frequencies on both sides [Hz]
-    double left = 0.0, reached = 0.0; // amplitudes there [unit of the quantity]
+    bool down = false;                     // on the way down
+    double before = 0.0, after = 0.0;      // the nearest frequencies on both sides [Hz]
+    double left = 0.0, reached = 0.0;      // amplitudes there [unit of the quantity]
+    int periodBefore = 1, periodAfter = 1; // of the motions there, in periods of the forcing; 0: has not settled
     double frequency() const { return 0.5 * (before + after); }
 };
 

@@ -130,7 +130,7 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
             motion.problem = "stopped";
             return motion;
         }
-        const ForcedPeriods way = springs.run(states.back(), {});
+        const ForcedPeriods way = springs.run(states.back(), {.rough = true});
         if (!way.problem.empty()) {
             motion.problem = way.problem;
             return motion;

@@ -21,7 +21,7 @@
 namespace touchdown {
 
 struct SettleOptions {
-    int mostPeriods = 2000; // of the forcing, until the motion has settled
+    int mostPeriods = 1000; // of the forcing, until the motion has settled
     int longestPeriod = 8;  // N: periods of the forcing after which a motion may repeat
     std::function<bool()> goOn{};
 };
