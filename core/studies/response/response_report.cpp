@@ -13,6 +13,9 @@ namespace touchdown {
 
 namespace {
 
+constexpr double wholeTurn = 2.0 * std::numbers::pi; // [rad]
+constexpr double roundOff = 1e-12;                   // of a turn [-]
+
 using ResponseOrdinate = std::function<double(const ForcedMotion&)>;
 
 ChartAxis frequencyAxis()
@@ -65,13 +68,41 @@ void addBands(ChartPanel& panel, const ResponseTask& task, const ResponseResult&
     }
 }
 
+/// From which on a full turn holds all phases, so that no line crosses its end: it begins after their widest gap. A
+/// phase is known except for full turns; the middle of them is between -270 and 90 degrees [rad].
+double lowestPhase(const ResponseResult& result)
+{
+    std::vector<double> phases;
+    for (const ResponsePoint& point : result.points)
+        if (point.done && point.motion.valid()) phases.push_back(point.motion.phase());
+    for (const std::optional<std::complex<double>>& linear : result.linear) {
+        ForcedMotion motion;
+        if (!linear) continue;
+        motion.harmonic = *linear;
+        phases.push_back(motion.phase());
+    }
+    if (phases.empty()) return -0.75 * wholeTurn;
+    std::ranges::sort(phases);
+    double lowest = phases.front(), highest = phases.back(), widest = wholeTurn - (highest - lowest);
+    for (std::size_t i = 1; i < phases.size(); ++i) {
+        if (phases[i] - phases[i - 1] <= widest) continue;
+        widest = phases[i] - phases[i - 1];
+        lowest = phases[i];
+        highest = phases[i - 1] + wholeTurn;
+    }
+    return 0.5 * (lowest + highest) > 0.25 * wholeTurn ? lowest - wholeTurn : lowest;
+}
+
 StudyChart responseChart(const ResponseTask& task, const ResponseResult& result)
 {
     const Quantity& quantity = task.quantity;
     ChartPanel amplitude{frequencyAxis(), {"Amplitude of " + quantity.name, quantity.unit, quantity.displayUnit}};
     ChartPanel phase{frequencyAxis(), {"Phase against the disk under the pad", "rad", "deg"}};
     const auto amplitudeOf = [](const ForcedMotion& motion) { return motion.amplitude(); };
-    const auto phaseOf = [](const ForcedMotion& motion) { return motion.phase(); };
+    const double lowest = lowestPhase(result);
+    const auto phaseOf = [lowest](const ForcedMotion& motion) {
+        return motion.phase() - wholeTurn * std::floor((motion.phase() - lowest) / wholeTurn + roundOff);
+    };
     for (ChartPanel* panel : {&amplitude, &phase}) {
         const ResponseOrdinate ordinate = panel == &amplitude ? ResponseOrdinate(amplitudeOf) : phaseOf;
         addLinear(*panel, task, result, ordinate);
@@ -83,7 +114,8 @@ StudyChart responseChart(const ResponseTask& task, const ResponseResult& result)
                                  : "The speed of the disk is held; the length of its waves changes";
     return {"Forced motion over the frequency",
             held + ". Amplitude of the waves: " + fewDigits(task.amplitude, "nm", 4) + ". Points: first harmonic of " +
-                uncapitalized(quantity.longName) + ". Dashed: small motions about the static state.",
+                uncapitalized(quantity.longName) +
+                "; its phase is known except for full turns. Dashed: small motions about the static state.",
             {amplitude, phase}};
 }
 
@@ -95,16 +127,25 @@ std::optional<StudyChart> contactChart(const ResponseResult& result)
                (point.motion.contactShare == 0.0 && point.motion.touchDowns == 0.0 && point.motion.period == 1);
     };
     if (std::ranges::all_of(result.points, isPlain)) return {};
-    ChartPanel spacing{frequencyAxis(), {"Smallest minimum spacing", "m", "nm"}};
-    ChartPanel touches{frequencyAxis(), {"Touch-downs in one period of the forcing", "", ""}};
-    ChartPanel period{frequencyAxis(), {"Period, in periods of the forcing (0: not settled)", "", ""}};
+    ChartPanel spacing{frequencyAxis(), {"Minimum spacing", "m", "nm"}};
     addWays(spacing, result, [](const ForcedMotion& motion) { return motion.leastSpacing; });
-    addWays(touches, result, [](const ForcedMotion& motion) { return motion.touchDowns; });
-    addWays(period, result, [](const ForcedMotion& motion) { return double(motion.period); });
-    return StudyChart{"Contact and period of the motion",
-                      "The smallest value along the motion of the smallest spacing of pad and pressure centres; the "
-                      "number of touch-downs; and after how many periods of the forcing the motion repeats.",
-                      {spacing, touches, period}};
+    StudyChart chart{"Contact and period of the motion",
+                     "The smallest value along the motion of the smallest spacing of pad and pressure centres; the "
+                     "number of touch-downs in one period of the forcing; and after how many of these periods the "
+                     "motion repeats (0: it has not settled). A number that is the same everywhere is left out.",
+                     {spacing}};
+    const auto add = [&](const char* label, const ResponseOrdinate& ordinate) {
+        ChartPanel panel{frequencyAxis(), {label, "", ""}};
+        addWays(panel, result, ordinate);
+        std::vector<double> values;
+        for (const ChartSeries& series : panel.series)
+            for (const ChartPoint& point : series.points) values.push_back(point.y);
+        if (std::ranges::adjacent_find(values, std::ranges::not_equal_to()) != values.end())
+            chart.panels.push_back(std::move(panel));
+    };
+    add("Touch-downs per period", [](const ForcedMotion& motion) { return motion.touchDowns; });
+    add("Period of the motion", [](const ForcedMotion& motion) { return double(motion.period); });
+    return chart;
 }
 
 StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
