@@ -212,7 +212,7 @@ StudyForm responseForm(const Case& c)
         numberKey("from", end(&ValueRange::lower), "Hz", "kHz", leastFrequency, mostFrequency,
                   "the lowest frequency, with which the study begins and ends"),
         numberKey("to", end(&ValueRange::upper), "Hz", "kHz", leastFrequency, mostFrequency, "the highest frequency"),
-        integerKey("steps", 60, 1, 5000, "from one end to the other"),
+        integerKey("steps", 60, 1, 2000, "from one end to the other"),
         choiceKey("quantity", "flying_height", std::move(quantities), "whose amplitude and phase are taken"),
         numberKey("amplitude", defaultAmplitude(c), "m", "nm", leastAmplitude, mostAmplitude,
                   "of the waves, which replace the surface of the case"),

@@ -92,8 +92,8 @@ private:
                 if (nearest != nullptr) (down ? lower : upper) = nearest->frequency();
             }
             if (first == 0) parts.push_back("down: no jump above " + frequencyText().of(from));
-            findings_.push_back(joined(parts, "; ") + ": two states between " + frequencyText().of(lower) + " and " +
-                                frequencyText().of(upper) + ".");
+            findings_.push_back(capitalized(joined(parts, "; ")) + ": two states between " + frequencyText().of(lower) +
+                                " and " + frequencyText().of(upper) + ".");
         }
         const auto isSettled = [](const ResponsePoint& point) { return point.motion.settled(); };
         if (ranges.empty() && std::ranges::all_of(result_.points, isSettled))
@@ -108,9 +108,9 @@ private:
             if (point.motion.settled() && (largest == nullptr || point.motion.amplitude() > largest->amplitude()))
                 largest = &point.motion;
         if (largest == nullptr) return;
-        std::string sentence = "Largest amplitude of " + task_.quantity.name + ": " + amount(largest->amplitude()) +
-                               " at " + frequencyText().of(largest->frequency) + ", phase " +
-                               fewDigits(largest->phase(), "deg", 3);
+        std::string sentence = "Largest amplitude of the " + readableName(task_.quantity) + ": " +
+                               amount(largest->amplitude()) + " at " + frequencyText().of(largest->frequency) +
+                               ", phase " + fewDigits(phaseTurnOf(result_).of(largest->harmonic), "deg", 3);
         double linear = 0.0, at = 0.0;
         for (std::size_t i = 0; i < result_.linear.size(); ++i)
             if (result_.linear[i] && std::abs(*result_.linear[i]) > linear) {

@@ -13,9 +13,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr double wholeTurn = 2.0 * std::numbers::pi; // [rad]
-constexpr double roundOff = 1e-12;                   // of a turn [-]
-
 using ResponseOrdinate = std::function<double(const ForcedMotion&)>;
 
 ChartAxis frequencyAxis()
@@ -68,41 +65,14 @@ void addBands(ChartPanel& panel, const ResponseTask& task, const ResponseResult&
     }
 }
 
-/// From which on a full turn holds all phases, so that no line crosses its end: it begins after their widest gap. A
-/// phase is known except for full turns; the middle of them is between -270 and 90 degrees [rad].
-double lowestPhase(const ResponseResult& result)
-{
-    std::vector<double> phases;
-    for (const ResponsePoint& point : result.points)
-        if (point.done && point.motion.valid()) phases.push_back(point.motion.phase());
-    for (const std::optional<std::complex<double>>& linear : result.linear) {
-        ForcedMotion motion;
-        if (!linear) continue;
-        motion.harmonic = *linear;
-        phases.push_back(motion.phase());
-    }
-    if (phases.empty()) return -0.75 * wholeTurn;
-    std::ranges::sort(phases);
-    double lowest = phases.front(), highest = phases.back(), widest = wholeTurn - (highest - lowest);
-    for (std::size_t i = 1; i < phases.size(); ++i) {
-        if (phases[i] - phases[i - 1] <= widest) continue;
-        widest = phases[i] - phases[i - 1];
-        lowest = phases[i];
-        highest = phases[i - 1] + wholeTurn;
-    }
-    return 0.5 * (lowest + highest) > 0.25 * wholeTurn ? lowest - wholeTurn : lowest;
-}
-
 StudyChart responseChart(const ResponseTask& task, const ResponseResult& result)
 {
     const Quantity& quantity = task.quantity;
-    ChartPanel amplitude{frequencyAxis(), {"Amplitude of " + quantity.name, quantity.unit, quantity.displayUnit}};
+    ChartPanel amplitude{frequencyAxis(),
+                         {"Amplitude of the " + readableName(quantity), quantity.unit, quantity.displayUnit}};
     ChartPanel phase{frequencyAxis(), {"Phase against the disk under the pad", "rad", "deg"}};
     const auto amplitudeOf = [](const ForcedMotion& motion) { return motion.amplitude(); };
-    const double lowest = lowestPhase(result);
-    const auto phaseOf = [lowest](const ForcedMotion& motion) {
-        return motion.phase() - wholeTurn * std::floor((motion.phase() - lowest) / wholeTurn + roundOff);
-    };
+    const auto phaseOf = [turn = phaseTurnOf(result)](const ForcedMotion& motion) { return turn.of(motion.harmonic); };
     for (ChartPanel* panel : {&amplitude, &phase}) {
         const ResponseOrdinate ordinate = panel == &amplitude ? ResponseOrdinate(amplitudeOf) : phaseOf;
         addLinear(*panel, task, result, ordinate);
@@ -155,12 +125,12 @@ StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
     table.columns = {{"way", "", "", "Way"},
                      {"frequency", "Hz", "kHz", "Frequency of the forcing"},
                      {"settled", "", "", "Settled"},
-                     {"amplitude", q.unit, q.displayUnit, "Amplitude of the first harmonic of " + q.name},
+                     {"amplitude", q.unit, q.displayUnit, "Amplitude of the first harmonic of the " + readableName(q)},
                      {"phase", "rad", "deg", "Phase against the disk under the pad"},
                      {"linear_amplitude", q.unit, q.displayUnit, "Amplitude of small motions"},
                      {"linear_phase", "rad", "deg", "Phase of small motions", true},
-                     {"least", q.unit, q.displayUnit, "Least value of " + q.name, true},
-                     {"most", q.unit, q.displayUnit, "Largest value of " + q.name, true},
+                     {"least", q.unit, q.displayUnit, "Least value of the " + readableName(q), true},
+                     {"most", q.unit, q.displayUnit, "Largest value of the " + readableName(q), true},
                      {"minimum_spacing", "m", "nm", "Smallest minimum spacing"},
                      {"touch_downs", "", "", "Touch-downs in one period of the forcing"},
                      {"contact_share", "", "%", "Share of the time in contact"},
@@ -168,6 +138,7 @@ StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
                      {"multiplier", "", "", "Largest magnitude of a multiplier over that period", true},
                      {"remark", "", "", "Remark"}};
     const std::size_t count = task.frequencies.size();
+    const PhaseTurn turn = phaseTurnOf(result);
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const ResponsePoint& point = result.points[i];
         if (!point.done) continue;
@@ -182,9 +153,10 @@ StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
                               std::string(!valid             ? "failed"
                                           : motion.settled() ? "yes"
                                                              : "no"),
-                              known(valid, motion.amplitude()), known(valid, motion.phase()),
-                              known(linear.has_value(), small.amplitude()), known(linear.has_value(), small.phase()),
-                              known(valid, motion.least), known(valid, motion.most), known(valid, motion.leastSpacing),
+                              known(valid, motion.amplitude()), known(valid, turn.of(motion.harmonic)),
+                              known(linear.has_value(), small.amplitude()),
+                              known(linear.has_value(), turn.of(small.harmonic)), known(valid, motion.least),
+                              known(valid, motion.most), known(valid, motion.leastSpacing),
                               known(valid, motion.touchDowns), known(valid, motion.contactShare),
                               known(motion.settled(), double(motion.period)), known(motion.multiplier), remark});
     }

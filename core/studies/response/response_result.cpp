@@ -3,10 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/formats/words.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr double fullCircle = 2.0 * std::numbers::pi; // [rad]
+constexpr double roundOffOfTurn = 1e-12;              // [-]
 
 /// The jump on the way from one motion to its neighbour.
 ResponseJump locatedJump(const ResponseTask& task, ForcedMotion before, ForcedMotion after, bool down, int halvings)
@@ -59,6 +65,39 @@ std::vector<ResponseJump> jumpsOf(const ResponseTask& task, const ResponseResult
         if (last + 1 < count) add(last, last + 1, false);
     }
     return jumps;
+}
+
+double PhaseTurn::of(const std::complex<double>& harmonic) const
+{
+    const double phase = std::arg(std::complex<double>(0.0, 1.0) * harmonic);
+    return phase - fullCircle * std::floor((phase - lowest) / fullCircle + roundOffOfTurn);
+}
+
+PhaseTurn phaseTurnOf(const ResponseResult& result)
+{
+    const PhaseTurn plain{-0.75 * fullCircle};
+    std::vector<double> phases;
+    for (const ResponsePoint& point : result.points)
+        if (point.done && point.motion.valid()) phases.push_back(plain.of(point.motion.harmonic));
+    for (const std::optional<std::complex<double>>& linear : result.linear)
+        if (linear) phases.push_back(plain.of(*linear));
+    if (phases.empty()) return plain;
+    std::ranges::sort(phases);
+    double lowest = phases.front(), highest = phases.back(), widest = fullCircle - (highest - lowest);
+    for (std::size_t i = 1; i < phases.size(); ++i) {
+        if (phases[i] - phases[i - 1] <= widest) continue;
+        widest = phases[i] - phases[i - 1];
+        lowest = phases[i];
+        highest = phases[i - 1] + fullCircle;
+    }
+    return {0.5 * (lowest + highest) > 0.25 * fullCircle ? lowest - fullCircle : lowest};
+}
+
+std::string readableName(const Quantity& quantity)
+{
+    std::string name = quantity.name;
+    std::ranges::replace(name, '_', ' ');
+    return name;
 }
 
 ParameterText frequencyText() { return {"Frequency of the forcing", "Hz", "kHz"}; }

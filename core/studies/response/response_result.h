@@ -52,6 +52,16 @@ struct ResponseResult {
     std::vector<ResponseJump> jumps;                         // by rising frequency
 };
 
+/// A phase against the disk under the pad is known except for full turns. This is the turn in which those of a result
+/// are given: it begins after the widest gap between them, so that no curve crosses its end, and the middle of them is
+/// between -270 and 90 degrees.
+struct PhaseTurn {
+    double lowest = 0.0; // [rad]
+    /// Of a harmonic Q [rad].
+    double of(const std::complex<double>& harmonic) const;
+};
+PhaseTurn phaseTurnOf(const ResponseResult& result);
+
 /// The point of a way at the frequency of this place.
 const ResponsePoint& pointAt(const ResponseResult& result, std::size_t place, bool down);
 
@@ -60,6 +70,9 @@ std::vector<std::pair<std::size_t, std::size_t>> twoStates(const ResponseResult&
 
 /// The jumps at the ends of these ranges. Each is halved in frequency as often as `halvings` says.
 std::vector<ResponseJump> jumpsOf(const ResponseTask& task, const ResponseResult& result, int halvings);
+
+/// "flying height" for "flying_height".
+std::string readableName(const Quantity& quantity);
 
 /// Frequencies as sentences name them.
 ParameterText frequencyText();

@@ -112,12 +112,6 @@ void measureFrom(const ForcedSprings& springs, const ForcedState& from, int n, F
 
 } // namespace
 
-double ForcedMotion::phase() const
-{
-    const double phase = std::arg(std::complex<double>(0.0, 1.0) * harmonic);
-    return phase > 0.5 * std::numbers::pi ? phase - 2.0 * std::numbers::pi : phase;
-}
-
 ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& start, const SettleOptions& options)
 {
     ForcedMotion motion;

@@ -40,8 +40,6 @@ struct ForcedMotion {
     bool valid() const { return problem.empty(); }
     bool settled() const { return valid() && period > 0; }
     double amplitude() const { return std::abs(harmonic); }
-    /// Against the disk under the pad, above -270 and up to 90 degrees: a forced oscillator lags [rad].
-    double phase() const;
 };
 
 /// From `start`; a stopped motion has a problem.

@@ -97,7 +97,6 @@ private slots:
             const Complex expected = Complex(0.0, -waveAmplitude) * contact /
                                      Complex(stiffness + contact - mass * omega * omega, omega * dashpot);
             errors.push_back(std::abs(motion.harmonic / expected - 1.0));
-            QVERIFY(std::abs(std::remainder(motion.phase() - std::arg(Complex(0.0, 1.0) * expected), 2.0 * pi)) < 1e-6);
             QVERIFY(springs.linear());
             linear.push_back(std::abs(*springs.linear() / expected - 1.0));
         }

@@ -185,10 +185,10 @@ private slots:
     {
         const Case c = openCase("springs_waviness").value;
         const StudyReport report =
-            performed(c, "steps = 5000\n", [](const StudyProgress& progress) { return progress.share < 0.01; });
+            performed(c, "steps = 2000\n", [](const StudyProgress& progress) { return progress.share < 0.01; });
         QCOMPARE(report.status, StudyStatus::Cancelled);
         QVERIFY(report.findings.empty());
-        QVERIFY(table(report, "points").rows.size() < 5000);
+        QVERIFY(table(report, "points").rows.size() < 2000);
     }
 
     void wrongInput_data()
