@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <random>
 
 #include <QTest>
 
+#include "core/simulation/run.h"
 #include "tests/support/impact_oscillator.h"
 #include "tests/support/test_program.h"
 
@@ -16,6 +19,8 @@ using namespace touchdown;
 using namespace touchdown::test;
 
 namespace test_settled_motion {
+
+using std::numbers::pi;
 
 ForcedMotion motionAt(const ImpactOscillator& oscillator, double w, const ForcedState* start = nullptr)
 {
@@ -82,6 +87,62 @@ private slots:
         qInfo("multipliers of %zu motions: median error %g, largest %g", errors.size(), errors[errors.size() / 2],
               errors.back());
         QVERIFY2(errors.back() < 5e-3, qPrintable(QString::number(errors.back())));
+    }
+
+    /// The default slider, with friction, menisci and the hysteresis of its contact law, over waves of 0.5 to 3 nm.
+    /// From each state to which it settles with contact, a run over 24 of its periods keeps its harmonic and repeats
+    /// its touch-downs.
+    void runsKeepTheMotionsWithContact()
+    {
+        std::mt19937 draw(7);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        std::vector<double> errors;
+        int longer = 0;
+        for (int set = 0; set < 60; ++set) {
+            const double frequency = 60e3 + 340e3 * share(draw), wave = 0.5e-9 + 2.5e-9 * share(draw);
+            Case c;
+            c.springs.frontDampingRatio = c.springs.rearDampingRatio = 0.01 + 0.09 * share(draw);
+            c.springs.flyingHeight = c.initial.flyingHeight = 4e-9 + 4e-9 * share(draw);
+            c.initial.pitch = c.springs.pitch;
+            c = caseOverWave(c, wave, frequency, 0.0);
+            // sin(k x - w t + c) under the pad is zero and rises at t = 0.
+            const double place = 0.5 * c.slider.length + c.onoYamane.padDistance;
+            c.diskSurface.wavePhases = {pi - 2.0 * pi * place / c.diskSurface.waveLengths[0]};
+            const ForcedSprings springs(c, "flying_height");
+            const ForcedMotion motion = settledMotion(springs, springs.start(), {});
+            if (!motion.settled() || motion.contactShare == 0.0) continue;
+            longer += motion.period > 1 ? 1 : 0;
+            c.initial.pitch = motion.end.y[1];
+            c.initial.flyingHeight = motion.end.y[0] - c.onoYamane.padDistance * motion.end.y[1];
+            c.initial.verticalVelocity = motion.end.y[2];
+            c.initial.pitchVelocity = motion.end.y[3];
+            c.initial.branch = OnoYamaneLaw::branch(motion.end.mode.contact);
+            constexpr int samples = 512; // of a period of the forcing
+            const int periods = 24 * motion.period;
+            c.run.tolerance = 1e-12;
+            c.run.duration = periods / frequency;
+            c.run.sampleInterval = 1.0 / frequency / samples;
+            std::vector<double> heights;
+            const auto column = static_cast<std::size_t>(findQuantity(recordedQuantities(c), "flying_height"));
+            const Summary summary = run(c, [&](const RunUpdate& update) {
+                if (update.samples.columns.empty()) return true;
+                const std::vector<double>& more = update.samples.columns[column];
+                heights.insert(heights.end(), more.begin(), more.end());
+                return true;
+            });
+            QVERIFY2(summary.status == RunStatus::Completed, summary.message.c_str());
+            std::complex<double> sum = 0.0;
+            for (int k = 0; k < periods * samples; ++k)
+                sum += heights[std::size_t(k)] * std::polar(1.0, -2.0 * pi * (k % samples) / samples);
+            errors.push_back(std::abs(2.0 * sum / double(periods * samples) / motion.harmonic - 1.0));
+            const auto touchDowns = std::ranges::count(summary.events, "touch-down", &RunEvent::name);
+            QVERIFY(std::abs(double(touchDowns) - periods * motion.touchDowns) <= 1.0); // one at the very end
+        }
+        QVERIFY2(errors.size() >= 12 && longer >= 2, qPrintable(QString("%1 %2").arg(errors.size()).arg(longer)));
+        std::ranges::sort(errors);
+        qInfo("runs of %zu motions with contact, %d of them of two periods or more: median difference %g, largest %g",
+              errors.size(), longer, errors[errors.size() / 2], errors.back());
+        QVERIFY2(errors.back() < 1e-4, qPrintable(QString::number(errors.back())));
     }
 };
 
