@@ -18,7 +18,9 @@ constexpr int firstLook = 8; // after so many periods, then after twice as many,
 constexpr int mostNewtonSteps = 12;
 constexpr double nearlyRepeats = 0.3;    // of the size of the motion [-]
 constexpr double clearlyNearer = 0.5;    // a longer period must repeat better by that factor [-]
-constexpr double comesNearer = 0.5;      // of the distance at the look before [-]
+constexpr double comesNearer = 0.8;      // of the distance at the look before [-]
+constexpr double closeEnough = 0.1;      // distance of the repeating motion, in its size [-]
+constexpr double furthest = 2.0;         // distance of the repeating motion, in sizes of the motion up to then [-]
 constexpr double aboveNoise = 30.0;      // residual, in errors of one step of the integrator [-]
 constexpr double repeats = 1e-8;         // of the size of the motion, for residual and last change of Newton [-]
 constexpr double repeatsByItself = 1e-9; // of the size of the motion, without Newton [-]
@@ -34,7 +36,7 @@ SpringModel::State unitsOf(const ForcedSprings& springs, const Eigen::Vector2d& 
     const SpringModel::State scale = springs.model().scale();
     const double arm = scale[0] / scale[1]; // [m]
     const double size = std::max({swing[0], arm * swing[1], leastSize * springs.waveAmplitude()});
-    const double rate = 2.0 * std::numbers::pi * springs.frequency();
+    const double rate = std::max(2.0 * std::numbers::pi * springs.frequency(), scale[2] / scale[0]);
     return {size, size / arm, size * rate, size / arm * rate};
 }
 
@@ -49,19 +51,21 @@ struct RepeatingMotion {
     double multiplier = 0.0;
 };
 
-/// The stable motion of n periods near a state.
-std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, ForcedState at, int n,
-                                             const SpringModel::State& units)
+/// The stable motion of n periods near a state, not further away than the size of the motion up to then.
+std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
+                                             const SpringModel::State& size)
 {
     const ForcedRequest request{.periods = n, .derivative = true};
-    const double enough = std::max(repeats, aboveNoise * springs.stepError() / units[0]);
+    ForcedState at = start;
     for (int k = 0; k < mostNewtonSteps; ++k) {
         const ForcedPeriods way = springs.run(at, request);
         if (!way.problem.empty()) return {};
+        const SpringModel::State units = unitsOf(springs, way.swing);
+        const double enough = std::max(repeats, aboveNoise * springs.stepError() / units[0]);
         const Eigen::Vector4d residual = (way.end.y - at.y).cwiseQuotient(units);
         const Eigen::Matrix4d slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
         const Eigen::Vector4d change = (Eigen::Matrix4d::Identity() - slope).fullPivLu().solve(residual);
-        if (!change.allFinite() || change.norm() > nearlyRepeats) return {};
+        if (!change.allFinite()) return {};
         if (residual.norm() <= enough && change.norm() <= enough) {
             const double multiplier = spectralRadius(SmallMatrix(slope));
             if (!(multiplier < 1.0) || !(way.end.mode == at.mode)) return {};
@@ -75,6 +79,7 @@ std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, Force
         }
         at.y += units.cwiseProduct(change);
         at = springs.continued(at);
+        if (apart(at, start, size) > furthest) return {};
     }
     return {};
 }
@@ -119,6 +124,7 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
     std::vector<ForcedState> states{springs.continued(start)};
     ForcedState before = states.front(); // at the last look
     int look = firstLook;
+    Eigen::Vector2d lowest = states.front().y.head<2>(), highest = lowest; // since then
     for (int k = 1; k <= options.mostPeriods; ++k) {
         if (options.goOn && !options.goOn()) {
             motion.problem = "stopped";
@@ -130,17 +136,20 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
             return motion;
         }
         states.push_back(way.end);
+        lowest = lowest.cwiseMin(way.end.y.head<2>());
+        highest = highest.cwiseMax(way.end.y.head<2>());
         if (k != look && k != options.mostPeriods) continue;
         look *= 2;
-        const SpringModel::State units = unitsOf(springs, way.swing);
-        const int n = likelyPeriod(states, options.longestPeriod, units);
-        if (n > 0) {
-            const ForcedState& last = states.back();
-            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, units);
+        const ForcedState& last = states.back();
+        const SpringModel::State units = unitsOf(springs, way.swing),
+                                 size = unitsOf(springs, way.swing.cwiseMax(0.5 * (highest - lowest)));
+        if (const int n = likelyPeriod(states, options.longestPeriod, size)) {
+            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size);
             const bool byItself = apart(last, states[states.size() - 1 - std::size_t(n)], units) <= repeatsByItself;
             if (found && !byItself) {
                 const double distance = apart(last, found->at, units);
-                if (distance > alreadyThere && distance > comesNearer * apart(before, found->at, units)) found.reset();
+                const bool nearer = distance <= comesNearer * apart(before, found->at, units);
+                if (distance > alreadyThere && !(nearer && distance <= closeEnough)) found.reset();
             }
             if (found || byItself) {
                 motion.period = found ? found->period : n;
@@ -150,7 +159,8 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
                 return motion;
             }
         }
-        before = states.back();
+        before = last;
+        lowest = highest = last.y.head<2>();
     }
     measureFrom(springs, states.back(), periodsOfUnsettled, motion);
     return motion;

@@ -5,9 +5,9 @@
 // The motion is followed period by period. After 8, 16, 32, ... periods the smallest number n of periods is taken after
 // which the state nearly repeats, and Newton's method on P^n(y) - y = 0 (forced_springs.h) finds the motion that
 // repeats exactly. It is taken where it is stable (all multipliers inside the unit circle) and the motion has come
-// nearer to it, at least by half since the look before. A motion that repeats by itself to round-off is taken as it is.
-// Where neither comes true within the most periods, the motion has not settled: it is irregular, has a longer period
-// than was sought, or decays too slowly. Its figures are then those of its last periods.
+// within a tenth of its size, and nearer than at the look before. A motion that repeats by itself to round-off is taken
+// as it is. Where neither comes true within the most periods, the motion has not settled: it is irregular, has a longer
+// period than was sought, or decays too slowly. Its figures are then those of its last periods.
 #pragma once
 
 #include <complex>

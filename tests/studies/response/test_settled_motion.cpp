@@ -144,6 +144,43 @@ private slots:
               errors.size(), longer, errors[errors.size() / 2], errors.back());
         QVERIFY2(errors.back() < 1e-4, qPrintable(QString::number(errors.back())));
     }
+
+    /// The same period by period without Newton's method, for as long as it takes: it ends in the motion that was
+    /// found. Drawn from high starts and with little damping, so that the motion has a long way.
+    void waitingEndsInTheSameMotion()
+    {
+        std::mt19937 draw(11);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        int settled = 0, other = 0, touching = 0;
+        std::vector<double> errors;
+        for (int set = 0; set < 30; ++set) {
+            const double frequency = 40e3 * std::pow(25.0, share(draw)), wave = 0.1e-9 * std::pow(30.0, share(draw));
+            Case c;
+            c.springs.frontDampingRatio = c.springs.rearDampingRatio = 0.005 + 0.05 * share(draw);
+            c.springs.flyingHeight = 4e-9 + 4e-9 * share(draw);
+            c.initial.flyingHeight = 10e-9 + 100e-9 * share(draw);
+            const ForcedSprings springs(caseOverWave(c, wave, frequency, 0.0), "flying_height");
+            const ForcedMotion motion = settledMotion(springs, springs.start(), {});
+            if (!motion.settled()) continue;
+            ++settled;
+            touching += motion.contactShare > 0.0 ? 1 : 0;
+            ForcedState waiting = springs.continued(springs.start());
+            for (int k = 0; k < 3000; ++k) waiting = springs.run(waiting, {.rough = true}).end;
+            double nearest = 1.0; // of the states of the motion at the beginning of a period
+            ForcedState at = motion.end;
+            for (int k = 0; k < motion.period; ++k) {
+                nearest = std::min(nearest, std::abs(at.y[0] - waiting.y[0]) / wave);
+                at = springs.run(at, {}).end;
+            }
+            errors.push_back(nearest);
+            if (nearest > 1e-3) ++other;
+        }
+        std::ranges::sort(errors);
+        qInfo("%d motions, %d with contact: median distance %g, %d end elsewhere", settled, touching,
+              errors[errors.size() / 2], other);
+        QVERIFY2(settled >= 22 && touching >= 6, qPrintable(QString("%1 %2").arg(settled).arg(touching)));
+        QCOMPARE(other, 0);
+    }
 };
 
 TOUCHDOWN_TEST(TestSettledMotion)
