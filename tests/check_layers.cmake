@@ -34,6 +34,7 @@ set(rooms
     core/studies/stability
     core/studies/hysteresis
     core/studies/cycles
+    core/studies/response
     core/studies/advice
     core/studies/convergence
     core/studies/design

@@ -21,6 +21,7 @@
 #include "core/studies/hysteresis/hysteresis.h"
 #include "core/studies/precision/precision_task.h"
 #include "core/studies/precision/work_precision.h"
+#include "core/studies/response/response.h"
 #include "core/studies/stability/stability.h"
 #include "core/studies/statements/statements.h"
 #include "core/studies/study/sample_study.h"
@@ -195,6 +196,10 @@ std::span<const StudyKind> studyKinds()
          "they "
          "end",
          planCycles, cyclesForm},
+        {"response", "Forced motion over the frequency",
+         "Drives a slider on springs by waves of the disk, with the frequency going up and down: amplitude, phase, "
+         "jumps, contact and period of the motion",
+         planResponse, responseForm},
         {"advise", "No more model than the scene needs",
          "Tries a hierarchy of models on a film case, from small motions to the whole film, and advises the cheapest "
          "that is good enough",

@@ -189,12 +189,13 @@ void TestCommandLine::validateStudies()
     QCOMPARE(
         said("case = \"fig10a\"\n"),
         QByteArray(
-            "a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, cycles, advise, design, "
-            "convergence, statements\n"));
-    QCOMPARE(said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
-             QByteArray(
-                 "a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
-                 "stability, hysteresis, cycles, advise, design, convergence, statements; did you mean hysteresis?\n"));
+            "a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, cycles, response, advise, "
+            "design, convergence, statements\n"));
+    QCOMPARE(
+        said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
+        QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
+                   "stability, hysteresis, cycles, response, advise, design, convergence, statements; did you mean "
+                   "hysteresis?\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24),
              QByteArray("a.toml:4: set.run.step: "));
 }
@@ -320,8 +321,8 @@ void TestCommandLine::describeStudies()
 {
     const Outcome kinds = folder_->touchdown({"describe", "study"});
     QCOMPARE(kinds.code, 0);
-    for (const char* part :
-         {"work-precision  ", "stability  ", "hysteresis  ", "cycles  ", "advise  ", "design  ", "convergence  "})
+    for (const char* part : {"work-precision  ", "stability  ", "hysteresis  ", "cycles  ", "response  ", "advise  ",
+                             "design  ", "convergence  "})
         QVERIFY2(kinds.out.contains(part), kinds.out);
     const Outcome all = folder_->touchdown({"describe", "study.hysteresis"});
     QCOMPARE(all.code, 0);

@@ -123,7 +123,7 @@ private slots:
             QTest::newRow(name) << arguments << says;
         };
         row("no study", {"study"},
-            "study: a kind (work-precision, stability, hysteresis, cycles, advise, design, convergence");
+            "study: a kind (work-precision, stability, hysteresis, cycles, response, advise, design, convergence");
         row("a study that is not there", {"study", "sweep", "contact_hertz"}, "sweep");
         row("no file", {"study", "hysteresis"}, "hysteresis: FILE");
         row("a file that is not there", {"study", "hysteresis", "b.toml"}, "b.toml: is neither a file, ");

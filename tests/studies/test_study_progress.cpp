@@ -46,6 +46,7 @@ private slots:
         add("stability", "stability_start_height", {"run.duration=0.3 ms"});
         add("hysteresis", "hysteresis_take_off");
         add("cycles", "cycles_meniscus_force");
+        add("response", "response_waviness");
         add("convergence", "convergence_film_femto", {}, {"grids=[33, 49, 65, 97]", "reference=129"});
         add("advise", "advise_quiet", {"film.nodes=[49, 33]"}, {"models=[\"static\", \"parts\"]"});
         QTest::newRow("statements") << parseStudy("statements", twoDrops, "text", {});

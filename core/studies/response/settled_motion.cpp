@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/response/settled_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "core/numerics/small_matrix.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int firstLook = 8; // after so many periods, then after twice as many, and so on
+constexpr int mostNewtonSteps = 12;
+constexpr double nearlyRepeats = 0.3;    // of the size of the motion [-]
+constexpr double clearlyNearer = 0.5;    // a longer period must repeat better by that factor [-]
+constexpr double comesNearer = 0.8;      // of the distance at the look before [-]
+constexpr double closeEnough = 0.1;      // distance of the repeating motion, in its size [-]
+constexpr double furthest = 2.0;         // distance of the repeating motion, in sizes of the motion up to then [-]
+constexpr double aboveNoise = 30.0;      // residual, in errors of one step of the integrator [-]
+constexpr double repeats = 1e-8;         // of the size of the motion, for residual and last change of Newton [-]
+constexpr double repeatsByItself = 1e-9; // of the size of the motion, without Newton [-]
+constexpr double shorterRepeats = 1e-6;  // a part of n periods is the period [-]
+constexpr double sameHarmonic = 1e-3;    // [-]
+constexpr double leastSize = 0.1;        // of a motion, in amplitudes of the wave [-]
+constexpr double alreadyThere = 1e-7;    // distance from the repeating motion, of the size of the motion [-]
+constexpr int periodsOfUnsettled = 64;   // over which a motion that has not settled is measured
+
+/// Units of a state: the size of the motion [m], [rad], [m/s], [rad/s].
+SpringModel::State unitsOf(const ForcedSprings& springs, const Eigen::Vector2d& swing)
+{
+    const SpringModel::State scale = springs.model().scale();
+    const double arm = scale[0] / scale[1]; // [m]
+    const double size = std::max({swing[0], arm * swing[1], leastSize * springs.waveAmplitude()});
+    const double rate = std::max(2.0 * std::numbers::pi * springs.frequency(), scale[2] / scale[0]);
+    return {size, size / arm, size * rate, size / arm * rate};
+}
+
+double apart(const ForcedState& a, const ForcedState& b, const SpringModel::State& units)
+{
+    return (a.y - b.y).cwiseQuotient(units).norm();
+}
+
+struct RepeatingMotion {
+    ForcedState at;
+    int period = 1;
+    double multiplier = 0.0;
+};
+
+/// The stable motion of n periods near a state, not further away than the size of the motion up to then.
+std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
+                                             const SpringModel::State& size)
+{
+    const ForcedRequest request{.periods = n, .derivative = true};
+    ForcedState at = start;
+    for (int k = 0; k < mostNewtonSteps; ++k) {
+        const ForcedPeriods way = springs.run(at, request);
+        if (!way.problem.empty()) return {};
+        const SpringModel::State units = unitsOf(springs, way.swing);
+        const double enough = std::max(repeats, aboveNoise * springs.stepError() / units[0]);
+        const Eigen::Vector4d residual = (way.end.y - at.y).cwiseQuotient(units);
+        const Eigen::Matrix4d slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
+        const Eigen::Vector4d change = (Eigen::Matrix4d::Identity() - slope).fullPivLu().solve(residual);
+        if (!change.allFinite()) return {};
+        if (residual.norm() <= enough && change.norm() <= enough) {
+            const double multiplier = spectralRadius(SmallMatrix(slope));
+            if (!(multiplier < 1.0) || !(way.end.mode == at.mode)) return {};
+            for (int part = 1; part < n; ++part) {
+                if (n % part != 0) continue;
+                const ForcedPeriods shorter = springs.run(at, {.periods = part});
+                if (shorter.problem.empty() && apart(shorter.end, at, units) <= shorterRepeats)
+                    return RepeatingMotion{at, part, std::pow(multiplier, double(part) / n)};
+            }
+            return RepeatingMotion{at, n, multiplier};
+        }
+        at.y += units.cwiseProduct(change);
+        at = springs.continued(at);
+        if (apart(at, start, size) > furthest) return {};
+    }
+    return {};
+}
+
+/// The smallest n after which the last of the states nearly repeats; 0 where there is none.
+int likelyPeriod(const std::vector<ForcedState>& states, int longest, const SpringModel::State& units)
+{
+    int best = 0;
+    double least = nearlyRepeats;
+    for (int n = 1; n <= longest && std::size_t(n) < states.size(); ++n) {
+        const double distance = apart(states.back(), states[states.size() - 1 - std::size_t(n)], units);
+        if (distance >= (best == 0 ? 1.0 : clearlyNearer) * least) continue;
+        best = n;
+        least = distance;
+    }
+    return best;
+}
+
+/// Measures n periods from a state into the motion; the end is the state after them.
+void measureFrom(const ForcedSprings& springs, const ForcedState& from, int n, ForcedMotion& motion)
+{
+    const ForcedPeriods way = springs.run(from, {.periods = n, .measurements = true});
+    motion.problem = way.problem;
+    if (way.frontLost || way.rearLost)
+        motion.problem = std::string(way.frontLost ? "the front" : "the rear") +
+                         " air spring is lost: its spacing stays below springs.cutoff";
+    motion.harmonic = way.harmonic;
+    motion.least = way.least;
+    motion.most = way.most;
+    motion.leastSpacing = way.leastSpacing;
+    motion.touchDowns = double(way.touchDowns) / n;
+    motion.contactShare = way.contactShare;
+    motion.end = way.end;
+}
+
+} // namespace
+
+ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& start, const SettleOptions& options)
+{
+    ForcedMotion motion;
+    motion.frequency = springs.frequency();
+    std::vector<ForcedState> states{springs.continued(start)};
+    ForcedState before = states.front(); // at the last look
+    int look = firstLook;
+    Eigen::Vector2d lowest = states.front().y.head<2>(), highest = lowest; // since then
+    for (int k = 1; k <= options.mostPeriods; ++k) {
+        if (options.goOn && !options.goOn()) {
+            motion.problem = "stopped";
+            return motion;
+        }
+        const ForcedPeriods way = springs.run(states.back(), {.rough = true});
+        if (!way.problem.empty()) {
+            motion.problem = way.problem;
+            return motion;
+        }
+        states.push_back(way.end);
+        lowest = lowest.cwiseMin(way.end.y.head<2>());
+        highest = highest.cwiseMax(way.end.y.head<2>());
+        if (k != look && k != options.mostPeriods) continue;
+        look *= 2;
+        const ForcedState& last = states.back();
+        const SpringModel::State units = unitsOf(springs, way.swing),
+                                 size = unitsOf(springs, way.swing.cwiseMax(0.5 * (highest - lowest)));
+        if (const int n = likelyPeriod(states, options.longestPeriod, size)) {
+            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size);
+            const bool byItself = apart(last, states[states.size() - 1 - std::size_t(n)], units) <= repeatsByItself;
+            if (found && !byItself) {
+                const double distance = apart(last, found->at, units);
+                const bool nearer = distance <= comesNearer * apart(before, found->at, units);
+                if (distance > alreadyThere && !(nearer && distance <= closeEnough)) found.reset();
+            }
+            if (found || byItself) {
+                motion.period = found ? found->period : n;
+                if (found) motion.multiplier = found->multiplier;
+                measureFrom(springs, found ? found->at : last, motion.period, motion);
+                if (!motion.valid()) motion.period = 0;
+                return motion;
+            }
+        }
+        before = last;
+        lowest = highest = last.y.head<2>();
+    }
+    measureFrom(springs, states.back(), periodsOfUnsettled, motion);
+    return motion;
+}
+
+bool sameMotion(const ForcedMotion& a, const ForcedMotion& b)
+{
+    return a.settled() && b.settled() && a.period == b.period &&
+           std::abs(a.harmonic - b.harmonic) <= sameHarmonic * std::max(a.amplitude(), b.amplitude());
+}
+
+} // namespace touchdown

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/response/response_result.h"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <random>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace test_response_result {
+
+using std::numbers::pi;
+
+ResponsePoint pointOf(double frequency, double amplitude, bool down, int period = 1)
+{
+    ResponsePoint point;
+    point.down = down;
+    point.done = true;
+    point.motion.frequency = frequency;
+    point.motion.harmonic = amplitude;
+    point.motion.period = period;
+    return point;
+}
+
+/// Amplitudes on both ways, each by rising frequency; 0 stands for a motion that has not settled.
+ResponseResult resultOf(const std::vector<double>& up, const std::vector<double>& down)
+{
+    ResponseResult result;
+    for (std::size_t i = 0; i < up.size(); ++i)
+        result.points.push_back(pointOf(double(i), up[i], false, up[i] > 0.0 ? 1 : 0));
+    for (std::size_t i = down.size(); i-- > 0;)
+        result.points.push_back(pointOf(double(i), down[i], true, down[i] > 0.0 ? 1 : 0));
+    return result;
+}
+
+class TestResponseResult : public QObject {
+    Q_OBJECT
+
+private slots:
+    void placesOfTwoStates()
+    {
+        using Ranges = std::vector<std::pair<std::size_t, std::size_t>>;
+        QCOMPARE(twoStates(resultOf({1, 2, 3, 1}, {1, 2, 3, 1})), Ranges());
+        QCOMPARE(twoStates(resultOf({1, 2, 3, 1}, {1, 4, 5, 1})), (Ranges{{1, 2}}));
+        QCOMPARE(twoStates(resultOf({1, 2, 3, 1}, {3, 2, 3, 5})), (Ranges{{0, 0}, {3, 3}}));
+        QCOMPARE(twoStates(resultOf({1, 0, 3, 1}, {1, 4, 4, 0})), (Ranges{{2, 2}})); // unsettled ones prove nothing
+        QCOMPARE(twoStates(resultOf({1.0, 2.0}, {1.0, 2.0 * 1.0005})), Ranges());    // the same motion
+    }
+
+    void pointsOfBothWays()
+    {
+        const ResponseResult result = resultOf({1, 2, 3}, {4, 5, 6});
+        for (std::size_t i = 0; i < 3; ++i) {
+            QCOMPARE(pointAt(result, i, false).motion.amplitude(), 1.0 + double(i));
+            QCOMPARE(pointAt(result, i, true).motion.amplitude(), 4.0 + double(i));
+            QCOMPARE(pointAt(result, i, true).motion.frequency, double(i));
+        }
+    }
+
+    /// Phases on a drawn arc of less than a turn: in their turn they differ as on the arc, and none is at its other
+    /// end.
+    void phasesOfAnArcStayTogether()
+    {
+        std::mt19937 draw(1);
+        std::uniform_real_distribution<double> share(0.0, 1.0);
+        for (int set = 0; set < 200; ++set) {
+            const double begin = 20.0 * (share(draw) - 0.5), length = 1.5 * pi * share(draw);
+            ResponseResult result;
+            std::vector<double> phases;
+            for (int k = 0; k < 40; ++k) {
+                phases.push_back(begin + length * k / 39.0);
+                ResponsePoint point = pointOf(k, 1.0, k >= 20);
+                point.motion.harmonic = std::polar(1.0, phases.back()) / std::complex<double>(0.0, 1.0);
+                result.points.push_back(point);
+            }
+            const PhaseTurn turn = phaseTurnOf(result);
+            const double offset = turn.of(result.points.front().motion.harmonic) - phases.front();
+            QVERIFY(std::abs(std::remainder(offset, 2.0 * pi)) < 1e-9);
+            for (std::size_t k = 0; k < phases.size(); ++k)
+                QVERIFY(std::abs(turn.of(result.points[k].motion.harmonic) - phases[k] - offset) < 1e-9);
+            const double middle = begin + 0.5 * length + offset;
+            QVERIFY(middle > -1.5 * pi - 1e-9 && middle <= 0.5 * pi + 1e-9);
+        }
+    }
+};
+
+TOUCHDOWN_TEST(TestResponseResult)
+
+} // namespace test_response_result
+
+#include "test_response_result.moc"
