@@ -135,7 +135,7 @@ void MainWindow::saveArrangement()
 {
     presenter_->set(false);
     runs_->view()->setStage(std::nullopt); // the parts have the sizes that the user gave them
-    setPage(Page::Run); // the next session begins with its panes
+    setPage(Page::Run);                    // the next session begins with its panes
     QSettings settings;
     settings.setValue(QStringLiteral("window/geometry"), saveGeometry());
     settings.setValue(QStringLiteral("window/state"), saveState(stateVersion));
