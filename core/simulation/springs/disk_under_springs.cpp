@@ -2,6 +2,7 @@
 #include "core/simulation/springs/disk_under_springs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/case/disk_setup.h"
 #include "core/physics/disk/disk_passage.h"
@@ -23,6 +24,14 @@ DiskUnderSprings::DiskUnderSprings(const Case& c)
     const UniformGrid finest = surface_.period(); // of the finest map; the same across where it is a profile
     const Velocity along{velocity_.x, finest.ny > 1 ? velocity_.y : 0.0};
     longestStep_ = std::min(longestStep_, cellPassage(finest.dx, finest.dy, along));
+}
+
+double DiskUnderSprings::passage() const
+{
+    if (!moves()) return 0.0;
+    double furthest = 0.0; // [m]
+    for (const Eigen::Vector2d& place : place_) furthest = std::max(furthest, place.norm());
+    return furthest / std::hypot(velocity_.x, velocity_.y);
 }
 
 SpringModel::Under DiskUnderSprings::at(double time) const

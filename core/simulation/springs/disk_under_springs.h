@@ -31,6 +31,9 @@ public:
     /// The longest step of time that resolves the surface [s]: a sixteenth of the shortest wave, a sixteenth of the
     /// smallest bump, or half a cell of a map passes in it. Infinite where nothing moves.
     double longestStep() const { return longestStep_; }
+    /// The time that the surface takes from its origin to the furthest place [s]; 0 where nothing moves. The round-off
+    /// of the places is as large as that of such a time.
+    double passage() const;
     /// At least the fastest rate of the heights [m/s].
     double fastestRate() const { return moves() ? (surface_.highest() - surface_.lowest()) / longestStep_ : 0.0; }
 

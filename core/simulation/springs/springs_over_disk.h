@@ -29,7 +29,7 @@ public:
 
     /// Model (flat) and disk must last. `duration` of the run [s].
     SpringsOverDisk(const SpringModel& model, const DiskUnderSprings& disk, double duration)
-        : model_(model), disk_(disk), duration_(duration)
+        : model_(model), disk_(disk), time_(duration + disk.passage())
     {}
 
     static SpringModel::State motionOf(const State& y) { return {y[0], y[1], y[3], y[4]}; }
@@ -59,7 +59,7 @@ public:
     Interval interval(int guard, Mode mode) const { return model_.interval(guard, mode); }
     Mode beyond(Mode mode, int guard, bool upper) const { return model_.beyond(mode, guard, upper); }
     bool isWall(int guard) const { return model_.isWall(guard); }
-    State scale() const { return stateOf(model_.scale(), duration_, 1.0); }
+    State scale() const { return stateOf(model_.scale(), time_, 1.0); }
     double longestStep() const { return disk_.longestStep(); }
     /// Also a wave of the disk may switch the contact on and off.
     double period(const State& y, Mode mode) const;
@@ -78,7 +78,7 @@ private:
 
     const SpringModel& model_;
     const DiskUnderSprings& disk_;
-    double duration_; // [s]
+    double time_; // size of a time, for its round-off [s]
 };
 
 /// A run of the case from its start to its end: the recorder has begun and takes the steps; `step` [s] is for

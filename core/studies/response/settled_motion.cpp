@@ -53,11 +53,12 @@ struct RepeatingMotion {
 
 /// The stable motion of n periods near a state, not further away than the size of the motion up to then.
 std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
-                                             const SpringModel::State& size)
+                                             const SpringModel::State& size, const std::function<bool()>& goOn)
 {
     const ForcedRequest request{.periods = n, .derivative = true};
     ForcedState at = start;
     for (int k = 0; k < mostNewtonSteps; ++k) {
+        if (goOn && !goOn()) return {};
         const ForcedPeriods way = springs.run(at, request);
         if (!way.problem.empty()) return {};
         const SpringModel::State units = unitsOf(springs, way.swing);
@@ -144,7 +145,7 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
         const SpringModel::State units = unitsOf(springs, way.swing),
                                  size = unitsOf(springs, way.swing.cwiseMax(0.5 * (highest - lowest)));
         if (const int n = likelyPeriod(states, options.longestPeriod, size)) {
-            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size);
+            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size, options.goOn);
             const bool byItself = apart(last, states[states.size() - 1 - std::size_t(n)], units) <= repeatsByItself;
             if (found && !byItself) {
                 const double distance = apart(last, found->at, units);
