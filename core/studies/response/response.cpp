@@ -216,11 +216,14 @@ StudyForm responseForm(const Case& c)
         choiceKey("quantity", "flying_height", std::move(quantities), "whose amplitude and phase are taken"),
         numberKey("amplitude", defaultAmplitude(c), "m", "nm", leastAmplitude, mostAmplitude,
                   "of the waves, which replace the surface of the case"),
-        onlyOffered(numberKey("wavelength", std::monostate{}, "m", "um", 1e-9, longestWave,
-                              "of the waves, if it is held and the speed of the disk changes instead")),
+        numberKey("wavelength", std::monostate{}, "m", "um", 1e-9, longestWave,
+                  "of the waves, if it is held and the speed of the disk changes instead"),
         integerKey("periods", 1000, 10, 1000000, "of the forcing within which the motion must settle"),
         integerKey("longest_period", 8, 1, 64, "in periods of the forcing, after which a motion may repeat"),
     };
+    form.remark =
+        "The speed of the disk is held and the length of its waves changes. With wavelength = \"50 um\" that is "
+        "the length of the waves, and the speed changes.";
     return form;
 }
 
