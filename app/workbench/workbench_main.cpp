@@ -22,7 +22,6 @@
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_card.h"
-#include "ui/window/window_actions.h"
 
 namespace {
 
@@ -105,6 +104,8 @@ Arguments parse(int argc, char** argv)
             fail(QString("the value of --%1 is empty.").arg(option));
     if (!arguments.theme.isEmpty() && !QStringList{"light", "dark", "system"}.contains(arguments.theme))
         fail(QString("--theme is light, dark or system, not \"%1\".").arg(arguments.theme));
+    if (!arguments.printLesson.isEmpty() && !arguments.file.isEmpty())
+        fail("--print-lesson prints the lesson and takes no case.");
     if (arguments.study.isEmpty() != arguments.pictures.isEmpty())
         fail("--study and --pictures need each other: the kind of study and the folder for its charts.");
     return arguments;
@@ -181,11 +182,7 @@ int main(int argc, char** argv)
     MainWindow window;
     // Pictures must not depend on the last session.
     if (!pictures && !arguments.fresh) window.restoreArrangement();
-    if (!arguments.theme.isEmpty()) {
-        for (QAction* theme : window.actions().theme->actions())
-            if (theme->data() == arguments.theme) theme->setChecked(true); // so that it stays with another font
-        applyTheme(themeFromName(arguments.theme));
-    }
+    if (!arguments.theme.isEmpty()) window.useTheme(arguments.theme);
 
     const QFileInfo info(arguments.file);
     if (!document.valid()) {

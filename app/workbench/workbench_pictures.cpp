@@ -8,6 +8,7 @@
 #include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFileInfo>
 #include <QPixmap>
 #include <QRegularExpression>
 #include <QThread>
@@ -180,6 +181,12 @@ int takeStudyPictures(const QString& kind, const QString& fileOrSample, const QS
 
 int printLesson(const QString& file)
 {
+    const QString folder = QFileInfo(file).absolutePath();
+    if (!QFileInfo(folder).isWritable()) {
+        complain("touchdown-workbench: " + file.toStdString() + " could not be written: there is no such directory, " +
+                 "or it is not writable.");
+        return exitWrongInput;
+    }
     LessonPrint print(lessonSteps(), QCoreApplication::translate("LessonPrint", "Touchdown: the lesson"), nullptr);
     int code = exitDone;
     QEventLoop loop;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/guide_strip.h"
 
+#include <QAbstractButton>
 #include <QHBoxLayout>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "ui/lesson/lesson_pane.h"
@@ -13,6 +15,14 @@ namespace touchdown {
 namespace {
 
 constexpr std::size_t keys = 9; // 1 to 9, for the first runs
+
+/// Once for each press, however long the key is held.
+void pressedBy(Qt::Key key, QAbstractButton* button)
+{
+    auto* shortcut = new QShortcut(QKeySequence(key), button);
+    shortcut->setAutoRepeat(false);
+    QObject::connect(shortcut, &QShortcut::activated, button, &QAbstractButton::click);
+}
 
 } // namespace
 
@@ -33,6 +43,7 @@ GuideStrip::GuideStrip(QWidget* parent)
     run_->setAccessibleName(tr("What the run shows"));
     answer_->setCheckable(true);
     answer_->setToolTip(tr("Shows the answer to the question (A)"));
+    pressedBy(Qt::Key_A, answer_);
     connect(answer_, &QPushButton::toggled, this, &GuideStrip::write);
     auto* row = new QHBoxLayout(row_);
     row->setContentsMargins(0, 0, 0, 0);
@@ -50,6 +61,7 @@ GuideStrip::GuideStrip(QWidget* parent)
 
 void GuideStrip::follow(LessonPane* pane)
 {
+    if (pane && pane == pane_) return;
     if (pane_) disconnect(pane_, nullptr, this, nullptr);
     pane_ = pane;
     setVisible(pane != nullptr);
@@ -71,9 +83,10 @@ void GuideStrip::showStep()
         const QString purpose = QString::fromStdString(step.runs[i].purpose);
         button->setAccessibleName(tr("Run %1: %2").arg(i + 1).arg(purpose));
         button->setToolTip(purpose);
-        if (i < keys) button->setShortcut(Qt::Key_1 + static_cast<int>(i));
+        if (i < keys) pressedBy(Qt::Key(Qt::Key_1 + static_cast<int>(i)), button);
         connect(button, &QToolButton::clicked, this, [this, i] { perform(i); });
         static_cast<QHBoxLayout*>(row_->layout())->insertWidget(static_cast<int>(i), button);
+        button->show();
         runs_.push_back(button);
     }
     chosen_ = 0;
@@ -82,7 +95,6 @@ void GuideStrip::showStep()
     live_->setEnabled(pane_->live().isEnabled());
     answer_->setChecked(false);
     answer_->setText(lesson ? tr("Answer") : tr("How sure"));
-    answer_->setShortcut(Qt::Key_A); // a new text takes it away
     write();
 }
 
@@ -95,7 +107,7 @@ void GuideStrip::perform(std::size_t run)
 
 void GuideStrip::write()
 {
-    if (!pane_) return;
+    if (!pane_ || runs_.size() != pane_->shown().runs.size()) return; // stepShown follows
     text_->setText(answer_->isChecked() ? pane_->answerText() : pane_->questionText());
     run_->setText(runs_.empty() ? QString() : pane_->runText(chosen_));
 }

@@ -45,7 +45,7 @@ public:
 
 signals:
     void stepShown(std::size_t step);
-    /// The texts are other ones.
+    /// The texts have changed.
     void written();
     void runRequested(const touchdown::LessonRun& run);
     /// A key of a parameter in the text was chosen.

@@ -41,13 +41,12 @@ std::vector<const PlotCurve*> namedCurves(const std::vector<PlotCurve>& curves, 
 double longestText(std::vector<double> lengths, double room)
 {
     std::ranges::sort(lengths);
-    double share = room;
     for (std::size_t i = 0; i < lengths.size(); ++i) {
-        share = room / static_cast<double>(lengths.size() - i);
+        const double share = room / static_cast<double>(lengths.size() - i);
         if (lengths[i] > share) return share;
         room -= lengths[i];
     }
-    return lengths.empty() ? share : lengths.back();
+    return lengths.empty() ? room : lengths.back();
 }
 
 } // namespace

@@ -15,7 +15,7 @@ namespace touchdown {
 namespace {
 
 constexpr double kilohertz = 1e3; // [Hz]
-// Of the power of the highest peak: a fainter one does not widen the axis. 50 dB.
+// Share of the power of the highest peak, 50 dB: a fainter peak does not widen the axis.
 constexpr double faintest = 1e-5;
 
 QString squared(const QString& unit)

@@ -80,7 +80,7 @@ struct RunRecord : ListedRecord {
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
     bool fromFile = false;    // it holds only a part of what its file does: no events, no figures
-    bool ofGuide = false;     // of a step of the lesson or of a demonstration, which can make it again
+    bool ofGuide = false;     // of the lesson or of a demonstration: by a button or a slider
     bool interrupted = false; // read from a file whose writer was killed
 };
 

@@ -179,7 +179,7 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
         splitter_->restoreState(beforeStage_);
 }
 
-/// Of a stage: each plot has two shares, the side view and the spectrum three.
+/// The parts of a stage: each plot has two shares, the side view and the spectrum three.
 void RunView::shareHeight()
 {
     const int plots = std::max(2 * static_cast<int>(stage_->plots.size()), 3);

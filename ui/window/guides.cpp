@@ -63,6 +63,7 @@ Guides::Guides(MainWindow& window, WindowPages& pages)
             stage();
         } else if (guide == shown_) {
             shown_ = nullptr;
+            ownCase_ = false;
             showWords();
             stages_->end();
         }
@@ -112,9 +113,15 @@ bool Guides::maybeLost() const
     return !ownCase_ || !window_.files().file().isEmpty() || edits.value().surface != edits.opened().surface;
 }
 
-void Guides::forgetTried()
+bool Guides::onlyTried() const
 {
-    if (!maybeLost()) window_.files().leaveUnsaved();
+    if (!ownCase_ || !shown_ || !window_.files().file().isEmpty()) return false;
+    const Case& now = window_.edits().value();
+    Case moved = window_.edits().opened();
+    for (const LiveValue& value : shown_->shown().live)
+        for (const std::string& key : value.keys)
+            setFromText(moved, *findParameter(key), toText(now, *findParameter(key)));
+    return moved == now;
 }
 
 void Guides::go(int steps)
@@ -196,7 +203,7 @@ void Guides::showResults()
 void Guides::showWords()
 {
     std::vector<LivePlots::Word> words;
-    if (shown_) words = lessonWords(shown_->shown(), numbers_[shown_->shown().title]);
+    if (shown_) words = lessonWords(shown_->shown(), numbers_[shown_->shown().title], window_.runs());
     window_.runView().plots()->setWords(std::move(words));
 }
 
@@ -213,7 +220,7 @@ void Guides::perform(const LessonRun& run)
 void Guides::openCaseOf(const LessonRun& run, bool start)
 {
     CaseFiles& files = window_.files();
-    forgetTried();
+    if (!maybeLost()) files.leaveUnsaved();
     opens_ = QString::fromStdString(run.name);
     files.openChanged(QString::fromStdString(run.name), run.settings, [this, start, run] {
         opens_.clear();

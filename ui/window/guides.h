@@ -40,9 +40,9 @@ public:
     /// For a lecture: what the pane says stands below the page.
     void present(bool on);
     GuideStrip* strip() const { return strip_; }
-    /// Values that the reader tried in a step are nothing to ask about.
-    void forgetTried();
-    /// So many steps on in it.
+    /// Whether the case differs from that of its step in values that the step lets the reader move, and in no others.
+    bool onlyTried() const;
+    /// To another step of it: 1 is the next one.
     void go(int steps);
 
 signals:

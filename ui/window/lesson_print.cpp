@@ -67,6 +67,22 @@ LessonPrint::LessonPrint(std::vector<LessonStep> steps, const QString& title, QO
 
 LessonPrint::~LessonPrint() { cancel(); }
 
+void LessonPrint::cancel()
+{
+    cancelled_ = true;
+    QMetaObject::invokeMethod(this, &LessonPrint::finishStep, Qt::QueuedConnection); // it may wait for a spectrum
+}
+
+/// Runs of the step that are long enough for a spectrum.
+std::size_t LessonPrint::spectra() const
+{
+    const std::string quantity = view_->spectrum()->view()->quantity().toStdString();
+    std::size_t count = 0;
+    for (int row = 0; row < list_.count(); ++row)
+        count += !signalOf(list_.record(row), quantity, list_.record(row).value.spectrum.start).parts.empty();
+    return count;
+}
+
 int LessonPrint::runs() const
 {
     int count = 0;
@@ -91,7 +107,7 @@ void LessonPrint::next()
     while (run_ < runs.size() && !runs[run_].kind.empty()) ++run_;
     if (run_ < runs.size()) return perform(run_++);
     allThere_ = true;
-    view_->plots()->setWords(lessonWords(steps_[step_], numbers_));
+    view_->plots()->setWords(lessonWords(steps_[step_], numbers_, list_));
     finishStep();
 }
 
@@ -123,9 +139,10 @@ void LessonPrint::perform(std::size_t run)
 void LessonPrint::finishStep()
 {
     if (!allThere_) return;
-    const LessonStep& step = steps_[step_];
-    if (step.stage.spectrum && view_->spectrum()->view()->plot()->curves().size() < numbers_.size()) return;
+    if (!cancelled_ && steps_[step_].stage.spectrum && view_->spectrum()->view()->plot()->curves().size() < spectra())
+        return;
     allThere_ = false;
+    if (cancelled_) return emit ended(false, {});
     addStep();
     while (list_.count() > 0) list_.remove(0);
     numbers_.clear();
@@ -162,8 +179,8 @@ void LessonPrint::addStep()
     html_ += lessonBlock(tr("Then change it yourself"), step.change, quiet);
 }
 
-/// Of the plots with one curve for each run and of the spectrum; or of plots with several, which show the last run
-/// alone.
+/// Pictures of the plots with one curve for each run and of the spectrum; or of plots with several curves, which show
+/// the last run alone.
 void LessonPrint::addPicture(bool several)
 {
     std::vector<QWidget*> panels;
@@ -173,7 +190,7 @@ void LessonPrint::addPicture(bool several)
         const bool hasSeveral = ofTime && view_->plots()->spec(entry->name).curves.size() > 1;
         if (hasSeveral == several && !qobject_cast<SideView*>(part)) panels.push_back(part);
     }
-    if (panels.empty()) return;
+    if (panels.empty() || numbers_.empty()) return;
     if (several) {
         const int last = numbers_.rbegin()->second;
         for (int row = 0; row < list_.count(); ++row)

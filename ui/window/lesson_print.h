@@ -38,14 +38,13 @@ public:
 
     /// `ended` follows, in any case.
     void start();
-    void cancel() { cancelled_ = true; }
+    void cancel();
     int runs() const; // that are performed in all
 
     /// After its end: as HTML, and as a file of PDF.
     const QString& html() const { return html_; }
     QByteArray pdf() const;
-    /// Of that file.
-    int pages() const;
+    int pages() const; // of that file
 
 signals:
     void performed(int runs); // so far
@@ -56,6 +55,7 @@ private:
     void next();
     void perform(std::size_t run);
     void finishStep();
+    std::size_t spectra() const;
     void addStep();
     void addPicture(bool several);
     std::unique_ptr<QTextDocument> document() const;

@@ -66,12 +66,16 @@ QString lessonResult(const RunRecord& run, double from)
     return parts.join(QStringLiteral(" · "));
 }
 
-std::vector<LivePlots::Word> lessonWords(const LessonStep& step, const std::map<std::size_t, int>& numbers)
+std::vector<LivePlots::Word> lessonWords(const LessonStep& step, const std::map<std::size_t, int>& numbers,
+                                         const RunsModel& runs)
 {
     std::vector<LivePlots::Word> words;
     for (const LessonMark& mark : step.marks)
-        if (const auto found = numbers.find(mark.run); found != numbers.end())
+        if (const auto found = numbers.find(mark.run); found != numbers.end()) {
+            const RunRecord* run = runs.find(found->second);
+            if (!run || !run->summary || run->summary->status == RunStatus::Cancelled) continue;
             words.push_back({found->second, QString::fromStdString(mark.plot), mark.at, readable(mark.text)});
+        }
     return words;
 }
 

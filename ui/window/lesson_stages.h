@@ -24,8 +24,10 @@ struct RunRecord;
 
 /// What a run gave, in a few words: "ends at 7.000 nm · 6 touches". `from`: where the stage begins [s].
 QString lessonResult(const RunRecord& run, double from);
-/// The words at the curves of a step; `numbers` in the list, by the place of the run in the step.
-std::vector<LivePlots::Word> lessonWords(const LessonStep& step, const std::map<std::size_t, int>& numbers);
+/// The words at the curves of those runs of a step that came to their end; `numbers` in the list, by the place of the
+/// run in the step.
+std::vector<LivePlots::Word> lessonWords(const LessonStep& step, const std::map<std::size_t, int>& numbers,
+                                         const RunsModel& runs);
 
 class LessonStages : public QObject {
     Q_OBJECT

@@ -83,9 +83,20 @@ LiveRuns::LiveRuns(MainWindow& window) : QObject(&window), window_(window), queu
 
 void LiveRuns::leave()
 {
-    if (movement_) movement_->left = true;
+    if (movement_) {
+        movement_->left = true;
+        forgetPart(*movement_);
+    }
     movement_.reset();
     grids_.reset();
+}
+
+/// A run of the beginning alone is no result.
+void LiveRuns::forgetPart(Movement& movement)
+{
+    const RunRecord* run = movement.number < 0 ? nullptr : window_.runs().find(movement.number);
+    if (run && run->lastTime() < run->value.run.duration * (1.0 - 1e-9))
+        window_.runs().remove(window_.runs().rowOf(movement.number));
 }
 
 void LiveRuns::move(const LiveValue& value, const std::string& text)
@@ -110,7 +121,7 @@ void LiveRuns::settle()
 {
     if (!movement_ || movement_->settled) return;
     movement_->settled = true;
-    if (!window_.edits().reasonNotToRun().isEmpty()) return;
+    if (!window_.edits().reasonNotToRun().isEmpty()) return forgetPart(*movement_);
     movement_->text = window_.files().wholeText();
     if (movement_->value.model == ModelKind::Film)
         runFilm();
@@ -141,6 +152,7 @@ void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<R
     if (movement->left) return;
     if (!record) {
         movement->slow = true;
+        forgetPart(*movement);
         if (movement->settled) window_.startRun();
         return;
     }
@@ -159,7 +171,7 @@ void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<R
         finish(*movement);
 }
 
-/// From now on its run is one like any other.
+/// From now on its run stays as it is.
 void LiveRuns::finish(Movement& movement)
 {
     RunRecord* run = movement.number < 0 ? nullptr : window_.runs().find(movement.number);

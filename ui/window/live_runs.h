@@ -4,7 +4,7 @@
 //
 // Springs run at each movement, beside the window, in milliseconds: one run of the list is made anew again and again,
 // with the newest value whenever the last run is there, as far as the plots show it. When the reader lets go, it is a
-// whole run like any other. A case that takes longer runs when the reader lets go; a film first on a coarse grid, then
+// whole run. A case that takes longer runs when the reader lets go; a film first on a coarse grid, then
 // on its own.
 #pragma once
 
@@ -75,6 +75,7 @@ private:
     void runOnce(const std::shared_ptr<Movement>& movement);
     void show(const std::shared_ptr<Movement>& movement, std::unique_ptr<RunRecord> record);
     void finish(Movement& movement);
+    void forgetPart(Movement& movement);
     void runFilm();
     void onEnded(int number, const Summary& summary);
 

@@ -78,6 +78,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     connectHelp();
     connectSession();
     resize(1500, 940);
+    pages_->limitSizes();
     updateRunActions();
     updateTitle();
 }
@@ -272,13 +273,20 @@ void MainWindow::runFromSolution(int number)
     startRun();
 }
 
+void MainWindow::useTheme(const QString& name)
+{
+    givenTheme_ = name;
+    look();
+}
+
 void MainWindow::look()
 {
     const QSize before = size();
     const QAction* theme = actions_->theme->checkedAction();
     const QAction* size = actions_->fontSize->checkedAction();
     const int own = systemPointSize() + (size ? size->data().toInt() : 0);
-    applyTheme(theme ? themeFromName(theme->data().toString()) : Theme::System,
+    const QString name = !givenTheme_.isEmpty() ? givenTheme_ : theme ? theme->data().toString() : QString();
+    applyTheme(name.isEmpty() ? Theme::System : themeFromName(name),
                presenter_->on() ? std::max(own, presenter_->pointSize()) : own);
     pages_->limitSizes();
     QMetaObject::invokeMethod(

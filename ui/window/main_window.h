@@ -53,6 +53,8 @@ public:
 
     /// Geometry, theme, font and panes of the last session.
     void restoreArrangement();
+    /// Instead of the chosen theme, until another one is chosen.
+    void useTheme(const QString& name);
     /// The case of the last session, or the default case.
     void openLastCase();
     /// From now on the work is kept against a crash. `offer`: asks whether to restore a session that broke off.
@@ -160,6 +162,7 @@ private:
     HelpWindow* help_ = nullptr;
     Guides* guides_ = nullptr;
     Presenter* presenter_ = nullptr;
+    QString givenTheme_;      // by the command line; empty: none
     bool slowMotion_ = false; // of the first steps
     QString recordTo_;
     Session* session_ = nullptr; // none in a window that only draws pictures

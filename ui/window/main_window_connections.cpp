@@ -243,7 +243,7 @@ void MainWindow::connectView()
     connect(runs_->view()->plots(), &LivePlots::refused, this,
             [this](const QString& reason) { messages_->show(MessageStrip::Kind::Warning, reason); });
 
-    connect(actions_->theme, &QActionGroup::triggered, this, &MainWindow::look);
+    connect(actions_->theme, &QActionGroup::triggered, this, [this] { useTheme({}); });
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
     connect(actions_->presenter, &QAction::toggled, presenter_, &Presenter::set);
     connect(presenter_, &Presenter::changed, this, &MainWindow::look);

@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QMessageBox>
 #include <QProgressDialog>
 
@@ -98,7 +99,7 @@ void MainWindow::makeFigure()
     dialog->open();
 }
 
-/// The window goes on meanwhile.
+/// The window can be used meanwhile.
 void MainWindow::printLesson()
 {
     const QFileDialog* dialog =
@@ -109,8 +110,8 @@ void MainWindow::printLesson()
 void MainWindow::printLessonTo(const QString& file)
 {
     auto* print = new LessonPrint(lessonSteps(), tr("Touchdown: the lesson"), this);
-    auto* progress =
-        new QProgressDialog(tr("The runs of the lesson, for its print"), tr("Cancel"), 0, print->runs(), this);
+    auto* progress = new QProgressDialog(tr("Print the lesson to %1").arg(QFileInfo(file).fileName()), tr("Cancel"), 0,
+                                         print->runs(), this);
     progress->setWindowTitle(tr("Print the lesson"));
     progress->setAutoClose(false);
     progress->setAutoReset(false);

@@ -13,6 +13,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QScreen>
 #include <QSettings>
 
@@ -27,6 +28,8 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/closing_question.h"
+#include "ui/window/guides.h"
+#include "ui/window/lesson_print.h"
 #include "ui/window/presenter.h"
 #include "ui/window/session.h"
 #include "ui/window/session_offer.h"
@@ -118,11 +121,13 @@ void MainWindow::takeSession(std::unique_ptr<SessionFolder> folder)
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
-    guides_->forgetTried();
+    if (guides_->onlyTried()) files_->leaveUnsaved();
     if (!mayClose_ && !closing_->nothingLost(session_ && session_->keepsAll())) {
         event->ignore();
         return;
     }
+    for (QProgressDialog* print : findChildren<QProgressDialog*>()) print->cancel();
+    qDeleteAll(findChildren<LessonPrint*>());
     controller().stopAndWait();
     film_->controller().stopAndWait();
     studies_->controller().stopAndWait();

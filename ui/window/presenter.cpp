@@ -84,6 +84,7 @@ void Presenter::begin()
     geometry_ = window_.geometry();
     panes_ = window_.saveState();
     parts_ = window_.runView().splitter()->saveState();
+    staged_ = window_.runView().stage().has_value();
     on_ = true;
     const QScreen* screen = window_.screen();
     const double pixels = screen->geometry().height() / linesOnScreen;
@@ -125,7 +126,7 @@ void Presenter::end()
 void Presenter::arrange()
 {
     pages_.bringPanesBack(panes_);
-    window_.runView().splitter()->restoreState(parts_);
+    if (window_.runView().stage().has_value() == staged_) window_.runView().splitter()->restoreState(parts_);
     arranging_ = window_.size() != geometry_.size();
 }
 

@@ -56,6 +56,7 @@ private:
     Qt::WindowStates state_;
     QRect geometry_;
     QByteArray panes_, parts_;
+    bool staged_ = false; // the parts are those of a stage
 };
 
 } // namespace touchdown

@@ -69,7 +69,7 @@ UnsavedWork unsavedWork(const SessionParts& parts)
     work.runs = unsavedOf(parts.runs.runs());
     std::erase_if(work.runs, [&](int number) {
         const RunRecord& run = *parts.runs.runs().find(number);
-        return &run == underWay || run.ofGuide || run.sampleCount() == 0;
+        return &run == underWay || (run.ofGuide && run.note.isEmpty()) || run.sampleCount() == 0;
     });
     work.solutions = unsavedOf(parts.film.solutions());
     for (const auto& [kind, outcome] : parts.studies.outcomes())

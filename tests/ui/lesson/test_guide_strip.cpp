@@ -114,6 +114,23 @@ private slots:
         QVERIFY(spacing->pointMarks().empty());
     }
 
+    /// The run that was chosen last need not have a counterpart in the next step.
+    void goesToAStepWithFewerRuns()
+    {
+        window_->actions().lesson->trigger();
+        LessonPane& pane = *window_->guides().pane(LessonPane::Kind::Lesson);
+        pane.go(4);
+        window_->actions().presenter->trigger();
+        const std::size_t last = pane.shown().runs.size() - 1;
+        QVERIFY(last >= lessonSteps().at(5).runs.size());
+        strip().runs().at(last - 3)->click(); // a case, not a study
+        press(Qt::Key_PageDown);
+        QCOMPARE(pane.step(), std::size_t(5));
+        QCOMPARE(text("What the run shows"), pane.runText(0));
+        press(Qt::Key_PageUp);
+        QCOMPARE(text("What the run shows"), pane.runText(0));
+    }
+
     void movesTheValuesOfADemonstration()
     {
         QSettings().setValue("demonstrations/step", 5); // Fig. 10
@@ -142,7 +159,7 @@ private slots:
         QVERIFY(!slider->isEnabled());
     }
 
-    /// In the last step of most runs, at the least size of a screen.
+    /// Each step, at the least size of a screen.
     void fits()
     {
         window_->actions().lesson->trigger();

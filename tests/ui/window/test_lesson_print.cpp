@@ -23,7 +23,7 @@ using namespace touchdown;
 
 namespace test_lesson_print {
 
-/// The springs alone, in a tenth of their time.
+/// The springs alone, for 0.3 ms.
 std::vector<LessonStep> shortSteps()
 {
     std::vector<LessonStep> steps(lessonSteps().begin(), lessonSteps().begin() + 5);
@@ -98,7 +98,7 @@ private slots:
         QCoreApplication::processEvents();
     }
 
-    /// In the window: its own runs, plots and case stay; no file is left where it cannot be.
+    /// Its own runs, plots and case stay; a print that is cancelled leaves no file.
     void leavesTheWindowAlone()
     {
         const QTemporaryDir folder;
