@@ -17,7 +17,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double leastSwing = 1e-12; // that is said [m]
+constexpr double leastSwing = 1e-11; // that is said [m]
 
 std::optional<PlotRange> rangeOf(double low, double high)
 {

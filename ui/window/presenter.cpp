@@ -98,6 +98,7 @@ void Presenter::begin()
     bar_->setIconSize({icon, icon});
     bar_->show();
     for (QAction* action : {next_, back_, leave_}) action->setEnabled(true);
+    window_.actions().findParameter->setEnabled(false); // its pane is hidden
     window_.guides().present(true);
     emit changed();
     showCaption();
@@ -108,6 +109,7 @@ void Presenter::end()
 {
     on_ = false;
     for (QAction* action : {next_, back_, leave_}) action->setEnabled(false);
+    window_.actions().findParameter->setEnabled(true);
     bar_->hide();
     window_.guides().present(false);
     emit changed();
