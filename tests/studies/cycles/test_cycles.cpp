@@ -11,6 +11,7 @@
 #include "core/studies/cycles/bouncing_run.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/bouncing_slider.h"
+#include "tests/support/study_cells.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -23,24 +24,6 @@ StudyReport performed(const Case& c, const std::string& text, int jobs = 2, cons
     const StudyPlan plan = parseStudy("cycles", text, "study", {}, &c);
     if (!plan.valid()) qFatal("%s", plan.problems.front().text().c_str());
     return plan.perform(jobs, callback);
-}
-
-const StudyTable& table(const StudyReport& report, const std::string& name)
-{
-    return *std::ranges::find(report.tables, name, &StudyTable::name);
-}
-
-std::size_t columnOf(const StudyTable& t, const std::string& name)
-{
-    return std::size_t(std::ranges::find(t.columns, name, &StudyColumn::name) - t.columns.begin());
-}
-double number(const StudyTable& t, std::size_t row, const std::string& column)
-{
-    return std::get<double>(t.rows[row][columnOf(t, column)]);
-}
-std::string word(const StudyTable& t, std::size_t row, const std::string& column)
-{
-    return std::get<std::string>(t.rows[row][columnOf(t, column)]);
 }
 
 /// The last number before a unit: 2.5 of "from 1 mN to 2.5 mN: ..." [that unit].

@@ -10,9 +10,11 @@
 #include "core/formats/toml_document.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/small_slider.h"
+#include "tests/support/study_cells.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+using namespace touchdown::test;
 
 namespace test_hysteresis {
 
@@ -29,11 +31,6 @@ bool says(const StudyReport& report, const std::string& part)
 {
     return std::ranges::any_of(report.findings,
                                [&](const std::string& each) { return each.find(part) != std::string::npos; });
-}
-
-const StudyTable& table(const StudyReport& report, const std::string& name)
-{
-    return *std::ranges::find(report.tables, name, &StudyTable::name);
 }
 
 bool hasSeries(const StudyReport& report, const std::string& name)

@@ -10,6 +10,7 @@
 #include "core/case_files/case_file.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/impact_oscillator.h"
+#include "tests/support/study_cells.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -26,22 +27,6 @@ StudyReport performed(const Case& c, const std::string& text, const StudyCallbac
     return plan.perform(1, callback);
 }
 
-const StudyTable& table(const StudyReport& report, const std::string& name)
-{
-    return *std::ranges::find(report.tables, name, &StudyTable::name);
-}
-std::size_t columnOf(const StudyTable& t, const std::string& name)
-{
-    return std::size_t(std::ranges::find(t.columns, name, &StudyColumn::name) - t.columns.begin());
-}
-double number(const StudyTable& t, std::size_t row, const std::string& column)
-{
-    return std::get<double>(t.rows[row][columnOf(t, column)]);
-}
-std::string word(const StudyTable& t, std::size_t row, const std::string& column)
-{
-    return std::get<std::string>(t.rows[row][columnOf(t, column)]);
-}
 bool says(const StudyReport& report, const std::string& part)
 {
     return std::ranges::any_of(report.findings,
