@@ -81,6 +81,11 @@ LiveRuns::LiveRuns(MainWindow& window) : QObject(&window), window_(window), queu
     connect(window_.actions().stop, &QAction::triggered, this, &LiveRuns::leave);
 }
 
+LiveRuns::~LiveRuns()
+{
+    if (movement_) movement_->left = true;
+}
+
 void LiveRuns::leave()
 {
     if (movement_) {

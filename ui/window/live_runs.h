@@ -39,7 +39,7 @@ class LiveRuns : public QObject {
 
 public:
     explicit LiveRuns(MainWindow& window);
-    ~LiveRuns() override { leave(); }
+    ~LiveRuns() override; // the list of runs may be gone
 
     /// The parameters get this value, as a case file has it.
     void move(const LiveValue& value, const std::string& text);

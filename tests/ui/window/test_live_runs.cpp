@@ -138,6 +138,20 @@ private slots:
         QCOMPARE(neededUntil(view, c), c.run.duration);
     }
 
+    /// The window goes with its live runs after a movement.
+    void endsWithTheWindow()
+    {
+        QSettings().setValue("demonstrations/step", 5); // Fig. 10
+        MainWindow window;
+        window.show();
+        QSignalSpy ended(&window, &MainWindow::calculationEnded);
+        window.actions().demonstrations->trigger();
+        QVERIFY(!ended.isEmpty() || ended.wait(30000));
+        LessonPane* pane = window.guides().pane(LessonPane::Kind::Demonstrations);
+        static_cast<MarkedSlider*>(pane->live().inputs().at(0))->setValue(900);
+        QTRY_COMPARE(window.runs().count(), 2);
+    }
+
     void settlesWhileARunIsUnderWay()
     {
         QSignalSpy ended(window_.get(), &MainWindow::calculationEnded);
