@@ -112,11 +112,11 @@ void PlotPainter::paintAbove(QPainter& painter) const
     frame_.paintNumbers(painter, theme_, width_, (paper_ || plot_.xNumbersVisible()));
     frame_.paintAxisTitles(painter, theme_, (paper_ || plot_.xNumbersVisible()));
     paintHeader(painter);
-    paintReferenceLabels(painter);
     paintEventMarks(painter);
     paintArrows(painter);
     paintDots(painter);
-    paintPointMarks(painter);
+    paintPointers(painter);
+    paintLabels(painter);
 }
 
 Legend PlotPainter::legend() const
@@ -229,26 +229,24 @@ void PlotPainter::paintSelection(QPainter& painter, const QRectF& box) const
     painter.setBrush(Qt::NoBrush);
 }
 
+QPolygonF PlotPainter::outlineOf(const ShadedArea& shaded) const
+{
+    QPolygonF outline;
+    for (const auto& [x, y] : shaded.outline)
+        outline << QPointF(frame_.across(x_.position(x)), frame_.up(y_.position(y)));
+    return outline;
+}
+
 void PlotPainter::paintShadedAreas(QPainter& painter) const
 {
     painter.save();
     painter.setClipRect(area_);
     painter.setPen(Qt::NoPen);
-    painter.setFont(frame_.numberFont);
-    const QFontMetricsF metrics(frame_.numberFont);
     for (const ShadedArea& shaded : plot_.shadedAreas()) {
-        QPolygonF outline;
-        for (const auto& [x, y] : shaded.outline)
-            outline << QPointF(frame_.across(x_.position(x)), frame_.up(y_.position(y)));
         QColor fill = theme_.colour(shaded.style);
         fill.setAlphaF(0.18F);
         painter.setBrush(fill);
-        painter.drawPolygon(outline);
-        if (shaded.label.isEmpty()) continue;
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(shaded.label) + 4.0, metrics.height());
-        box.moveCenter(outline.boundingRect().center());
-        if (area_.contains(box)) paintLabel(painter, box, shaded.label, theme_.text);
-        painter.setPen(Qt::NoPen);
+        painter.drawPolygon(outlineOf(shaded));
     }
     painter.restore();
 }

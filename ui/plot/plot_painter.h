@@ -21,6 +21,13 @@ struct PaperSheet {
     std::vector<PaperStyle> styles = {}; // of the figure
 };
 
+/// Words in a shaded area, beside a reference line or a point mark, where they are drawn.
+struct PlotLabel {
+    QRectF box; // [px]
+    QString text;
+    QColor colour;
+};
+
 class PlotPainter {
 public:
     /// As on the screen. Both must outlive the painter.
@@ -39,25 +46,34 @@ public:
     void paintSelection(QPainter& painter, const QRectF& box) const;
     /// On the screen beside the title.
     Legend legend() const;
+    /// Inside the area, none over another nor over the pointer of a mark. A label without such a place is left out.
+    std::vector<PlotLabel> labels() const;
     /// Where the curves are [px].
     const QRectF& area() const { return area_; }
     /// The height of the area in which the title of the upright axis has room [px].
     double heightOfTitle() const;
 
 private:
+    struct PlacedMark {
+        const PointMark* mark;
+        QPointF tip; // of the pointer, just above the point
+        QRectF pointer() const { return {tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0)}; }
+    };
+
     void paintHeader(QPainter& painter) const;
+    QPolygonF outlineOf(const ShadedArea& shaded) const;
     void paintShadedAreas(QPainter& painter) const;
     bool isSeen(const ReferenceLine& line) const;
     void paintReferenceLines(QPainter& painter) const;
-    void paintReferenceLabels(QPainter& painter) const;
     std::optional<QRectF> placeOfLabel(const QSizeF& size, double y, const std::vector<QRectF>& taken) const;
     bool isCrossed(const QRectF& box) const;
     void paintEventMarks(QPainter& painter) const;
     void paintArrows(QPainter& painter) const;
     void paintDots(QPainter& painter) const;
     void paintCursorTag(QPainter& painter, int which, const QPointF& bottomLeft) const;
-    void paintPointMarks(QPainter& painter) const;
-    void paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const;
+    std::vector<PlacedMark> placeMarks() const;
+    void paintPointers(QPainter& painter) const;
+    void paintLabels(QPainter& painter) const;
 
     std::vector<QPointF> pathOf(const PlotCurve& curve) const;
 

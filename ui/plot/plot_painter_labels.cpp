@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What has a label in a plot: reference lines and point marks.
+// What has a label in a plot: shaded areas, reference lines and point marks.
 #include "ui/plot/plot_painter.h"
 
 #include <algorithm>
@@ -65,55 +65,44 @@ bool PlotPainter::isCrossed(const QRectF& box) const
     });
 }
 
-void PlotPainter::paintReferenceLabels(QPainter& painter) const
+/// The marks whose point is inside the area.
+std::vector<PlotPainter::PlacedMark> PlotPainter::placeMarks() const
 {
-    painter.setFont(frame_.numberFont);
-    const QFontMetricsF metrics(frame_.numberFont);
-    std::vector<QRectF> taken;
-    for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (line.label.isEmpty() || !isSeen(line)) continue;
-        QRectF box(0.0, 0.0, metrics.horizontalAdvance(line.label) + 4.0, metrics.height());
-        if (line.upright) {
-            // Beside its line at the bottom, where no peak has its label, above the labels of its neighbours.
-            const double x = frame_.across(x_.position(line.value));
-            box.moveBottomLeft({x + 3.0, area_.bottom() - 2.0});
-            if (box.right() > area_.right()) box.moveRight(x - 3.0);
-            for (const QRectF& other : taken)
-                if (box.intersects(other)) box.moveBottom(other.top() - 1.0);
-            if (box.top() < area_.top()) continue;
-        } else {
-            const std::optional<QRectF> free = placeOfLabel(box.size(), frame_.up(y_.position(line.value)), taken);
-            if (!free) continue;
-            box = *free;
-        }
-        taken.push_back(box);
-        paintLabel(painter, box, line.label, theme_.mutedText);
-    }
-}
-
-void PlotPainter::paintPointMarks(QPainter& painter) const
-{
-    struct Placed {
-        const PointMark* mark;
-        QPointF tip;
-    };
-    std::vector<Placed> placed;
-    std::vector<QRectF> taken;
-    painter.setPen(Qt::NoPen);
+    std::vector<PlacedMark> placed;
     for (const PointMark& mark : plot_.pointMarks()) {
         const QPointF at(frame_.across(x_.position(mark.x)), frame_.up(y_.position(mark.y)));
-        if (!area_.contains(at)) continue;
-        const QPointF tip = at - QPointF(0.0, 3.0);
-        painter.setBrush(theme_.colour(mark.style));
-        painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
-        placed.push_back({&mark, tip});
-        taken.emplace_back(tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0));
+        if (area_.contains(at)) placed.push_back({&mark, at - QPointF(0.0, 3.0)});
     }
-    painter.setBrush(Qt::NoBrush);
-    painter.setFont(frame_.numberFont);
+    return placed;
+}
+
+std::vector<PlotLabel> PlotPainter::labels() const
+{
+    std::vector<PlotLabel> labels;
+    std::vector<QRectF> taken;
     const QFontMetricsF metrics(frame_.numberFont);
-    for (const auto& [mark, tip] : placed) {
-        const QSizeF size(metrics.horizontalAdvance(mark->label) + 4.0, metrics.height());
+    const auto sizeOf = [&](const QString& text) {
+        return QSizeF(metrics.horizontalAdvance(text) + 4.0, metrics.height());
+    };
+    const auto meets = [&taken](const QRectF& box) {
+        return std::ranges::find_if(taken, [&box](const QRectF& other) { return other.intersects(box); });
+    };
+    const auto add = [&](const QRectF& box, const QString& text, const QColor& colour) {
+        taken.push_back(box);
+        labels.push_back({box, text, colour});
+    };
+
+    // The fewer places a label has, the sooner it chooses: areas one, words at points three, lines many.
+    const std::vector<PlacedMark> marks = placeMarks();
+    for (const PlacedMark& mark : marks) taken.push_back(mark.pointer());
+    for (const ShadedArea& shaded : plot_.shadedAreas()) {
+        if (shaded.label.isEmpty()) continue;
+        QRectF box(QPointF(), sizeOf(shaded.label));
+        box.moveCenter(outlineOf(shaded).boundingRect().center());
+        if (area_.contains(box) && meets(box) == taken.end()) add(box, shaded.label, theme_.text);
+    }
+    for (const auto& [mark, tip] : marks) {
+        const QSizeF size = sizeOf(mark->label);
         // The highest point may have no room above it: its label stands beside it, below the plot's upper edge.
         const double beside = std::max(tip.y() - size.height(), area_.top());
         const QPointF corners[] = {tip - QPointF(size.width() / 2.0, 7.0 + size.height()),
@@ -121,22 +110,51 @@ void PlotPainter::paintPointMarks(QPainter& painter) const
                                    {tip.x() - 6.0 - size.width(), beside}};
         for (const QPointF& corner : corners) {
             const QRectF box(corner, size);
-            const auto meets = [&](const QRectF& other) { return other.intersects(box); };
-            if (!area_.contains(box) || std::ranges::any_of(taken, meets)) continue;
-            taken.push_back(box);
-            paintLabel(painter, box, mark->label, theme_.text);
+            if (!area_.contains(box) || meets(box) != taken.end()) continue;
+            add(box, mark->label, theme_.text);
             break; // without room anywhere the marker stands alone
         }
     }
+    for (const ReferenceLine& line : plot_.referenceLines()) {
+        if (line.label.isEmpty() || !isSeen(line)) continue;
+        QRectF box(QPointF(), sizeOf(line.label));
+        if (line.upright) {
+            // Beside its line at the bottom, where no peak has its label, above the labels of its neighbours.
+            const double x = frame_.across(x_.position(line.value));
+            box.moveBottomLeft({x + 3.0, area_.bottom() - 2.0});
+            if (box.right() > area_.right()) box.moveRight(x - 3.0);
+            for (auto other = meets(box); other != taken.end(); other = meets(box)) box.moveBottom(other->top() - 1.0);
+            if (box.top() < area_.top()) continue;
+        } else {
+            const std::optional<QRectF> free = placeOfLabel(box.size(), frame_.up(y_.position(line.value)), taken);
+            if (!free) continue;
+            box = *free;
+        }
+        add(box, line.label, theme_.mutedText);
+    }
+    return labels;
 }
 
-void PlotPainter::paintLabel(QPainter& painter, const QRectF& box, const QString& text, const QColor& colour) const
+void PlotPainter::paintPointers(QPainter& painter) const
 {
+    painter.setPen(Qt::NoPen);
+    for (const auto& [mark, tip] : placeMarks()) {
+        painter.setBrush(theme_.colour(mark->style));
+        painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.0, -6.0), tip + QPointF(4.0, -6.0)}));
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void PlotPainter::paintLabels(QPainter& painter) const
+{
+    painter.setFont(frame_.numberFont);
     QColor paper = theme_.plotArea;
     paper.setAlphaF(0.75F);
-    painter.fillRect(box, paper);
-    painter.setPen(colour);
-    painter.drawText(box, Qt::AlignCenter, text);
+    for (const auto& [box, text, colour] : labels()) {
+        painter.fillRect(box, paper);
+        painter.setPen(colour);
+        painter.drawText(box, Qt::AlignCenter, text);
+    }
 }
 
 } // namespace touchdown

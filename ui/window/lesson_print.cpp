@@ -61,7 +61,7 @@ LessonPrint::LessonPrint(std::vector<LessonStep> steps, const QString& title, QO
     view_->setAttribute(Qt::WA_DontShowOnScreen);
     view_->resize(1000, 800);
     view_->show(); // its parts ask whether they are seen
-    connect(view_->spectrum()->view(), &SpectrumView::curvesChanged, this, &LessonPrint::finishStep,
+    connect(view_->spectrum()->view(), &SpectrumView::curvesChanged, this, &LessonPrint::finishModel,
             Qt::QueuedConnection);
 }
 
@@ -70,16 +70,17 @@ LessonPrint::~LessonPrint() { cancel(); }
 void LessonPrint::cancel()
 {
     cancelled_ = true;
-    QMetaObject::invokeMethod(this, &LessonPrint::finishStep, Qt::QueuedConnection); // it may wait for a spectrum
+    QMetaObject::invokeMethod(this, &LessonPrint::finishModel, Qt::QueuedConnection); // it may wait for a spectrum
 }
 
-/// Runs of the step that are long enough for a spectrum.
+/// Runs that are shown and long enough for a spectrum.
 std::size_t LessonPrint::spectra() const
 {
     const std::string quantity = view_->spectrum()->view()->quantity().toStdString();
     std::size_t count = 0;
     for (int row = 0; row < list_.count(); ++row)
-        count += !signalOf(list_.record(row), quantity, list_.record(row).value.spectrum.start).parts.empty();
+        count += list_.record(row).shown &&
+                 !signalOf(list_.record(row), quantity, list_.record(row).value.spectrum.start).parts.empty();
     return count;
 }
 
@@ -105,15 +106,17 @@ void LessonPrint::next()
     if (step_ == steps_.size()) return emit ended(true, {});
     const std::vector<LessonRun>& runs = steps_[step_].runs;
     while (run_ < runs.size() && !runs[run_].kind.empty()) ++run_;
-    if (run_ < runs.size()) return perform(run_++);
+    const bool sameModel = run_ < runs.size() && (numbers_.empty() || caseOf(runs[run_]).model == model_);
+    if (sameModel) return perform(run_++);
     allThere_ = true;
     view_->plots()->setWords(lessonWords(steps_[step_], numbers_, list_));
-    finishStep();
+    finishModel();
 }
 
 void LessonPrint::perform(std::size_t run)
 {
     const Case c = caseOf(steps_[step_].runs[run]);
+    model_ = c.model;
     view_->setCase(c);
     auto record = std::make_shared<std::unique_ptr<RunRecord>>();
     queue_.post(
@@ -135,14 +138,27 @@ void LessonPrint::perform(std::size_t run)
         });
 }
 
-/// When all its runs are there, and their spectra where it shows them.
-void LessonPrint::finishStep()
+/// A picture of the runs of one model, when all are there and their spectra, where the step shows them. The springs and
+/// the film of a step have pictures of their own: 8 nm and 0.1 nm are not seen on one axis.
+void LessonPrint::finishModel()
 {
     if (!allThere_) return;
-    if (!cancelled_ && steps_[step_].stage.spectrum && view_->spectrum()->view()->plot()->curves().size() < spectra())
+    if (!cancelled_ && steps_[step_].stage.spectrum && view_->spectrum()->view()->plot()->curves().size() != spectra())
         return;
     allThere_ = false;
     if (cancelled_) return emit ended(false, {});
+    // As the list below numbers them.
+    for (const auto& [run, number] : numbers_) list_.rename(number, tr("run %1").arg(run + 1));
+    addPicture(false);
+    if (run_ < steps_[step_].runs.size()) {
+        showOnly(std::nullopt);
+        return perform(run_++);
+    }
+    if (!numbers_.empty()) {
+        const std::optional<std::size_t> parts = steps_[step_].stage.parts;
+        showOnly(parts ? numbers_.at(*parts) : numbers_.rbegin()->second);
+        addPicture(true);
+    }
     addStep();
     while (list_.count() > 0) list_.remove(0);
     numbers_.clear();
@@ -151,18 +167,23 @@ void LessonPrint::finishStep()
     next();
 }
 
+/// A run of the list, or none.
+void LessonPrint::showOnly(std::optional<int> number)
+{
+    for (int row = 0; row < list_.count(); ++row)
+        list_.setData(list_.index(row), list_.record(row).number == number ? Qt::Checked : Qt::Unchecked,
+                      Qt::CheckStateRole);
+}
+
 void LessonPrint::addStep()
 {
     const LessonStep& step = steps_[step_];
-    // As the list below numbers them.
-    for (const auto& [run, number] : numbers_) list_.rename(number, tr("run %1").arg(run + 1));
     html_ += QStringLiteral("<h2 style='margin:0 0 4px 0%1'>%2. %3</h2>")
                  .arg(step_ > 0 ? QStringLiteral("; page-break-before:always") : QString())
                  .arg(step_ + 1)
                  .arg(lessonHtml(step.title));
     html_ += lessonBlock({}, step.text, quiet) + lessonBlock(tr("Question"), step.question, accent);
-    addPicture(false);
-    addPicture(true);
+    html_ += std::exchange(figures_, {});
     html_ += QStringLiteral("<ol style='margin:2px 0'>");
     for (std::size_t i = 0; i < step.runs.size(); ++i) {
         const LessonRun& run = step.runs[i];
@@ -179,8 +200,8 @@ void LessonPrint::addStep()
     html_ += lessonBlock(tr("Then change it yourself"), step.change, quiet);
 }
 
-/// Pictures of the plots with one curve for each run and of the spectrum; or of plots with several curves, which show
-/// the last run alone.
+/// Of the runs shown: a picture of the plots with one curve for each run and of the spectrum, or of the plots with
+/// several curves, for one run.
 void LessonPrint::addPicture(bool several)
 {
     std::vector<QWidget*> panels;
@@ -191,11 +212,6 @@ void LessonPrint::addPicture(bool several)
         if (hasSeveral == several && !qobject_cast<SideView*>(part)) panels.push_back(part);
     }
     if (panels.empty() || numbers_.empty()) return;
-    if (several) {
-        const int last = numbers_.rbegin()->second;
-        for (int row = 0; row < list_.count(); ++row)
-            if (list_.record(row).number != last) list_.setData(list_.index(row), Qt::Unchecked, Qt::CheckStateRole);
-    }
     FigureFormat format;
     format.width = textWidth;
     format.height = panelHeight * static_cast<double>(panels.size());
@@ -210,13 +226,17 @@ void LessonPrint::addPicture(bool several)
     painter.scale(scale, scale);
     figure.paint(painter);
     painter.end();
-    if (several)
-        html_ += QStringLiteral("<p style='margin:4px 0 0 0; color:%1'>%2</p>")
-                     .arg(quiet.name(), tr("The last run, %1:").arg(numbers_.rbegin()->first + 1));
-    html_ += QStringLiteral("<p style='margin:4px 0'><img src='picture%1' width='%2' height='%3'></p>")
-                 .arg(pictures_.size())
-                 .arg(pixels(textWidth), 0, 'f', 1)
-                 .arg(pixels(textWidth) * image.height() / std::max(image.width(), 1), 0, 'f', 1);
+    QStringList names;
+    for (const auto& [run, number] : numbers_)
+        if (list_.find(number)->shown) names << QString::number(run + 1);
+    if (names.size() < list_.count())
+        figures_ += QStringLiteral("<p style='margin:4px 0 0 0; color:%1'>%2</p>")
+                        .arg(quiet.name(), names.size() == 1 ? tr("Run %1:").arg(names.front())
+                                                             : tr("Runs %1:").arg(names.join(QStringLiteral(", "))));
+    figures_ += QStringLiteral("<p style='margin:4px 0'><img src='picture%1' width='%2' height='%3'></p>")
+                    .arg(pictures_.size())
+                    .arg(pixels(textWidth), 0, 'f', 1)
+                    .arg(pixels(textWidth) * image.height() / std::max(image.width(), 1), 0, 'f', 1);
     pictures_.push_back(std::move(image));
 }
 

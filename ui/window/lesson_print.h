@@ -3,13 +3,14 @@
 // The lesson on paper, A4: for each step its texts, its runs with what they gave, a picture of its plots, the answer.
 //
 // The runs are performed beside the window, one after another, in a list and on plots of their own. A study of a step
-// is named with its command.
+// is named with its command. Runs with springs and with a film have pictures of their own.
 #pragma once
 
 #include <atomic>
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QByteArray>
@@ -54,7 +55,8 @@ signals:
 private:
     void next();
     void perform(std::size_t run);
-    void finishStep();
+    void finishModel();
+    void showOnly(std::optional<int> number);
     std::size_t spectra() const;
     void addStep();
     void addPicture(bool several);
@@ -67,9 +69,11 @@ private:
     std::unique_ptr<LessonStages> stages_;
     std::size_t step_ = 0, run_ = 0;     // that is next
     std::map<std::size_t, int> numbers_; // of the step's runs in the list
-    bool allThere_ = false;              // all runs of the step have been performed
+    ModelKind model_ = {};               // of the last run
+    bool allThere_ = false;              // all runs of the step with that model have been performed
     int performed_ = 0;
     std::vector<QImage> pictures_; // so far
+    QString figures_;              // those of the step, as HTML
     QString html_;
     std::atomic<bool> cancelled_ = false;
     TaskQueue queue_; // last: its tasks use what stands above

@@ -178,19 +178,22 @@ void WindowPages::showPanesOfPage()
 
 void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& title)
 {
-    QDockWidget*& dock = guides_[&guide];
-    if (dock == nullptr) {
-        dock = addPane(name, title, &guide, Qt::RightDockWidgetArea);
-        if (panesHidden_) newGuides_.push_back(dock);
-        parts_.window.tabifyDockWidget(about_, dock);
-        connect(dock->toggleViewAction(), &QAction::toggled, this,
-                [this, &guide](bool open) { emit guideToggled(&guide, open); });
-    }
     if (panesHidden_) {
         std::erase_if(hiddenPanes_, [this](const QDockWidget* each) { return guides_.contains(each->widget()); });
-        hiddenPanes_.push_back(dock);
-        dock->hide();
+        meanwhile_ = Guide{&guide, name, title};
         return;
+    }
+    openGuide({&guide, name, title});
+}
+
+void WindowPages::openGuide(const Guide& guide)
+{
+    QDockWidget*& dock = guides_[guide.widget];
+    if (dock == nullptr) {
+        dock = addPane(guide.name, guide.title, guide.widget, Qt::RightDockWidgetArea);
+        parts_.window.tabifyDockWidget(about_, dock);
+        connect(dock->toggleViewAction(), &QAction::toggled, this,
+                [this, widget = guide.widget](bool open) { emit guideToggled(widget, open); });
     }
     dock->show();
     dock->raise();
@@ -207,7 +210,7 @@ void WindowPages::hidePanes()
     noteWanted();
     panesHidden_ = true; // before they are hidden: nobody closes them
     hiddenPanes_.clear();
-    newGuides_.clear();
+    meanwhile_.reset();
     for (auto* dock : parts_.window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
         if (dock->isHidden()) continue;
         hiddenPanes_.push_back(dock);
@@ -224,10 +227,10 @@ void WindowPages::bringPanesBack(const QByteArray& arrangement)
     panesHidden_ = true; // the guides go on as they are
     for (QDockWidget* dock : hiddenPanes_) {
         if (std::ranges::find(panes_, dock, &Pane::dock) != panes_.end()) continue; // of a page
-        if (std::ranges::find(newGuides_, dock) != newGuides_.end()) parts_.window.tabifyDockWidget(about_, dock);
         dock->show();
         dock->raise();
     }
+    if (meanwhile_) openGuide(*meanwhile_);
     panesHidden_ = false;
 }
 

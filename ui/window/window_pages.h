@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/case/case.h"
@@ -86,6 +87,11 @@ private:
     void showPage();
     void noteWanted();
     void makeRoomForGuide();
+    struct Guide {
+        QWidget* widget = nullptr;
+        QString name, title;
+    };
+    void openGuide(const Guide& guide);
 
     Parts parts_;
     QTabBar* tabs_;
@@ -103,7 +109,7 @@ private:
     QDockWidget* study_ = nullptr;
     bool panesHidden_ = false;
     std::vector<QDockWidget*> hiddenPanes_;   // meanwhile
-    std::vector<QDockWidget*> newGuides_;     // that were asked for meanwhile
+    std::optional<Guide> meanwhile_;          // that was asked for meanwhile: its pane opens with the others
     std::map<QWidget*, QDockWidget*> guides_; // those that were asked for
     ModelKind model_ = ModelKind::Springs;
     Page shown_ = Page::Run;

@@ -56,7 +56,17 @@ Case firstCase(StudyReader& reader, const std::string& table, const std::vector<
     return c;
 }
 
-LessonStage readStage(StudyReader& reader, const std::string& table)
+/// Which of a step's runs a key names, counted from 0; not a study.
+std::size_t readNumberOfRun(StudyReader& reader, const std::string& key, const std::vector<LessonRun>& runs)
+{
+    const double number = reader.number(key, "1", "1", 1.0, static_cast<double>(runs.size())).value_or(1.0);
+    const std::size_t run = static_cast<std::size_t>(number) - 1;
+    if (number != std::floor(number)) reader.add(key, "is not a whole number");
+    if (run < runs.size() && !runs[run].kind.empty()) reader.add(key, "is a study, without curves over time");
+    return run;
+}
+
+LessonStage readStage(StudyReader& reader, const std::string& table, const std::vector<LessonRun>& runs)
 {
     LessonStage stage;
     stage.plots = reader.texts(table + ".plots").value_or(std::vector<std::string>());
@@ -70,6 +80,7 @@ LessonStage readStage(StudyReader& reader, const std::string& table)
         if (high < low) reader.add(table + key, "is below the other end of its axis");
     stage.side = reader.boolean(table + ".side").value_or(false);
     stage.spectrum = reader.boolean(table + ".spectrum").value_or(false);
+    if (reader.has(table + ".parts")) stage.parts = readNumberOfRun(reader, table + ".parts", runs);
     return stage;
 }
 
@@ -107,12 +118,7 @@ LiveValue readLive(StudyReader& reader, const std::string& table, const Case& c)
 LessonMark readMark(StudyReader& reader, const std::string& table, const LessonStep& step)
 {
     LessonMark mark;
-    const auto last = static_cast<double>(step.runs.size());
-    const double run = reader.number(table + ".run", "1", "1", 1.0, last).value_or(1.0);
-    mark.run = static_cast<std::size_t>(run) - 1;
-    if (run != std::floor(run)) reader.add(table + ".run", "is not a whole number");
-    if (mark.run < step.runs.size() && !step.runs[mark.run].kind.empty())
-        reader.add(table + ".run", "is a study, without curves over time");
+    mark.run = readNumberOfRun(reader, table + ".run", step.runs);
     mark.plot = requiredText(reader, table + ".plot");
     if (!mark.plot.empty() && std::ranges::find(step.stage.plots, mark.plot) == step.stage.plots.end())
         reader.add(table + ".plot", inQuotes(mark.plot) + " is not a plot of the stage");
@@ -136,7 +142,7 @@ LessonStep readStep(StudyReader& reader, const std::string& table)
     step.question = textOrThat(table + ".question", c.about.watch);
     step.change = requiredText(reader, table + ".change");
     step.answer = requiredText(reader, table + ".answer");
-    step.stage = readStage(reader, table + ".stage");
+    step.stage = readStage(reader, table + ".stage", step.runs);
     for (const std::string& mark : reader.tables(table + ".mark")) step.marks.push_back(readMark(reader, mark, step));
     for (const std::string& live : reader.tables(table + ".live")) step.live.push_back(readLive(reader, live, c));
     return step;

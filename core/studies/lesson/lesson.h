@@ -18,6 +18,7 @@
 //   from = "0 ms", until = "0.3 ms"     # of the time axis; may be left out
 //   lowest = "-6 nm", highest = "20 nm" # of the minimum spacing; may be left out
 //   side = true, spectrum = true        # the side view above the plots, the spectrum below; false if left out
+//   parts = 1          # on paper a plot of several curves shows this run, of the runs below; the last if left out
 //
 //   [[step.mark]]      # a word at a place of a curve: where to look
 //   run = 1            # whose curve, of the runs below
@@ -35,6 +36,8 @@
 //   study = "..."      # instead of a case: a sample study
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -69,6 +72,7 @@ struct LessonStage {
     double from = 0.0, until = 0.0;     // [s]
     double lowest = 0.0, highest = 0.0; // [m]
     bool side = false, spectrum = false;
+    std::optional<std::size_t> parts; // the first run is 0
 };
 
 /// A word at a place of the curve of a run.

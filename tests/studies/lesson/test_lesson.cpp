@@ -214,7 +214,13 @@ private slots:
         QCOMPARE(stage.until, 0.3e-3);
         QCOMPARE(stage.lowest, -5e-9);
         QCOMPARE(stage.highest, 20e-9);
-        QVERIFY(stage.side && !stage.spectrum);
+        QVERIFY(stage.side && !stage.spectrum && !stage.parts);
+        const std::string run = "[[step.run]]\npurpose = 'x'\ncase = 'fig10a'\n";
+        const Lesson parts = readLesson(step + "[step.stage]\nplots = ['energy']\nparts = 2\n" + run + run, "l.toml");
+        QVERIFY2(parts.problems.empty(), qPrintable(problemsOf(parts)));
+        QCOMPARE(parts.steps.at(0).stage.parts, std::optional<std::size_t>(1));
+        const Lesson beyond = readLesson(step + "[step.stage]\nplots = ['energy']\nparts = 2\n" + run, "l.toml");
+        QVERIFY(problemsOf(beyond).contains("step[1].stage.parts"));
         QVERIFY(problemsOf(readLesson(step, "l.toml")).contains("step[1].stage.plots: is missing"));
         const std::string wrong = step + "[step.stage]\nplots = ['spacing']\nfrom = '2 ms'\nuntil = '1 ms'\n";
         QVERIFY(problemsOf(readLesson(wrong, "l.toml")).contains("stage.until: is below the other end of its axis"));

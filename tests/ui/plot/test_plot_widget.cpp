@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <random>
 
 #include <QLocale>
 #include <QMouseEvent>
@@ -99,6 +100,7 @@ private slots:
     void escapeTakesCursorsAway();
     void logarithmicHeightWithZeros();
     void referenceLineAndMarks();
+    void noLabelLiesOverAnother();
     void followsThePalette();
     void rangesFollowTheCurveThatLeads();
     void aRangeGrowsInHalvesOfTheWay();
@@ -436,6 +438,42 @@ void TestPlotWidget::referenceLineAndMarks()
     QVERIFY(ink(image, label, plot_->theme().mutedText) > 20);
     const QRectF tick(line.x() - 2.0, area.top(), 4.0, 5.0);
     QVERIFY(ink(image, tick, plot_->theme().referenceLine) >= 3);
+}
+
+/// Words at points close to reference lines, close to each other and at the border, on the screen.
+void TestPlotWidget::noLabelLiesOverAnother()
+{
+    std::mt19937 generator(7);
+    const auto draw = [&](double most) { return std::uniform_real_distribution(0.0, most)(generator); };
+    std::size_t drawn = 0;
+    std::size_t placed = 0;
+    for (int plot = 0; plot < 100; ++plot) {
+        plot_->setView({PlotRange{0.0, 1e-3}, PlotRange{0.0, 30e-9}});
+        std::vector<ReferenceLine> lines;
+        std::vector<PointMark> marks;
+        for (int i = 0; i < 4; ++i) {
+            const bool upright = i == 3;
+            lines.push_back({draw(upright ? 1e-3 : 30e-9), QStringLiteral("line %1").arg(i), upright});
+            // The first two stand on a line, where its label would be without them.
+            const double x = i < 2 ? 0.9e-3 + draw(0.1e-3) : draw(1e-3);
+            const double y = i < 2 ? std::max(lines[static_cast<std::size_t>(i)].value - draw(1e-9), 0.0) : draw(30e-9);
+            marks.push_back({x, y, QStringLiteral("ends at %1 nm").arg(i), {i, 0}});
+        }
+        drawn += lines.size() + marks.size();
+        plot_->setReferenceLines(lines);
+        plot_->setPointMarks(marks);
+        plot_->setShadedAreas({{{{2e-4, 1e-9}, {6e-4, 1e-9}, {6e-4, 2e-8}}, QStringLiteral("W = 7.5 pJ"), {0, 0}}});
+        plot_->refreshNow();
+        const PlotPainter painter(*plot_, plot_->theme());
+        const std::vector<PlotLabel> labels = painter.labels();
+        placed += labels.size();
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            QVERIFY(painter.area().contains(labels[i].box));
+            for (std::size_t k = 0; k < i; ++k)
+                QVERIFY2(!labels[k].box.intersects(labels[i].box), qPrintable(labels[i].text));
+        }
+    }
+    QVERIFY2(static_cast<double>(placed) > 0.9 * static_cast<double>(drawn), qPrintable(QString::number(placed)));
 }
 
 void TestPlotWidget::followsThePalette()

@@ -79,10 +79,31 @@ private slots:
         QVERIFY(text.contains("ends at 7.0"));
         QVERIFY2(text.contains("standard deviation"), qPrintable(text));
         QCOMPARE(print.html().count("<img "), 9); // the energy and the forces have pictures of their own
+        for (const char* which :
+             {"Run 1:", "Run 2:", "Run 8:"}) // of steps 1 and 2 the stage names it, of step 4 the last
+            QVERIFY2(text.contains(which), which);
         QVERIFY2(print.pages() >= 6 && print.pages() <= 8, qPrintable(QString::number(print.pages())));
         const QByteArray pdf = print.pdf();
         QVERIFY(pdf.startsWith("%PDF-") && pdf.size() > 100000);
         QCOMPARE(pdf.count("/Type /Page\n"), print.pages());
+    }
+
+    /// A second model has a picture of its own, with the spectra of its runs.
+    void modelsHavePicturesOfTheirOwn()
+    {
+        std::vector<LessonStep> steps{lessonSteps().back()};
+        std::vector<LessonRun>& runs = steps[0].runs;
+        runs.resize(2);
+        for (LessonRun& run : runs) run.settings.push_back({"run.duration", "0.3 ms"});
+        runs.push_back({"A pad in contact.", "contact_hertz", "", {}});
+        LessonPrint print(steps, QStringLiteral("The lesson"), nullptr);
+        QSignalSpy ended(&print, &LessonPrint::ended);
+        print.start();
+        QVERIFY(ended.wait(60000));
+        QVERIFY2(ended[0][0].toBool(), qPrintable(ended[0][1].toString()));
+        QCOMPARE(print.html().count("<img "), 2);
+        const QString text = plain(print.html());
+        QVERIFY(text.contains("Runs 1, 2:") && text.contains("Run 3:"));
     }
 
     void endsWhenItIsCancelled()

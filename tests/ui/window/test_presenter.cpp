@@ -188,6 +188,29 @@ private slots:
         QVERIFY(window_->tabifiedDockWidgets(pane).contains(window_->findChild<QDockWidget*>("about")));
     }
 
+    /// Its pane is then as where it was opened without the presenter: font of the title and height.
+    void guideOpenedMeanwhileLooksAsAlways()
+    {
+        const auto heights = [this] {
+            std::map<QString, int> all;
+            for (const QString& name : {"demonstrations", "runs", "values"})
+                all[name] = window_->findChild<QDockWidget*>(name)->height();
+            return all;
+        };
+        window_->actions().demonstrations->trigger();
+        QCoreApplication::processEvents();
+        const std::map<QString, int> expected = heights();
+        const QFont font = window_->findChild<QDockWidget*>("demonstrations")->font();
+        window_.reset();
+        init();
+        present(true);
+        window_->actions().demonstrations->trigger();
+        present(false);
+        QTRY_VERIFY(window_->findChild<QDockWidget*>("demonstrations")->isVisible());
+        QCOMPARE(window_->findChild<QDockWidget*>("demonstrations")->font().pointSize(), font.pointSize());
+        QTRY_COMPARE(heights(), expected);
+    }
+
     /// A window that is closed in a lecture opens as it was before.
     void closesAsItWas()
     {
