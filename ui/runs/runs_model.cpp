@@ -2,7 +2,10 @@
 #include "ui/runs/runs_model.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 
+#include "core/case_files/case_file.h"
 #include "ui/case/parameter_text.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
@@ -20,6 +23,24 @@ QString headOf(const std::string& title)
     const QString text = QString::fromStdString(title);
     const qsizetype colon = text.indexOf(QLatin1String(": "));
     return colon > 0 ? text.left(colon) : text;
+}
+
+/// The sample case that a title names, if there is one.
+std::optional<Case> sampleOf(const std::string& title)
+{
+    if (title.empty()) return {};
+    for (const SampleCase& sample : sampleCases()) {
+        if (sample.text.find(title) == std::string::npos) continue;
+        if (const Case c = openCase(sample.name).value; c.title == title) return c;
+    }
+    return {};
+}
+
+QString firstOf(const QStringList& changes)
+{
+    const QString more =
+        changes.size() > mostInLabel ? QStringLiteral(" +%1").arg(changes.size() - mostInLabel) : QString();
+    return changes.first(std::min(mostInLabel, changes.size())).join(QStringLiteral(", ")) + more;
 }
 
 } // namespace
@@ -46,12 +67,15 @@ QString RunsModel::labelOf(const RunRecord& run) const
         if (record(row).value.title == run.value.title) base = &record(row);
     if (const RunRecord* chosen = find(baseline()); chosen && chosen->value.title == run.value.title) base = chosen;
     const QString own = run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
-    if (!base || base->number == run.number) return own;
+    if (!base || base->number == run.number) {
+        // A figure of the paper that was changed is that figure no more.
+        const std::optional<Case> sample = sampleOf(run.value.title);
+        const QStringList changes = sample ? shortDifference(*sample, run.value) : QStringList();
+        return changes.isEmpty() ? own : readable(tr("%1, %2").arg(own, firstOf(changes)).toStdString());
+    }
     const QStringList changes = shortDifference(base->value, run.value);
     if (changes.isEmpty()) return run.value.title.empty() ? own : tr("%1, run %2").arg(own).arg(run.number);
-    QString text = changes.first(std::min(mostInLabel, changes.size())).join(QStringLiteral(", "));
-    if (changes.size() > mostInLabel) text += QStringLiteral(" +%1").arg(changes.size() - mostInLabel);
-    return readable(text.toStdString());
+    return readable(firstOf(changes).toStdString());
 }
 
 void RunsModel::relabel()

@@ -24,6 +24,7 @@ class TestStudyAxes : public QObject {
 private slots:
     void showsAllPoints();
     void showsErrorBars();
+    void equalValuesAreALevelLine();
     void showsBandsThatAreNear();
     void anInfiniteBandMovesNothing();
     void edgesOfCells();
@@ -52,6 +53,19 @@ void TestStudyAxes::showsErrorBars()
     panel.series[0].points[1].yError = 5.0;
     const PlotRange range = panelAxes(panel).y.range();
     QVERIFY(range.contains(-3.0) && range.contains(7.0));
+}
+
+/// Equal results, with and without rounding errors: the numbers at the axis tell them from others.
+void TestStudyAxes::equalValuesAreALevelLine()
+{
+    for (const double value : {0.5, -3.0, 1.0, 2e5, 1e-4, 0.0})
+        for (const double error : {0.0, 1e-13}) {
+            const PanelAxes axes = panelAxes(linear({{0.0, value}, {1.0, value * (1.0 + error)}, {2.0, value}}));
+            const PlotRange range = axes.y.range();
+            QVERIFY(range.contains(value) && range.width() > 0.15 * std::abs(value));
+            QVERIFY2(axes.y.text().contains(u'\u2212') == false, qPrintable(axes.y.text())); // no offset
+            for (const AxisTick& tick : axes.y.ticks(5)) QVERIFY(!tick.major || tick.value == 0.0 || tick.text != "0");
+        }
 }
 
 /// Points fill 1 to 2. A band that ends at 2.4 is 0.4 of their width away and comes in, one at 200 would push them
