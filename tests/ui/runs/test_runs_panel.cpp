@@ -168,7 +168,7 @@ void TestRunsPanel::namesRunsByWhatChanged()
     QCOMPARE(name(2), QStringLiteral("3  FH(0) 30\u00a0nm"));
     model.setBaseline(-1);
     model.remove(0);
-    QCOMPARE(name(0), QStringLiteral("2  Fig. 10 (a)"));
+    QCOMPARE(name(0), QStringLiteral("2  Fig. 10 (a), FH(0) 20\u00a0nm"));
     QVERIFY2(name(2).contains(QStringLiteral("fₘ 1")) && name(2).contains(QStringLiteral("FH(0) 250")),
              qPrintable(name(2)));
 }
