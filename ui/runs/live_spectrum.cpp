@@ -204,7 +204,7 @@ void LiveSpectrum::computeElsewhere(const RunRecord& run, const std::string& qua
             const auto [from, to] = begun_.equal_range(number);
             if (const auto begun = std::find_if(from, to, same); begun != to) begun_.erase(begun);
             ++computed_;
-            if (!runs_.find(number) || made->spectrum.empty()) return;
+            if (!runs_.find(number) || made->spectrum.empty()) return restyle();
             keep(number, std::move(*made));
             runFinished(number); // shows it, if it is still what is wanted
         });

@@ -36,6 +36,8 @@ public:
     explicit LiveSpectrum(RunsModel& runs, QWidget* parent = nullptr);
     ~LiveSpectrum() override;
 
+    /// Every shown run that has a spectrum shows it. SpectrumView::curvesChanged follows when this becomes true.
+    bool complete() const { return stale_.empty() && begun_.empty(); }
     SpectrumView* view() const { return view_; }
     /// Takes over what the case asks for.
     void setOptionsOf(const Case& c);

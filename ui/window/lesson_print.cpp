@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <numeric>
+#include <string>
 #include <utility>
 
 #include <QBuffer>
@@ -48,6 +50,12 @@ QString withoutLinks(QString html)
     return html.replace(link, QStringLiteral("<i>\\1</i>"));
 }
 
+/// Without its studies.
+int runsOf(const LessonStep& step)
+{
+    return static_cast<int>(std::ranges::count(step.runs, std::string(), &LessonRun::kind));
+}
+
 } // namespace
 
 LessonPrint::LessonPrint(std::vector<LessonStep> steps, const QString& title, QObject* parent)
@@ -73,24 +81,10 @@ void LessonPrint::cancel()
     QMetaObject::invokeMethod(this, &LessonPrint::finishModel, Qt::QueuedConnection); // it may wait for a spectrum
 }
 
-/// Runs that are shown and long enough for a spectrum.
-std::size_t LessonPrint::spectra() const
-{
-    const std::string quantity = view_->spectrum()->view()->quantity().toStdString();
-    std::size_t count = 0;
-    for (int row = 0; row < list_.count(); ++row)
-        count += list_.record(row).shown &&
-                 !signalOf(list_.record(row), quantity, list_.record(row).value.spectrum.start).parts.empty();
-    return count;
-}
-
 int LessonPrint::runs() const
 {
-    int count = 0;
-    for (const LessonStep& step : steps_)
-        count +=
-            static_cast<int>(std::ranges::count_if(step.runs, [](const LessonRun& run) { return run.kind.empty(); }));
-    return count;
+    return std::accumulate(steps_.begin(), steps_.end(), 0,
+                           [](int count, const LessonStep& step) { return count + runsOf(step); });
 }
 
 void LessonPrint::start()
@@ -143,8 +137,7 @@ void LessonPrint::perform(std::size_t run)
 void LessonPrint::finishModel()
 {
     if (!allThere_) return;
-    if (!cancelled_ && steps_[step_].stage.spectrum && view_->spectrum()->view()->plot()->curves().size() != spectra())
-        return;
+    if (!cancelled_ && view_->spectrum()->isVisible() && !view_->spectrum()->complete()) return;
     allThere_ = false;
     if (cancelled_) return emit ended(false, {});
     // As the list below numbers them.
@@ -229,7 +222,7 @@ void LessonPrint::addPicture(bool several)
     QStringList names;
     for (const auto& [run, number] : numbers_)
         if (list_.find(number)->shown) names << QString::number(run + 1);
-    if (names.size() < list_.count())
+    if (names.size() < runsOf(steps_[step_]))
         figures_ += QStringLiteral("<p style='margin:4px 0 0 0; color:%1'>%2</p>")
                         .arg(quiet.name(), names.size() == 1 ? tr("Run %1:").arg(names.front())
                                                              : tr("Runs %1:").arg(names.join(QStringLiteral(", "))));

@@ -57,7 +57,6 @@ private:
     void perform(std::size_t run);
     void finishModel();
     void showOnly(std::optional<int> number);
-    std::size_t spectra() const;
     void addStep();
     void addPicture(bool several);
     std::unique_ptr<QTextDocument> document() const;

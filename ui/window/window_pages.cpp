@@ -178,12 +178,10 @@ void WindowPages::showPanesOfPage()
 
 void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& title)
 {
-    if (panesHidden_) {
-        std::erase_if(hiddenPanes_, [this](const QDockWidget* each) { return guides_.contains(each->widget()); });
-        meanwhile_ = Guide{&guide, name, title};
-        return;
-    }
-    openGuide({&guide, name, title});
+    const bool isNew = !guides_.contains(&guide);
+    if (!panesHidden_) return openGuide({&guide, name, title, isNew});
+    std::erase_if(hiddenPanes_, [this](const QDockWidget* each) { return guides_.contains(each->widget()); });
+    meanwhile_ = Guide{&guide, name, title, isNew};
 }
 
 void WindowPages::openGuide(const Guide& guide)
@@ -191,10 +189,10 @@ void WindowPages::openGuide(const Guide& guide)
     QDockWidget*& dock = guides_[guide.widget];
     if (dock == nullptr) {
         dock = addPane(guide.name, guide.title, guide.widget, Qt::RightDockWidgetArea);
-        parts_.window.tabifyDockWidget(about_, dock);
         connect(dock->toggleViewAction(), &QAction::toggled, this,
                 [this, widget = guide.widget](bool open) { emit guideToggled(widget, open); });
     }
+    if (guide.isNew) parts_.window.tabifyDockWidget(about_, dock);
     dock->show();
     dock->raise();
     makeRoomForGuide();

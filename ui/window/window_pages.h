@@ -90,6 +90,7 @@ private:
     struct Guide {
         QWidget* widget = nullptr;
         QString name, title;
+        bool isNew = false; // its pane has no place in an arrangement yet
     };
     void openGuide(const Guide& guide);
 

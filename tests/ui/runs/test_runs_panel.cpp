@@ -152,7 +152,8 @@ void TestRunsPanel::namesRunsByWhatChanged()
         c.onoYamane.takeOff = 8e-9;
         c.springs.flyingHeight = 4e-9;
     }));
-    QCOMPARE(name(0), QStringLiteral("1  Fig. 10 (a)"));
+    QCOMPARE(name(0),
+             QStringLiteral("1  Fig. 10 (a), duration 0.1\u00a0ms, segment 50\u00a0\u00b5s")); // shorter than it
     QCOMPARE(name(1), QStringLiteral("2  FH(0) 20\u00a0nm"));
     QCOMPARE(name(2), QStringLiteral("3  FH(0) 30\u00a0nm"));
     QCOMPARE(name(3), QStringLiteral("4  fₘ 1\u00a0mN"));
@@ -168,7 +169,8 @@ void TestRunsPanel::namesRunsByWhatChanged()
     QCOMPARE(name(2), QStringLiteral("3  FH(0) 30\u00a0nm"));
     model.setBaseline(-1);
     model.remove(0);
-    QCOMPARE(name(0), QStringLiteral("2  Fig. 10 (a), FH(0) 20\u00a0nm"));
+    QVERIFY2(name(0).startsWith(QStringLiteral("2  Fig. 10 (a), ")), qPrintable(name(0)));
+    QVERIFY2(name(0).contains(QStringLiteral("FH(0) 20")), qPrintable(name(0)));
     QVERIFY2(name(2).contains(QStringLiteral("fₘ 1")) && name(2).contains(QStringLiteral("FH(0) 250")),
              qPrintable(name(2)));
 }
