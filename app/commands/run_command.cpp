@@ -189,7 +189,7 @@ std::string endText(const Summary& summary)
 
 std::string solverTime(double seconds) { return displayed(seconds, seconds < 1.0 ? "ms" : "s", 3); }
 
-/// Without those of the case, which were told before the run.
+/// Warnings of the case are left out: they were reported before the run.
 std::string warningRows(const Case& c, const std::vector<std::string>& warnings)
 {
     std::string text;

@@ -219,7 +219,7 @@ std::vector<OutputTarget> targetsOf(const CommandArguments& arguments)
     return {{"--out", arguments.out}, {"--csv", arguments.csv}, {"--apply", arguments.apply}};
 }
 
-/// Of the study and its case, and of the files that are to be written.
+/// Problems of the study, of its case, and of the files that are to be written.
 std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArguments& arguments)
 {
     std::vector<InputProblem> problems = plan.problems;

@@ -30,7 +30,7 @@ class TargetLocks {
 public:
     explicit TargetLocks(const std::vector<OutputTarget>& targets);
 
-    /// Of files that another run writes to.
+    /// Targets that another run writes to.
     const std::vector<InputProblem>& problems() const { return problems_; }
     /// Just before the files are written: their writers lock them.
     void release() { locks_.clear(); }

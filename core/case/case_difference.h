@@ -39,7 +39,7 @@ struct MovedPoints {
     double x = 0.0; // [m]; of an edge: normal to it
     double y = 0.0; // [m]
 };
-/// Of rails that have as many points before as after, in surfaces with as many rails; a shift of less than 1 pm is
+/// Only rails that have as many points before as after, in surfaces with as many rails; a shift of less than 1 pm is
 /// none, and shifts that differ by less are the same.
 std::vector<MovedPoints> movedPoints(const AirBearingSurface& before, const AirBearingSurface& after);
 

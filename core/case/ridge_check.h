@@ -15,7 +15,7 @@ struct CaseProblem;
 /// "3 edges have a ridge narrower than a cell; ..."; "" for none.
 std::string ridgeWords(std::size_t edges);
 
-/// Of a film case with a given grid: on the grid before it is adapted to the pressure. Nothing for a surface with
+/// For a film case with a given grid: on the grid before it is adapted to the pressure. Nothing for a surface with
 /// problems, nor where film.accuracy chooses the grid.
 void warnOfRidges(const Case& c, std::vector<CaseProblem>& warnings);
 

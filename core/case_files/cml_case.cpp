@@ -74,7 +74,7 @@ public:
         set("slider.roll_inertia", inertia(slider.width));
     }
 
-    /// Of those that hold after all.
+    /// Reports the notes that still hold.
     void tell(const std::string& file) const
     {
         std::vector<std::string> told;
@@ -199,7 +199,7 @@ private:
         });
     }
 
-    /// rail.dat, and run.dat or dynamics.def: the one that is named, else run.dat.
+    /// rail.dat, and run.dat or dynamics.def: the file that is named, else run.dat.
     template <typename Found, typename Read>
     std::optional<CmlFiles> pick(const Found& found, const std::string& named, Read read)
     {

@@ -34,7 +34,7 @@ struct ReaderLimits {
 };
 /// `fileSize` in byte.
 ReaderLimits readerLimits(std::uintmax_t fileSize);
-/// Of a file; its size is 0 where it cannot be found.
+/// For a file; its size is 0 where it cannot be found.
 ReaderLimits readerLimits(const std::filesystem::path& file);
 
 /// Why there is no answer, in a sentence without the name of the file: "is damaged: ...".

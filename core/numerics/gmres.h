@@ -101,7 +101,7 @@ private:
     }
 
     static double norm(std::span<const T> v) { return std::sqrt(std::abs(product(v, v))); }
-    /// Of the conjugate of a with b.
+    /// Scalar product of the conjugate of a with b.
     static T product(std::span<const T> a, std::span<const T> b)
     {
         return sumInLanes(a.size(), [&](std::size_t i) { return conjugate(a[i]) * b[i]; });

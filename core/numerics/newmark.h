@@ -6,7 +6,7 @@
 //   a1 = a(q1, v1)
 //
 // Order 2 for gamma = 1/2, else 1. beta = 1/4, gamma = 1/2: the average acceleration, unconditionally stable for
-// linear systems. Of the system it needs derivative(y, mode), scale() and jacobian(y, mode), the derivatives of the
+// linear systems. The system has derivative(y, mode), scale() and jacobian(y, mode), the derivatives of the
 // acceleration by the state.
 #pragma once
 

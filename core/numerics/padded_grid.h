@@ -18,7 +18,7 @@ struct PaddedGrid {
     std::size_t stride() const { return static_cast<std::size_t>(nx + 2 * rings); }
     std::size_t size() const { return stride() * static_cast<std::size_t>(ny + 2 * rings); }
     std::size_t cells() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-    /// Of cell (i, j), each from -2 to n + 1.
+    /// Value of cell (i, j), each from -2 to n + 1.
     std::size_t at(int i, int j) const
     {
         return static_cast<std::size_t>(j + rings) * stride() + static_cast<std::size_t>(i + rings);

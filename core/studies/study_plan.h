@@ -34,7 +34,7 @@ struct StudyKind {
     StudyPerformance (*plan)(StudyReader&); // reads the keys; their problems are the reader's
     StudyForm (*form)(const Case&);         // its keys with their defaults for a case
     bool findsCase = false;                 // its report may hold a case, which --apply writes
-    std::string openEnd{};                  // why its duration cannot be told before; "" where it can
+    std::string openEnd{};                  // why its duration cannot be predicted; "" where it can
 };
 /// In the order in which they are offered.
 std::span<const StudyKind> studyKinds();

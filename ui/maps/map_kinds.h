@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names and looks of the fields that a run records.
+// Names and colours of the fields that a run records.
 #pragma once
 
 #include "core/simulation/recording/field_snapshot.h"

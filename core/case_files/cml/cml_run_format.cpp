@@ -41,7 +41,7 @@ public:
 };
 
 std::string number(double value, std::string_view unit = {}) { return formatNumber(value, unit); }
-/// Of force, from N; the reader takes the same way by grams.
+/// A force or a spring rate, from N; the reader converts by grams in the same way.
 std::string kilograms(double force) { return decimalText(*readDecimal(formatNumber(force, "gf")), -3); }
 std::string flag(bool on) { return on ? "1" : "0"; }
 

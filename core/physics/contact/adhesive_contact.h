@@ -76,7 +76,7 @@ public:
     std::span<const double> pressure() const { return elastic_ ? elastic_->pressure() : pressure_; } // p [Pa]
     std::span<const double> adhesion() const { return attraction_; }                                 // f(g) [Pa]
     std::span<const double> gap() const { return elastic_ ? elastic_->gap() : gap_; }                // g [m]
-    /// Of the last solution with adhesion: of the half-space and of the surfaces' attraction, zero far away [J].
+    /// Energy of the last solution with adhesion: of the half-space and of the surfaces' attraction, zero far away [J].
     double energy() const { return now_.energy; }
     const AdhesionLaw& law() const { return cell_.law(); }
     /// Otherwise it is purely elastic: `adhesion()` is zero, and no solution remembers another.

@@ -9,7 +9,7 @@
 //           shallow centre belong to deep cells beside it: they count at the nearest face in the line whose centres are
 //           both deep, less the row through the centres that already stands for them.
 //
-// A ridge is a shallow part between two deeper ones. Air flows over it, hardly round it. It parts a face if it stands
+// A ridge is a shallow part between two deeper ones. Air flows over it, hardly round it. It blocks a face if it stands
 // between the two centres, or, where both are deep, between a centre and the end of some row, which then lies beyond
 // the ridge. For a parted face, too, the row through the centres stands for the whole face. So a slanted ridge lies in
 // exactly one path of each line, and what the faces along x and y pass through it adds up.

@@ -4,7 +4,7 @@
 // scheme, their corrections, in one pass over memory. The coefficients have single precision; they multiply differences
 // of double precision,
 //
-//   (J v)_0 = sum_k c_k (v_k - v_0) + (sum_k c_k) v_0 + u_0 + storage passed on by faces,   u = rate V v,
+//   (J v)_0 = sum_k c_k (v_k - v_0) + (sum_k c_k) v_0 + u_0 + storage shared between faces,   u = rate V v,
 //
 // u spread along x (core/numerics/row_spread.h); passed on across y of u, across x of u with what faces across
 // y pass on,

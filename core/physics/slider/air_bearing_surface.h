@@ -44,7 +44,7 @@ struct WallProfile {
 };
 
 struct AirBearingSurface {
-    std::vector<Rail> rails; // where tops overlap, the one that comes last holds
+    std::vector<Rail> rails; // where tops overlap, the last rail counts
     std::vector<WallProfile> walls;
     double baseRecess = 2e-6;                   // where no rail is [m]
     double crown = 0.0;                         // [m], along the length

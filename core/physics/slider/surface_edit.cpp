@@ -329,7 +329,7 @@ SnappedPlace snapped(const AirBearingSurface& surface, const PartSelection& movi
             if (takeX(surface.rails[i].points[k].x, SnapTarget::Corner)) place.xCorner = corner;
             if (takeY(surface.rails[i].points[k].y, SnapTarget::Corner)) place.yCorner = corner;
         }
-    // A corner with both coordinates is told before two corners with one each.
+    // A corner with both coordinates is reported before two corners with one each.
     if (place.x == SnapTarget::Corner && place.y == SnapTarget::Corner)
         for (std::size_t i = 0; i < surface.rails.size(); ++i)
             for (std::size_t k = 0; k < surface.rails[i].points.size(); ++k) {

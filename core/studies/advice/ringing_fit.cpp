@@ -84,7 +84,7 @@ std::optional<RingingFit> fitRinging(std::span<const double> samples, double int
             const Complex change = Complex(x[3 + perRate * k], x[4 + perRate * k]) / (span * fit.amplitudes[at]);
             const double most = largestChange * std::abs(fit.rates[at]);
             fit.rates[at] += std::abs(change) > most ? change * (most / std::abs(change)) : change;
-            // What creeps slower than that is not told from what stays, and is taken for it.
+            // A part that creeps slower than that cannot be distinguished from a constant, and counts as one.
             if (rates[at].rate.imag() == 0.0) fit.rates[at] = std::min(fit.rates[at].real(), -slowest / span);
         }
     }

@@ -76,7 +76,7 @@ double foretoldVariance(double v1, double v2, double v3, double from, double to)
     if (d1 < 0.0 && d2 < 0.0) {
         ratio = d2 / d1;
         rest = ratio < 1.0 ? v3 + d2 * ratio / (1.0 - ratio) : -1.0;
-        // Nothing is left, or too little to be told from nothing.
+        // The remainder is zero, or too small to be distinguished from zero.
         if (rest < 0.05 * v3) {
             rest = 0.0;
             ratio = std::sqrt(v3 / v1);

@@ -58,7 +58,7 @@ struct ConvergenceStudy {
 /// Why a valid case without a film cannot be studied so, in a sentence; "" when it can.
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options);
 
-/// `done` is told how many levels are solved and the share of the work, and stops the study by returning false. Called
+/// `done` receives how many levels are solved and the share of the work, and stops the study by returning false. Called
 /// on the thread of the study.
 ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
                                   const std::function<bool(int solved, double share)>& done = {});

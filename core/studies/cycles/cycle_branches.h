@@ -52,7 +52,7 @@ struct CycleTrace {
     double from = 0.0, to = 1.0; // range of the parameter [its unit]
     Vector3 units = Vector3::Ones();
     std::function<bool()> goOn{};
-    std::function<void(double share)> reached{}; // told each value at which cycles are sought, by its share
+    std::function<void(double share)> reached{}; // receives each value at which cycles are sought, by its share
     /// The share of a value in the range, and back.
     double share(double value) const { return (value - from) / (to - from); }
     double value(double share) const { return std::lerp(from, to, share); }

@@ -58,7 +58,7 @@ struct DesignStudy {
     int solves = 0;                 // static states
 };
 
-/// Told while a static state is solved; return false to stop.
+/// Called while a static state is solved; return false to stop.
 struct DesignProgress {
     int iteration = 0, solves = 0;
     double misfit = 0.0; // of the best so far [-]

@@ -59,7 +59,8 @@ double workOf(const Case& c, const Summary& summary);
 std::vector<double> startsOf(const Case& c, const EnsembleTask& task);
 
 /// Runs all starts of all ensembles on up to `jobs` threads; the outcome does not depend on their number. `poll` is
-/// told how many runs are done and the share of the work, and stops all by returning false. Returns whether all ended.
+/// receives how many runs are done and the share of the work, and stops all by returning false. Returns whether all
+/// ended.
 bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs,
                   const std::function<bool(std::size_t done, double share)>& poll);
 

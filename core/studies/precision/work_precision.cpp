@@ -132,7 +132,7 @@ private:
     const StudyCallback& callback_;
     PrecisionRuns runs_;
     std::vector<Ensemble> ensembles_;    // the first one is the reference
-    std::unique_ptr<StudyReport> soFar_; // not told yet
+    std::unique_ptr<StudyReport> soFar_; // not reported yet
     double reported_ = 0.0;
     double share_ = 0.0; // told
     double begin_ = wallClock();

@@ -138,7 +138,7 @@ private:
     std::size_t done_ = 0, told_ = 0;
 };
 
-/// Why one end of the range cannot be had, told to its key.
+/// Why one end of the range cannot be had, reported at its key.
 void checkEnd(StudyReader& reader, const ResponseTask& task, const char* name, double frequency)
 {
     const Case over = caseOverWave(task.start, task.amplitude, frequency, task.wavelength);

@@ -54,7 +54,7 @@ struct RunVerdict {
     double imbalance = 0.0; // of the energy [-]
     std::string sentence;
 };
-/// Runs as measureRun makes them, of the spacing alone, springs with their energy's books.
+/// Runs as measureRun makes them, of the spacing alone, springs with their energy balance.
 RunVerdict classify(const Case& c, const MeasuredRun& run, const ProvenReference& reference, const ClassRule& rule);
 
 } // namespace touchdown

@@ -13,7 +13,7 @@ namespace touchdown {
 
 struct Case;
 
-/// Told by a run with its share that is done, 0..1, as often as it can.
+/// Called by a run with its share that is done, 0..1, as often as it can.
 using ShareTeller = std::function<void(double share)>;
 
 /// The time that a run in time of a case takes, relative to other runs: right-hand sides times the size of the model.

@@ -79,7 +79,7 @@ public:
     void addOfSettings(const std::string& owner, const std::vector<std::string>& tables, const std::string& problem);
     /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
     std::vector<std::string> tables(const std::string& list);
-    /// A problem of a key, or of a table; told once, however often it is added.
+    /// A problem of a key, or of a table; reported once, however often it is added.
     void add(const std::string& key, std::string message);
     /// The line of a key, or of the table in which it is missing; 0 if there is neither.
     int lineOf(const std::string& key) const;
