@@ -16,10 +16,9 @@
 // makes the speed of waves along x fourth order in thin films. It is then shared, first between a cell's faces across
 // y, then the remainder between its faces across x: with a = 1 - exp(-i kx), b = 1 - exp(-i ky) of a wave, d = 2 - 2
 // cos kx and flows A and B through thin films, cells store S = (1 - a/2)(1 - b/2)(1 + d/12), and as the net outflow is
-// J = A a (1
-// - b/2) + B b (1 - a/2), -J/S = -(A a/(1 - a/2) + B b/(1 - b/2))/(1 + d/12) is imaginary: the disk carries each wave
-// along, and none grows. Without the product in S oblique ones grow. The limiter does not change the sharing across y.
-// A cell without an open face keeps its pressure.
+// J = A a (1 - b/2) + B b (1 - a/2), -J/S = -(A a/(1 - a/2) + B b/(1 - b/2))/(1 + d/12) is imaginary: the disk carries
+// each wave along, and none grows. Without the product in S oblique ones grow. The limiter does not change the sharing
+// across y. A cell without an open face keeps its pressure.
 #pragma once
 
 #include <array>

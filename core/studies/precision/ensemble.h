@@ -58,7 +58,7 @@ double workOf(const Case& c, const Summary& summary);
 /// The values of the key, in rising order.
 std::vector<double> startsOf(const Case& c, const EnsembleTask& task);
 
-/// Runs all starts of all ensembles on up to `jobs` threads; the outcome does not depend on their number. `poll` is
+/// Runs all starts of all ensembles on up to `jobs` threads; the outcome does not depend on their number. `poll`
 /// receives how many runs are done and the share of the work, and stops all by returning false. Returns whether all
 /// ended.
 bool runEnsembles(std::vector<Ensemble>& ensembles, const EnsembleTask& task, int jobs,
