@@ -121,7 +121,7 @@ void TestLiveSpectrum::aLiveSpectrumComesFourTimesASecond()
             return spectrum_->computed() >= count;
         }));
         QCOMPARE(spectrum_->computed(), count);
-        QVERIFY(clock.elapsed() >= 240 * count);
+        QVERIFY(clock.elapsed() >= 235 * count); // a coarse timer of 250 ms may be 5 % early
     }
 }
 
