@@ -32,6 +32,7 @@ namespace {
 // The most that is asked for, of the screen: a pane at the left, three at the right, the page between them.
 constexpr double widestPane = 0.27, widestPage = 0.44;
 constexpr double highestPane = 0.18, highestPage = 0.7;
+constexpr int lowWindow = 850; // [px]
 
 } // namespace
 
@@ -192,7 +193,14 @@ void WindowPages::openGuide(const Guide& guide)
         connect(dock->toggleViewAction(), &QAction::toggled, this,
                 [this, widget = guide.widget](bool open) { emit guideToggled(widget, open); });
     }
-    if (guide.isNew) parts_.window.tabifyDockWidget(about_, dock);
+    if (guide.isNew) {
+        parts_.window.tabifyDockWidget(about_, dock);
+        // In a low window the values share the place of the runs, so that the guide can be read.
+        if (parts_.window.height() < lowWindow) {
+            parts_.window.tabifyDockWidget(runs_, values_);
+            runs_->raise();
+        }
+    }
     dock->show();
     dock->raise();
     makeRoomForGuide();

@@ -301,7 +301,7 @@ private slots:
         const LessonStep& last = lessonSteps().back();
         const Case waves = caseOf(last.runs.at(0));
         QCOMPARE(waves.model, ModelKind::Springs);
-        const Summary moving = run(waves), still = run(caseOf(last.runs.at(1)));
+        const Summary still = run(waves), moving = run(caseOf(last.runs.at(1)));
         const auto swing = [](const Summary& summary) { // of the minimum spacing at the end [nm]
             for (const auto& [quantity, tail] : summary.tail)
                 if (quantity == "minimum_spacing") return (tail.max - tail.min) * 1e9;

@@ -193,7 +193,7 @@ private slots:
     {
         const auto heights = [this] {
             std::map<QString, int> all;
-            for (const char* name : {"demonstrations", "runs", "values"})
+            for (const char* name : {"demonstrations", "runs"})
                 all[name] = window_->findChild<QDockWidget*>(name)->height();
             return all;
         };
