@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
@@ -296,6 +297,9 @@ void MainWindow::look()
 /// When every part has the new font: the window keeps its size.
 void MainWindow::followFont(const QSize& before)
 {
+    // A combo box forgets its least size with the style only.
+    QEvent style(QEvent::StyleChange);
+    for (QComboBox* box : findChildren<QComboBox*>()) QCoreApplication::sendEvent(box, &style);
     pages_->limitSizes();
     // An empty label keeps the height that it had with the former font, and a hidden part the one of its labels.
     for (QLabel* label : statusBar()->findChildren<QLabel*>()) label->setIndent(label->indent());

@@ -2,8 +2,10 @@
 #include "ui/window/presenter.h"
 
 #include <map>
+#include <vector>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QMenuBar>
 #include <QScreen>
@@ -15,6 +17,7 @@
 #include "tests/support/test_program.h"
 #include "ui/case/case_files.h"
 #include "ui/lesson/lesson_pane.h"
+#include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
@@ -209,6 +212,41 @@ private slots:
         QTRY_VERIFY(window_->findChild<QDockWidget*>("demonstrations")->isVisible());
         QCOMPARE(window_->findChild<QDockWidget*>("demonstrations")->font().pointSize(), font.pointSize());
         QTRY_COMPARE(heights(), expected);
+    }
+
+    /// From step to step, for springs and a film, the pane of the lesson stays as wide as it is, also where the last
+    /// step was shown by the presenter.
+    void paneOfTheLessonKeepsItsWidth()
+    {
+        window_->resize(1500, 940);
+        window_->actions().lesson->trigger();
+        QCoreApplication::processEvents();
+        LessonPane* pane = window_->guides().pane(LessonPane::Kind::Lesson);
+        const auto* dock = window_->findChild<QDockWidget*>("lesson");
+        const int width = dock->width();
+        const auto leastOfBoxes = [this] {
+            std::vector<QSize> sizes;
+            for (const QComboBox* box : window_->runView().spectrum()->findChildren<QComboBox*>())
+                sizes.push_back(box->minimumSizeHint());
+            return sizes;
+        };
+        const std::vector<QSize> least = leastOfBoxes();
+        QVERIFY(!least.empty());
+        for (const bool presented : {false, true}) {
+            pane->go(0);
+            window_->files().openNow("fig10a");
+            QTRY_COMPARE(dock->width(), width);
+            if (presented) present(true);
+            pane->go(5);
+            window_->files().openNow("fig02_case_2_moving");
+            QCoreApplication::processEvents();
+            if (presented) {
+                QVERIFY(leastOfBoxes() != least); // with the large font
+                present(false);
+            }
+            QTRY_COMPARE(dock->width(), width);
+            QCOMPARE(leastOfBoxes(), least);
+        }
     }
 
     /// A window that is closed in a lecture opens as it was before.
