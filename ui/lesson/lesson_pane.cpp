@@ -163,9 +163,9 @@ void LessonPane::write()
         const LessonRun& run = step.runs.at(i);
         QString text = QStringLiteral("%1<br><span style='color:%2'>%3</span>")
                            .arg(marked(lessonHtml(run.purpose)), colours.muted.name(), lessonSubject(run));
-        if (!results_[i].isEmpty())
+        if (const auto& [result, completed] = results_[i]; !result.isEmpty())
             text += QStringLiteral("<br><span style='color:%1'>→ %2</span>")
-                        .arg(colours.success.name(), results_[i].toHtmlEscaped());
+                        .arg((completed ? colours.success : colours.failure).name(), result.toHtmlEscaped());
         purposes_[i]->setText(text);
     }
     change_->setText(
@@ -174,10 +174,10 @@ void LessonPane::write()
     emit written();
 }
 
-void LessonPane::showResult(std::size_t run, const QString& result)
+void LessonPane::showResult(std::size_t run, const QString& result, bool completed)
 {
-    if (results_.at(run) == result) return;
-    results_.at(run) = result;
+    if (results_.at(run) == std::pair(result, completed)) return;
+    results_.at(run) = {result, completed};
     write();
 }
 

@@ -5,6 +5,7 @@
 // is. The first use of a term in a step leads to its explanation.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include <QLabel>
@@ -34,8 +35,9 @@ public:
     /// The first step is 0.
     void go(std::size_t step);
     LiveValues& live() { return *live_; }
-    /// What a run of the shown step gave, in a few words; "" takes it back.
-    void showResult(std::size_t run, const QString& result);
+    /// What a run of the shown step gave, in a few words, in the colour of failure if it did not complete; "" takes it
+    /// back.
+    void showResult(std::size_t run, const QString& result, bool completed = true);
     /// As the button of a run of the shown step.
     void perform(std::size_t run) { emit runRequested(shown().runs.at(run)); }
     /// Of the shown step, as HTML.
@@ -69,7 +71,7 @@ private:
     LiveValues* live_;
     TermMarks terms_;
     std::vector<QLabel*> purposes_;
-    std::vector<QString> results_; // of the runs of the shown step
+    std::vector<std::pair<QString, bool>> results_; // of the runs of the shown step, and whether they completed
     QPushButton *show_, *back_, *next_;
 };
 

@@ -99,6 +99,7 @@ void PlotPainter::paintBehind(QPainter& painter) const
     }
     paintReferenceLines(painter);
     paintShadedAreas(painter);
+    if (!plot_.shadedAreas().empty()) paintLabels(painter, true);
 }
 
 void PlotPainter::paintAbove(QPainter& painter) const
@@ -116,7 +117,7 @@ void PlotPainter::paintAbove(QPainter& painter) const
     paintArrows(painter);
     paintDots(painter);
     paintPointers(painter);
-    paintLabels(painter);
+    paintLabels(painter, false);
 }
 
 Legend PlotPainter::legend() const

@@ -26,6 +26,7 @@ struct PlotLabel {
     QRectF box; // [px]
     QString text;
     QColor colour;
+    bool behind = false; // the curves
 };
 
 class PlotPainter {
@@ -48,6 +49,8 @@ public:
     Legend legend() const;
     /// Inside the area, none over another nor over the pointer of a mark. A label without such a place is left out.
     std::vector<PlotLabel> labels() const;
+    /// The triangles that point at marks.
+    std::vector<QRectF> pointers() const;
     /// Where the curves are [px].
     const QRectF& area() const { return area_; }
     /// The height of the area in which the title of the upright axis has room [px].
@@ -57,7 +60,6 @@ private:
     struct PlacedMark {
         const PointMark* mark;
         QPointF tip; // of the pointer, just above the point
-        QRectF pointer() const { return {tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0)}; }
     };
 
     void paintHeader(QPainter& painter) const;
@@ -73,7 +75,7 @@ private:
     void paintCursorTag(QPainter& painter, int which, const QPointF& bottomLeft) const;
     std::vector<PlacedMark> placeMarks() const;
     void paintPointers(QPainter& painter) const;
-    void paintLabels(QPainter& painter) const;
+    void paintLabels(QPainter& painter, bool behind) const;
 
     std::vector<QPointF> pathOf(const PlotCurve& curve) const;
 

@@ -4,6 +4,7 @@
 #include "ui/plot/plot_painter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -65,21 +66,29 @@ bool PlotPainter::isCrossed(const QRectF& box) const
     });
 }
 
-/// The marks whose point is inside the area.
+/// The marks whose point is inside the area; QRectF contains what is not finite, too.
 std::vector<PlotPainter::PlacedMark> PlotPainter::placeMarks() const
 {
     std::vector<PlacedMark> placed;
     for (const PointMark& mark : plot_.pointMarks()) {
         const QPointF at(frame_.across(x_.position(mark.x)), frame_.up(y_.position(mark.y)));
-        if (area_.contains(at)) placed.push_back({&mark, at - QPointF(0.0, 3.0)});
+        if (std::isfinite(at.x()) && std::isfinite(at.y()) && area_.contains(at))
+            placed.push_back({&mark, at - QPointF(0.0, 3.0)});
     }
     return placed;
+}
+
+std::vector<QRectF> PlotPainter::pointers() const
+{
+    std::vector<QRectF> boxes;
+    for (const auto& [mark, tip] : placeMarks()) boxes.emplace_back(tip - QPointF(4.0, 6.0), QSizeF(8.0, 6.0));
+    return boxes;
 }
 
 std::vector<PlotLabel> PlotPainter::labels() const
 {
     std::vector<PlotLabel> labels;
-    std::vector<QRectF> taken;
+    std::vector<QRectF> taken = pointers();
     const QFontMetricsF metrics(frame_.numberFont);
     const auto sizeOf = [&](const QString& text) {
         return QSizeF(metrics.horizontalAdvance(text) + 4.0, metrics.height());
@@ -87,21 +96,24 @@ std::vector<PlotLabel> PlotPainter::labels() const
     const auto meets = [&taken](const QRectF& box) {
         return std::ranges::find_if(taken, [&box](const QRectF& other) { return other.intersects(box); });
     };
-    const auto add = [&](const QRectF& box, const QString& text, const QColor& colour) {
+    const auto add = [&](const QRectF& box, const QString& text, const QColor& colour, bool behind = false) {
         taken.push_back(box);
-        labels.push_back({box, text, colour});
+        labels.push_back({box, text, colour, behind});
     };
 
-    // The fewer places a label has, the sooner it chooses: areas one, words at points three, lines many.
-    const std::vector<PlacedMark> marks = placeMarks();
-    for (const PlacedMark& mark : marks) taken.push_back(mark.pointer());
+    // The fewer places a label has, the sooner it chooses: areas and words at points three, lines many.
     for (const ShadedArea& shaded : plot_.shadedAreas()) {
         if (shaded.label.isEmpty()) continue;
         QRectF box(QPointF(), sizeOf(shaded.label));
-        box.moveCenter(outlineOf(shaded).boundingRect().center());
-        if (area_.contains(box) && meets(box) == taken.end()) add(box, shaded.label, theme_.text);
+        const QPointF centre = outlineOf(shaded).boundingRect().center();
+        for (const double higher : {0.0, box.height(), -box.height()}) {
+            box.moveCenter(centre - QPointF(0.0, higher));
+            if (!area_.contains(box) || meets(box) != taken.end()) continue;
+            add(box, shaded.label, theme_.text, true);
+            break;
+        }
     }
-    for (const auto& [mark, tip] : marks) {
+    for (const auto& [mark, tip] : placeMarks()) {
         const QSizeF size = sizeOf(mark->label);
         // The highest point may have no room above it: its label stands beside it, below the plot's upper edge.
         const double beside = std::max(tip.y() - size.height(), area_.top());
@@ -145,12 +157,13 @@ void PlotPainter::paintPointers(QPainter& painter) const
     painter.setBrush(Qt::NoBrush);
 }
 
-void PlotPainter::paintLabels(QPainter& painter) const
+void PlotPainter::paintLabels(QPainter& painter, bool behind) const
 {
     painter.setFont(frame_.numberFont);
     QColor paper = theme_.plotArea;
     paper.setAlphaF(0.75F);
-    for (const auto& [box, text, colour] : labels()) {
+    for (const auto& [box, text, colour, isBehind] : labels()) {
+        if (isBehind != behind) continue;
         painter.fillRect(box, paper);
         painter.setPen(colour);
         painter.drawText(box, Qt::AlignCenter, text);

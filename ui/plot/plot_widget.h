@@ -100,6 +100,8 @@ public:
     std::optional<PlotRange> dataRangeX() const;
     /// Automatic ranges are those of all visible curves, not only of those that lead.
     void setEverything(bool everything);
+    /// The automatic ranges are those of all visible curves, not of the curves that lead alone.
+    void setAllDecide(bool all);
     /// The part of the history that a phase portrait shows; everything when nothing.
     void setTimeWindow(std::optional<PlotRange> window);
     const std::optional<PlotRange>& timeWindow() const { return timeWindow_; }
@@ -208,6 +210,7 @@ private:
     QTimer refreshTimer_;
     bool stale_ = true;
     bool everything_ = false;
+    bool allDecide_ = false;
     bool phase_ = false;
     bool tightY_ = true;          // the next automatic y range takes no account of the present one
     mutable bool waits_ = false;  // a curve is drawn coarsely until its samples are read from the disk

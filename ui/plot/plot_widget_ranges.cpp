@@ -85,7 +85,7 @@ bool PlotWidget::anyLeads() const
 /// Whether the automatic ranges follow this curve.
 bool PlotWidget::decides(const PlotCurve& curve, bool anyLeads) const
 {
-    return curve.visible && curve.data != nullptr && (everything_ || curve.leads || !anyLeads);
+    return curve.visible && curve.data != nullptr && (everything_ || allDecide_ || curve.leads || !anyLeads);
 }
 
 bool PlotWidget::hasData() const
@@ -99,6 +99,14 @@ void PlotWidget::setEverything(bool everything)
 {
     if (everything_ == everything) return;
     everything_ = everything;
+    tightY_ = true;
+    dataChanged();
+}
+
+void PlotWidget::setAllDecide(bool all)
+{
+    if (allDecide_ == all) return;
+    allDecide_ = all;
     tightY_ = true;
     dataChanged();
 }

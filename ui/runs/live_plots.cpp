@@ -338,6 +338,8 @@ QString LivePlots::missingDifference(std::size_t s) const
 void LivePlots::setStage(const std::optional<QStringList>& names)
 {
     stage_ = names;
+    // Its runs are there to be compared, not only the newest.
+    for (const Entry& entry : entries_) entry.plot->setAllDecide(stage_.has_value());
     updateVisibility();
     if (runs_.baseline() >= 0) rebuild();
 }

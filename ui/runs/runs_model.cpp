@@ -2,10 +2,12 @@
 #include "ui/runs/runs_model.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
 #include "ui/case/parameter_text.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
@@ -25,15 +27,17 @@ QString headOf(const std::string& title)
     return colon > 0 ? text.left(colon) : text;
 }
 
-/// The sample case that a title names, if there is one.
-std::optional<Case> sampleOf(const std::string& title)
+/// The sample case with a title, if there is one. A film takes some milliseconds to read: each is read once.
+const Case* sampleOf(const std::string& title)
 {
-    if (title.empty()) return {};
-    for (const SampleCase& sample : sampleCases()) {
-        if (sample.text.find(title) == std::string::npos) continue;
-        if (const Case c = openCase(sample.name).value; c.title == title) return c;
-    }
-    return {};
+    static std::map<std::string, std::optional<Case>> known;
+    const auto [entry, isNew] = known.try_emplace(title);
+    if (isNew)
+        for (const SampleCase& sample : sampleCases()) {
+            if (sample.text.find("title = \"" + title + '"') == std::string::npos) continue;
+            if (Case c = parseCase(sample.text, sample.name).value; c.title == title) entry->second = std::move(c);
+        }
+    return entry->second ? &*entry->second : nullptr;
 }
 
 QString firstOf(const QStringList& changes)
@@ -66,10 +70,15 @@ QString RunsModel::labelOf(const RunRecord& run) const
     for (int row = 0; row < count() && !base; ++row)
         if (record(row).value.title == run.value.title) base = &record(row);
     if (const RunRecord* chosen = find(baseline()); chosen && chosen->value.title == run.value.title) base = chosen;
-    const QString own = run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
+    QString own = run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
+    // The figures of the paper have several cases each.
+    for (int row = 0; row < count(); ++row)
+        if (const std::string& other = record(row).value.title;
+            record(row).number < run.number && other != run.value.title && headOf(other) == own)
+            own = readable(run.value.title);
     if (!base || base->number == run.number) {
         // A figure of the paper that was changed is that figure no more.
-        const std::optional<Case> sample = sampleOf(run.value.title);
+        const Case* sample = sampleOf(run.value.title);
         const QStringList changes = sample ? shortDifference(*sample, run.value) : QStringList();
         return changes.isEmpty() ? own : readable(tr("%1, %2").arg(own, firstOf(changes)).toStdString());
     }

@@ -18,8 +18,7 @@ namespace {
 constexpr double furthestDecades = 1.5; // on a logarithmic axis
 constexpr double furthestShare = 0.5;   // of the width of the points, on a linear axis
 
-// Results that are equal but for rounding are a level line, in the middle of numbers that are easy to read.
-constexpr double equalWithin = 1e-9; // of the value
+constexpr double equalWithin = 1e-6; // of the value
 constexpr double levelShare = 0.1;   // of the value, on each side of the line
 
 AxisLabel labelOf(const ChartAxis& axis)
@@ -40,6 +39,12 @@ struct Extent {
         high = std::max(high, value);
     }
     bool empty() const { return low > high; }
+    /// Values that are equal but for rounding are a level line, in the middle of numbers that are easy to read.
+    void widenLevel()
+    {
+        const double middle = 0.5 * (low + high), size = std::abs(middle);
+        if (high - low <= equalWithin * size) *this = {middle - levelShare * size, middle + levelShare * size};
+    }
 };
 
 PlotRange withMargin(const Extent& extent, const AxisLabel& label)
@@ -47,13 +52,8 @@ PlotRange withMargin(const Extent& extent, const AxisLabel& label)
     if (extent.empty())
         return label.scale == AxisScale::Logarithmic ? PlotRange{0.1 * label.factor, 10.0 * label.factor}
                                                      : PlotRange{0.0, label.factor};
-    if (label.scale != AxisScale::Logarithmic) {
-        PlotRange range{extent.low, extent.high};
-        const double middle = 0.5 * (range.low + range.high);
-        const double level = levelShare * std::abs(middle);
-        if (range.width() <= equalWithin * std::abs(middle)) range = {middle - level, middle + level};
-        return autoscaled(range, {}, AxisScale::Linear, label.factor);
-    }
+    if (label.scale != AxisScale::Logarithmic)
+        return autoscaled({extent.low, extent.high}, {}, AxisScale::Linear, label.factor);
     const double low = std::log10(extent.low), high = std::log10(extent.high);
     const double margin = std::max(0.06 * (high - low), 0.15);
     return {std::pow(10.0, low - margin), std::pow(10.0, high + margin)};
@@ -100,6 +100,8 @@ PanelAxes panelAxes(const ChartPanel& panel, const std::optional<PanelRange>& zo
             return axes;
         }
     }
+    if (!logX) x.widenLevel();
+    if (!logY) y.widenLevel();
     const Extent pointsX = x, pointsY = y;
     for (const ChartBand& band : panel.bands)
         band.alongX ? addBand(x, pointsX, band, logX) : addBand(y, pointsY, band, logY);

@@ -194,7 +194,11 @@ void Guides::showResults()
     if (!shown_) return;
     for (const auto& [index, number] : numbers_[shown_->shown().title]) {
         const RunRecord* run = window_.runs().find(number);
-        shown_->showResult(index, run && run->summary ? lessonResult(*run, shown_->shown().stage.from) : QString());
+        if (run && run->summary)
+            shown_->showResult(index, lessonResult(*run, shown_->shown().stage.from),
+                               run->summary->status == RunStatus::Completed);
+        else
+            shown_->showResult(index, {});
     }
     showWords();
 }

@@ -9,6 +9,7 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QStatusBar>
+#include <QTimer>
 
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -27,6 +28,7 @@ namespace {
 constexpr double linesOnScreen = 34.0; // of text, from the top of the screen to its foot
 constexpr double iconLines = 1.3;      // height of an icon in lines of text
 constexpr double pointsPerInch = 72.0;
+constexpr int longestWait = 2000; // for the former size of the window [ms]
 
 } // namespace
 
@@ -123,6 +125,7 @@ void Presenter::end()
     if (!(state_ & (Qt::WindowMaximized | Qt::WindowFullScreen))) window_.setGeometry(geometry_);
     QCoreApplication::sendPostedEvents();
     arrange();
+    QTimer::singleShot(longestWait, this, [this] { arranging_ = false; });
 }
 
 void Presenter::arrange()

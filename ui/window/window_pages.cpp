@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QScreen>
+#include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
 
@@ -32,7 +33,8 @@ namespace {
 // The most that is asked for, of the screen: a pane at the left, three at the right, the page between them.
 constexpr double widestPane = 0.27, widestPage = 0.44;
 constexpr double highestPane = 0.18, highestPage = 0.7;
-constexpr int lowWindow = 850; // [px]
+constexpr int lowWindow = 850;                                                  // [px]
+const QString valuesMoved = QStringLiteral("window/valuesShareThePlaceOfRuns"); // by the program
 
 } // namespace
 
@@ -180,9 +182,10 @@ void WindowPages::showPanesOfPage()
 void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& title)
 {
     const bool isNew = !guides_.contains(&guide);
-    if (!panesHidden_) return openGuide({&guide, name, title, isNew});
+    const Guide opened{&guide, name, title, isNew, isNew && wantsPlaceOfValues()};
+    if (!panesHidden_) return openGuide(opened);
     std::erase_if(hiddenPanes_, [this](const QDockWidget* each) { return guides_.contains(each->widget()); });
-    meanwhile_ = Guide{&guide, name, title, isNew};
+    meanwhile_ = opened;
 }
 
 void WindowPages::openGuide(const Guide& guide)
@@ -195,15 +198,26 @@ void WindowPages::openGuide(const Guide& guide)
     }
     if (guide.isNew) {
         parts_.window.tabifyDockWidget(about_, dock);
-        // In a low window the values share the place of the runs, so that the guide can be read.
-        if (parts_.window.height() < lowWindow) {
+        if (guide.takesPlaceOfValues) {
             parts_.window.tabifyDockWidget(runs_, values_);
             runs_->raise();
+            QSettings().setValue(valuesMoved, true);
         }
     }
     dock->show();
     dock->raise();
     makeRoomForGuide();
+}
+
+/// In a low window the values share the place of the runs, so that a guide can be read: once, and only where the user
+/// left both in the column of the guide.
+bool WindowPages::wantsPlaceOfValues() const
+{
+    const auto inColumn = [this](QDockWidget* dock) {
+        return !dock->isFloating() && parts_.window.dockWidgetArea(dock) == Qt::RightDockWidgetArea;
+    };
+    return parts_.window.height() < lowWindow && inColumn(runs_) && inColumn(values_) &&
+           !QSettings().contains(valuesMoved);
 }
 
 void WindowPages::hideGuide(QWidget& guide)
@@ -236,7 +250,10 @@ void WindowPages::bringPanesBack(const QByteArray& arrangement)
         dock->show();
         dock->raise();
     }
-    if (meanwhile_) openGuide(*meanwhile_);
+    if (meanwhile_) {
+        for (const auto& [guide, dock] : guides_) dock->setVisible(guide == meanwhile_->widget);
+        openGuide(*meanwhile_);
+    }
     panesHidden_ = false;
 }
 

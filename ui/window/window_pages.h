@@ -90,9 +90,11 @@ private:
     struct Guide {
         QWidget* widget = nullptr;
         QString name, title;
-        bool isNew = false; // its pane has no place in an arrangement yet
+        bool isNew = false;              // its pane has no place in an arrangement yet
+        bool takesPlaceOfValues = false; // these become a tab beside the runs
     };
     void openGuide(const Guide& guide);
+    bool wantsPlaceOfValues() const;
 
     Parts parts_;
     QTabBar* tabs_;

@@ -53,6 +53,11 @@ void RunRecorder::addEvent(double time, std::string name)
         firstDropped_ = time;
 }
 
+void RunRecorder::dropEventsAfter(double time)
+{
+    std::erase_if(newEvents_, [time](const RunEvent& event) { return event.time > time; });
+}
+
 bool RunRecorder::silent() const { return wallClock() - lastSent_ > longestSilence; }
 
 bool RunRecorder::send(double time, double begin)

@@ -43,6 +43,8 @@ public:
     void keepPoints();
     /// The first 100 000 are kept.
     void addEvent(double time, std::string name);
+    /// Of events that were not sent yet: a run that failed at `time` has none behind it.
+    void dropEventsAfter(double time);
     void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
 
     /// Whether it is time to send.

@@ -75,6 +75,7 @@ bool SpringRecorder::judge(const Point& point, const double* values)
     }
     goOn_ = false;
     failedAt_ = point.time;
+    run_.dropEventsAfter(point.time);
     return false;
 }
 

@@ -310,7 +310,7 @@ private slots:
         QVERIFY(last.answer.find("swings by 8.08 nm from peak to peak") != std::string::npos);
         QVERIFY2(std::abs(swing(moving) - 8.08) < 0.005, qPrintable(QString::number(swing(moving))));
         QVERIFY(swing(still) < 1e-3);
-        QVERIFY(last.text.find("waves of 0.5 nm that are 50 um long") != std::string::npos);
+        QVERIFY(last.text.find("waves that are 50 um long and have an amplitude of 0.5 nm") != std::string::npos);
         QCOMPARE(waves.diskSurface.waveAmplitudes, (std::vector<double>{0.5e-9}));
         QCOMPARE(waves.diskSurface.waveLengths, (std::vector<double>{50e-6}));
     }

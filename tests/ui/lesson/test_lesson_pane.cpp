@@ -129,7 +129,15 @@ private slots:
             return all;
         };
         QVERIFY(!purposes().contains(QStringLiteral("→")));
+        const auto has = [&pane](const QColor& colour) {
+            return std::ranges::any_of(pane.findChildren<QLabel*>(),
+                                       [&](const QLabel* label) { return label->text().contains(colour.name()); });
+        };
+        const QColor failure = meaningColours(pane.palette()).failure;
+        pane.showResult(0, QStringLiteral("fails"), false);
+        QVERIFY(has(failure));
         pane.showResult(0, QStringLiteral("ends at 7 nm"));
+        QVERIFY(!has(failure));
         QVERIFY(purposes().contains(QStringLiteral("→ ends at 7 nm")));
         pane.showResult(0, QString());
         QVERIFY(!purposes().contains(QStringLiteral("→")));

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <random>
 
 #include <QLocale>
 #include <QMouseEvent>
@@ -100,7 +99,7 @@ private slots:
     void escapeTakesCursorsAway();
     void logarithmicHeightWithZeros();
     void referenceLineAndMarks();
-    void noLabelLiesOverAnother();
+    void allCurvesCanDecideTheRange();
     void followsThePalette();
     void rangesFollowTheCurveThatLeads();
     void aRangeGrowsInHalvesOfTheWay();
@@ -440,40 +439,29 @@ void TestPlotWidget::referenceLineAndMarks()
     QVERIFY(ink(image, tick, plot_->theme().referenceLine) >= 3);
 }
 
-/// Words at points close to reference lines, close to each other and at the border, on the screen.
-void TestPlotWidget::noLabelLiesOverAnother()
+/// The range follows the curve that leads, or all where all are compared.
+void TestPlotWidget::allCurvesCanDecideTheRange()
 {
-    std::mt19937 generator(7);
-    const auto draw = [&](double most) { return std::uniform_real_distribution(0.0, most)(generator); };
-    std::size_t drawn = 0;
-    std::size_t placed = 0;
-    for (int plot = 0; plot < 100; ++plot) {
-        plot_->setView({PlotRange{0.0, 1e-3}, PlotRange{0.0, 30e-9}});
-        std::vector<ReferenceLine> lines;
-        std::vector<PointMark> marks;
-        for (int i = 0; i < 4; ++i) {
-            const bool upright = i == 3;
-            lines.push_back({draw(upright ? 1e-3 : 30e-9), QStringLiteral("line %1").arg(i), upright});
-            // The first two stand on a line, where its label would be without them.
-            const double x = i < 2 ? 0.9e-3 + draw(0.1e-3) : draw(1e-3);
-            const double y = i < 2 ? std::max(lines[static_cast<std::size_t>(i)].value - draw(1e-9), 0.0) : draw(30e-9);
-            marks.push_back({x, y, QStringLiteral("ends at %1 nm").arg(i), {i, 0}});
-        }
-        drawn += lines.size() + marks.size();
-        plot_->setReferenceLines(lines);
-        plot_->setPointMarks(marks);
-        plot_->setShadedAreas({{{{2e-4, 1e-9}, {6e-4, 1e-9}, {6e-4, 2e-8}}, QStringLiteral("W = 7.5 pJ"), {0, 0}}});
-        plot_->refreshNow();
-        const PlotPainter painter(*plot_, plot_->theme());
-        const std::vector<PlotLabel> labels = painter.labels();
-        placed += labels.size();
-        for (std::size_t i = 0; i < labels.size(); ++i) {
-            QVERIFY(painter.area().contains(labels[i].box));
-            for (std::size_t k = 0; k < i; ++k)
-                QVERIFY2(!labels[k].box.intersects(labels[i].box), qPrintable(labels[i].text));
-        }
+    MinMaxPyramid high, low;
+    for (int i = 0; i < 10; ++i) {
+        high.append(std::vector{i * 1e-4}, std::vector{9e-9});
+        low.append(std::vector{i * 1e-4}, std::vector{1e-9 + 1e-11 * i});
     }
-    QVERIFY2(static_cast<double>(placed) > 0.9 * static_cast<double>(drawn), qPrintable(QString::number(placed)));
+    plot_->clearCurves();
+    PlotCurve first{"high", "High", {1, 0}, &high}, second{"low", "Low", {2, 0}, &low};
+    first.leads = false;
+    plot_->addCurve(first);
+    plot_->addCurve(second);
+    plot_->setView({});
+    plot_->refreshNow();
+    QVERIFY(plot_->yAxis().range().high < 5e-9);
+    plot_->setAllDecide(true);
+    plot_->refreshNow();
+    QVERIFY(plot_->yAxis().range().contains(9e-9) && plot_->yAxis().range().contains(1e-9));
+    plot_->setAllDecide(false);
+    plot_->refreshNow();
+    QVERIFY(plot_->yAxis().range().high < 5e-9);
+    plot_->clearCurves();
 }
 
 void TestPlotWidget::followsThePalette()

@@ -48,6 +48,7 @@ private slots:
     void isAProperModel();
     void saysWhatChanged();
     void namesRunsByWhatChanged();
+    void namesCasesOfOneFigureApart();
     void theNewestSpeaksUnlessOneIsRaised();
     void overlayActsAtOnce();
     void theRowUnderThePointerIsTold();
@@ -173,6 +174,18 @@ void TestRunsPanel::namesRunsByWhatChanged()
     QVERIFY2(name(0).contains(QStringLiteral("FH(0) 20")), qPrintable(name(0)));
     QVERIFY2(name(2).contains(QStringLiteral("fₘ 1")) && name(2).contains(QStringLiteral("FH(0) 250")),
              qPrintable(name(2)));
+}
+
+/// The cases of one figure have the same beginning of their titles.
+void TestRunsPanel::namesCasesOfOneFigureApart()
+{
+    RunsModel model;
+    for (int number = 1; number <= 3; ++number)
+        model.add(ranRecord(number, [&](Case& c) { c.title = "Fig. 99: f_m = " + std::to_string(number) + " mN"; }));
+    const auto name = [&model](int row) { return model.index(row).data(Qt::DisplayRole).toString(); };
+    QCOMPARE(name(0), QStringLiteral("1  Fig. 99"));
+    QVERIFY2(name(1).startsWith(QStringLiteral("2  Fig. 99: fₘ = 2")), qPrintable(name(1)));
+    QVERIFY2(name(2).startsWith(QStringLiteral("3  Fig. 99: fₘ = 3")), qPrintable(name(2)));
 }
 
 void TestRunsPanel::theNewestSpeaksUnlessOneIsRaised()

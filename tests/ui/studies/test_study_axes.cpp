@@ -59,7 +59,7 @@ void TestStudyAxes::showsErrorBars()
 void TestStudyAxes::equalValuesAreALevelLine()
 {
     for (const double value : {0.5, -3.0, 1.0, 2e5, 1e-4, 0.0})
-        for (const double error : {0.0, 1e-13}) {
+        for (const double error : {0.0, 1e-13, 1e-8, 5e-7}) {
             const PanelAxes axes = panelAxes(linear({{0.0, value}, {1.0, value * (1.0 + error)}, {2.0, value}}));
             const PlotRange range = axes.y.range();
             QVERIFY(range.contains(value) && range.width() > 0.15 * std::abs(value));
@@ -76,6 +76,11 @@ void TestStudyAxes::showsBandsThatAreNear()
     panel.bands = {{false, 2.2, 2.4, "near"}, {false, 100.0, 200.0, "far"}};
     const PlotRange range = panelAxes(panel).y.range();
     QVERIFY(range.contains(2.4) && !range.contains(100.0));
+    // Level points count as 0.9 to 1.1 of their value: the edges of a band around them are seen.
+    ChartPanel level = linear({{0.0, 0.5}, {1.0, 0.5}});
+    level.bands = {{false, 0.42, 0.58, "around"}};
+    const PlotRange around = panelAxes(level).y.range();
+    QVERIFY(around.low < 0.42 && around.high > 0.58);
 }
 
 void TestStudyAxes::anInfiniteBandMovesNothing()

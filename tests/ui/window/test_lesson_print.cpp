@@ -88,7 +88,7 @@ private slots:
         QCOMPARE(pdf.count("/Type /Page\n"), print.pages());
     }
 
-    /// A second model has a picture of its own, with the spectra of its runs.
+    /// Runs of a second model have a picture of their own, also where that model has no spectrum to wait for.
     void modelsHavePicturesOfTheirOwn()
     {
         std::vector<LessonStep> steps{lessonSteps().back()};

@@ -214,6 +214,45 @@ private slots:
         QTRY_COMPARE(heights(), expected);
     }
 
+    /// A guide that another one replaced in the presenter is closed, as it is without it.
+    void oneGuideIsOpen()
+    {
+        window_->actions().lesson->trigger();
+        present(true);
+        window_->actions().demonstrations->trigger();
+        present(false);
+        QTRY_VERIFY(window_->findChild<QDockWidget*>("demonstrations")->isVisible());
+        QVERIFY(window_->findChild<QDockWidget*>("lesson")->isHidden());
+        QCOMPARE(window_->guides().shown(), window_->guides().pane(LessonPane::Kind::Demonstrations));
+    }
+
+    /// Where the window is low and the user left the panes in their column.
+    void lowWindowsMakeRoomForAGuide_data()
+    {
+        QTest::addColumn<int>("height");
+        QTest::addColumn<bool>("moved");
+        QTest::addColumn<bool>("shared");
+        QTest::newRow("low") << 720 << false << true;
+        QTest::newRow("high") << 940 << false << false;
+        QTest::newRow("moved by the user") << 720 << true << false;
+    }
+    void lowWindowsMakeRoomForAGuide()
+    {
+        QFETCH(const int, height);
+        QFETCH(const bool, moved);
+        QFETCH(const bool, shared);
+        window_->resize(1280, height);
+        QDockWidget *runs = window_->findChild<QDockWidget*>("runs"),
+                    *values = window_->findChild<QDockWidget*>("values");
+        if (moved) window_->addDockWidget(Qt::BottomDockWidgetArea, values);
+        window_->actions().lesson->trigger();
+        QCOMPARE(window_->tabifiedDockWidgets(runs).contains(values), shared);
+        if (!shared) return;
+        window_->addDockWidget(Qt::RightDockWidgetArea, values); // the user wants it otherwise
+        window_->actions().demonstrations->trigger();
+        QVERIFY(!window_->tabifiedDockWidgets(runs).contains(values));
+    }
+
     /// From step to step, for springs and a film, the pane of the lesson stays as wide as it is, also where the last
     /// step was shown by the presenter.
     void paneOfTheLessonKeepsItsWidth()
