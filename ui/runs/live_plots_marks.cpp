@@ -20,7 +20,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr std::size_t mostMarks = 2000; // more are closer than a pixel
+constexpr std::size_t mostMarks = 20000; // of events; the plot draws one for each pixel
 
 } // namespace
 

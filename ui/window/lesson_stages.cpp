@@ -6,6 +6,7 @@
 
 #include <QStringList>
 
+#include "core/formats/units.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
@@ -47,12 +48,16 @@ QString lessonResult(const RunRecord& run, double from)
     QStringList parts;
     if (summary.status == RunStatus::Cancelled) return LessonStages::tr("stopped");
     if (summary.status != RunStatus::Completed) parts << LessonStages::tr("fails");
-    if (const std::optional<EndHeight> end = endHeight(run))
+    // The last sample of a motion that lasts is anywhere.
+    if (const std::optional<EndHeight> end = lasts(summary.verdict.motion) ? std::nullopt : endHeight(run))
         parts << LessonStages::tr("ends at %1").arg(readout(end->value, *end->quantity));
     for (const RunFigure& figure : summary.figures)
         if (figure.quantity.name == "touch_downs")
             parts << (figure.value == 1.0 ? LessonStages::tr("1 touch")
                                           : LessonStages::tr("%L1 touches").arg(figure.value));
+    for (const RunFigure& figure : summary.figures)
+        if (figure.quantity.name == "cycle_work")
+            parts << QStringLiteral("W = %1").arg(trueMinus(QString::fromStdString(fewDigits(figure.value, "pJ", 3))));
     for (const auto& [quantity, tail] : summary.tail)
         if (quantity == "minimum_spacing" && summary.status == RunStatus::Completed &&
             tail.max - tail.min >= leastSwing) {

@@ -46,8 +46,8 @@ std::vector<std::string> doubtsOnDamping(const Case& c, const std::vector<Peak>&
     if (fastest > resolved)
         doubts.push_back("the damping of the motion at " + kilohertz(fastest) + " depends on the grid: above " +
                          kilohertz(resolved) +
-                         " the waves that the disk drags along span fewer than six cells; the modes of the case state "
-                         "the error that this grid leaves, and more film.nodes along the slider make it smaller");
+                         " a wave that the air carries along the slider spans fewer than six cells; the modes of the "
+                         "case state the error of this grid, and more film.nodes along the slider make it smaller");
     if (std::string doubt = doubtOnSteps(c, fastest, unfitted, duration); !doubt.empty())
         doubts.push_back(std::move(doubt));
     return doubts;

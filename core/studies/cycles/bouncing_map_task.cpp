@@ -28,8 +28,8 @@ const std::vector<std::string> scales{"linear", "logarithmic"};
 constexpr int halvingsOfPlace = 60;
 constexpr double betweenMaps = 0.25; // that grow, while the map is made [s]
 constexpr const char* markedByWork =
-    " Marks of cases with another law, or of a film, stand where the law of the map has "
-    "the W of theirs; what the map shows there is its own slider.";
+    " A case with another contact law, or with a film, is marked at the same W; the map shows what its own slider does "
+    "there.";
 constexpr std::array severities{0, 1, 2, 3, 1, 3}; // by MapClass
 
 std::optional<double> readEnd(StudyReader& reader, const std::string& name, const Parameter& keys, bool logarithmic)

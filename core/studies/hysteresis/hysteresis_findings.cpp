@@ -163,7 +163,7 @@ private:
 
     void addForced(const std::vector<ValueRange>& divergence)
     {
-        std::string sentence = "Forced, by the small motions: ";
+        std::string sentence = "Forced, as far as small motions show: ";
         sentence += divergence.empty() ? "all equilibria " + inRange() + " are stable, and there is no Hopf point"
                                        : "no equilibrium " + inRange() +
                                              " becomes unstable by an oscillation; those that are unstable (" +

@@ -264,8 +264,8 @@ void addFilmEquilibria(const EquilibriumBranches& found, HysteresisResult& resul
     if (fastest > found.resolved && found.resolved > 0.0)
         result.warnings.push_back(
             "above " + fewDigits(found.resolved, "kHz", 2) +
-            " the waves that the disk drags along span fewer than six cells, and the damping of oscillations there is "
-            "known roughly; above " +
+            " a wave that the air carries along the slider spans fewer than six cells, and the damping of oscillations "
+            "there is known roughly; above " +
             fewDigits(result.resolved, "kHz", 2) + " not even its sign: take more film.nodes along the slider");
 }
 

@@ -164,7 +164,7 @@ private slots:
             for (const QLabel* label : pane->findChildren<QLabel*>()) all += label->text();
             return all;
         };
-        static const QRegularExpression result(QStringLiteral("→ ends at 7\\.000.nm · 1 touch<"));
+        static const QRegularExpression result(QStringLiteral("→ ends at 7\\.000.nm · 1 touch · W = 18\\.9 pJ<"));
         QVERIFY2(result.match(text()).hasMatch(), qPrintable(text().mid(text().indexOf(u'→'), 80)));
         button(*pane, "Next")->click();
         QVERIFY(!text().contains(u'→'));
