@@ -338,7 +338,7 @@ QString LivePlots::missingDifference(std::size_t s) const
 void LivePlots::setStage(const std::optional<QStringList>& names)
 {
     stage_ = names;
-    // Its runs are there to be compared, not only the newest.
+    // Its runs are there to be compared: the ranges are those of all.
     for (const Entry& entry : entries_) entry.plot->setAllDecide(stage_.has_value());
     updateVisibility();
     if (runs_.baseline() >= 0) rebuild();

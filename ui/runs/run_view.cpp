@@ -162,6 +162,7 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
     if (!stage_) beforeStage_ = splitter_->saveState();
     stage_ = stage;
     plots_->setStage(stage ? std::optional(stage->plots) : std::nullopt);
+    spectrum_->view()->plot()->setAllDecide(stage.has_value());
     showParts();
     PlotGroup* group = plots_->group();
     for (PlotWidget* plot : group->plots()) plot->setView({plot->view().x, std::nullopt});

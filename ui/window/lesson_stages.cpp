@@ -55,8 +55,11 @@ QString lessonResult(const RunRecord& run, double from)
         if (figure.quantity.name == "touch_downs")
             parts << (figure.value == 1.0 ? LessonStages::tr("1 touch")
                                           : LessonStages::tr("%L1 touches").arg(figure.value));
+    const bool touched = std::ranges::any_of(summary.figures, [](const RunFigure& figure) {
+        return figure.quantity.name == "touch_downs" && figure.value > 0.0;
+    });
     for (const RunFigure& figure : summary.figures)
-        if (figure.quantity.name == "cycle_work")
+        if (touched && figure.quantity.name == "cycle_work")
             parts << QStringLiteral("W = %1").arg(trueMinus(QString::fromStdString(fewDigits(figure.value, "pJ", 3))));
     for (const auto& [quantity, tail] : summary.tail)
         if (quantity == "minimum_spacing" && summary.status == RunStatus::Completed &&
