@@ -193,8 +193,8 @@ void LessonPrint::addStep()
     html_ += lessonBlock(tr("Then change it yourself"), step.change, quiet);
 }
 
-/// Of the runs shown: a picture of the plots with one curve for each run and of the spectrum, or of the plots with
-/// several curves, for one run.
+/// A picture of the runs shown: of the plots with one curve for each run and of the spectrum, or, for one run, of the
+/// plots with several curves.
 void LessonPrint::addPicture(bool several)
 {
     std::vector<QWidget*> panels;

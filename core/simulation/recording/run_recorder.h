@@ -43,7 +43,7 @@ public:
     void keepPoints();
     /// The first 100 000 are kept.
     void addEvent(double time, std::string name);
-    /// Of events that were not sent yet: a run that failed at `time` has none behind it.
+    /// A run that failed at `time` has no events after it; those that were sent stay.
     void dropEventsAfter(double time);
     void addFields(FieldSnapshot snapshot) { fields_.push_back(std::move(snapshot)); }
 
