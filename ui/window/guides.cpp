@@ -239,8 +239,18 @@ void Guides::openCaseOf(const LessonRun& run, bool start)
         started->ofGuide = true;
         const std::vector<LessonRun>& runs = shown_->shown().runs;
         const auto found = std::ranges::find(runs, run);
-        if (found != runs.end())
-            numbers_[shown_->shown().title][static_cast<std::size_t>(found - runs.begin())] = started->number;
+        if (found != runs.end()) {
+            std::map<std::size_t, int>& numbers = numbers_[shown_->shown().title];
+            const auto index = static_cast<std::size_t>(found - runs.begin());
+            const auto before = numbers.find(index);
+            const RunRecord* same = before != numbers.end() ? window_.runs().find(before->second) : nullptr;
+            // The same run again takes the place of the former one.
+            const bool replaced =
+                same && same->finished() && same->note.isEmpty() && window_.runs().baseline() != same->number;
+            const int former = replaced ? same->number : -1;
+            numbers[index] = started->number;
+            if (replaced) window_.runs().remove(window_.runs().rowOf(former));
+        }
         showResults();
     });
 }

@@ -94,6 +94,20 @@ private slots:
         QCOMPARE(shown(), (std::set<int>{2, 3}));
     }
 
+    /// A run that is performed again takes the place of the former one, unless the reader wrote a note on that.
+    void sameRunTakesThePlaceOfTheFormer()
+    {
+        const LessonRun& first = lessonSteps()[0].runs[0];
+        run(first);
+        run(first);
+        QCOMPARE(window_->runs().count(), 1);
+        QCOMPARE(shown(), (std::set<int>{2}));
+        QCOMPARE(window_->runs().record(0).label, QStringLiteral("Fig. 10 (a)"));
+        window_->runs().setData(window_->runs().index(0), QStringLiteral("keep"), RunsModel::NoteRole);
+        run(first);
+        QCOMPARE(window_->runs().count(), 2);
+    }
+
     /// Side view, plots and spectrum of a stage share the height, at each size; what the reader set comes back.
     void sharesTheHeight()
     {
