@@ -15,7 +15,9 @@ QString lessonHtml(const std::string& text)
     static const QRegularExpression amount(QStringLiteral("(\\d) (u?)(m?[sNm]|nm|ns|pJ|rad)\\b"));
     static const QRegularExpression minus(QStringLiteral("(^|[ (])-(?=[\\d(])|(?<= )-(?= )"));
     static const QRegularExpression key(QStringLiteral("\\b([a-z_]+(?:\\.[a-z_]+)+)\\b"));
+    static const QRegularExpression friction(QStringLiteral("\\bmu\\b(?= = )"));
     QString html = QString::fromStdString(text).toHtmlEscaped();
+    html.replace(friction, QStringLiteral("μ"));
     html.replace(QStringLiteral("&gt;="), QStringLiteral("≥")).replace(QStringLiteral("^2"), QStringLiteral("²"));
     html.replace(minus, QStringLiteral("\\1−"));
     html.replace(symbol, QStringLiteral("\\1<sub>\\2</sub>"));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_pane.h"
+#include "ui/lesson/lesson_text.h"
 
 #include <QDockWidget>
 #include <QMessageBox>
@@ -117,6 +118,13 @@ private slots:
         for (const char* part : {"7\u00a0nm", "f<sub>m</sub>", "P ≥ 0", "−5\u00a0µs"})
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
         QVERIFY(shownText(pane, "What to change").contains(QStringLiteral("<a href='run.step'>run.step</a>")));
+    }
+
+    void writesSymbols()
+    {
+        QCOMPARE(lessonHtml("With mu = 2.0, f_m is 10 mN and d_e = 3 um."),
+                 QStringLiteral("With μ = 2.0, f<sub>m</sub> is 10\u00a0mN and d<sub>e</sub> = 3\u00a0µm."));
+        QCOMPARE(lessonHtml("mud"), QStringLiteral("mud"));
     }
 
     void showsResults()
