@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lesson/lesson_pane.h"
-#include "ui/lesson/lesson_text.h"
 
 #include <QDockWidget>
 #include <QMessageBox>
@@ -14,6 +13,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/lesson/lesson_text.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
