@@ -94,6 +94,10 @@ int main(int argc, char** argv)
     window.actions().demonstrations->trigger();
     waitFor(2000);
     LessonPane& pane = *window.guides().pane(LessonPane::Kind::Demonstrations);
+    if (row < 0 || static_cast<std::size_t>(row) >= pane.shown().live.size()) {
+        std::fprintf(stderr, "The demonstration has %zu sliders.\n", pane.shown().live.size());
+        return 2;
+    }
     auto& slider = *static_cast<MarkedSlider*>(pane.live().inputs().at(static_cast<std::size_t>(row)));
     const std::string key = pane.shown().live.at(static_cast<std::size_t>(row)).keys.front();
     const auto numberOfCase = [&key](const Case& c) { return numberOf(*findParameter(key), c); };
