@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include <QDockWidget>
 #include <QSettings>
@@ -221,6 +222,14 @@ void Guides::perform(const LessonRun& run)
     openCaseOf(run, true);
 }
 
+/// The same run again takes the place of the former one, unless the reader has worked with that.
+void Guides::dropReplaced(int number)
+{
+    const RunRecord* run = window_.runs().find(number);
+    if (run && run->finished() && run->note.isEmpty() && window_.runs().baseline() != number)
+        window_.runs().remove(window_.runs().rowOf(number));
+}
+
 void Guides::openCaseOf(const LessonRun& run, bool start)
 {
     CaseFiles& files = window_.files();
@@ -240,16 +249,9 @@ void Guides::openCaseOf(const LessonRun& run, bool start)
         const std::vector<LessonRun>& runs = shown_->shown().runs;
         const auto found = std::ranges::find(runs, run);
         if (found != runs.end()) {
-            std::map<std::size_t, int>& numbers = numbers_[shown_->shown().title];
             const auto index = static_cast<std::size_t>(found - runs.begin());
-            const auto before = numbers.find(index);
-            const RunRecord* same = before != numbers.end() ? window_.runs().find(before->second) : nullptr;
-            // The same run again takes the place of the former one.
-            const bool replaced =
-                same && same->finished() && same->note.isEmpty() && window_.runs().baseline() != same->number;
-            const int former = replaced ? same->number : -1;
-            numbers[index] = started->number;
-            if (replaced) window_.runs().remove(window_.runs().rowOf(former));
+            const auto [number, first] = numbers_[shown_->shown().title].try_emplace(index, started->number);
+            if (!first) dropReplaced(std::exchange(number->second, started->number));
         }
         showResults();
     });

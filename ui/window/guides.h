@@ -54,6 +54,7 @@ private:
     void showStrip();
     /// Opens the case of a run, then runs it, or only shows it.
     void openCaseOf(const LessonRun& run, bool start);
+    void dropReplaced(int number);
     LessonPane* build(LessonPane::Kind kind);
     void onStep(LessonPane::Kind kind);
     void showResults();

@@ -194,8 +194,7 @@ void WindowActions::buildHelp(QMainWindow& window)
     firstSteps =
         add(menu, tr("&First steps"), {}, {}, tr("The default case in slow motion, and where to go from there"));
     lesson = add(menu, tr("&Lesson in six steps"), QKeySequence(Qt::SHIFT | Qt::Key_F1));
-    printLesson =
-        add(menu, tr("&Print the lesson…"), {}, {}, tr("A hand-out as PDF: texts, pictures and answers of the lesson"));
+    printLesson = add(menu, tr("&Print the lesson…"), {}, {}, tr("A hand-out as PDF: texts, pictures and answers"));
     demonstrations = add(menu, tr("&Demonstrations of the paper's figures"), QKeySequence(Qt::SHIFT | Qt::Key_F2), {},
                          tr("Each figure with what to watch, what to try, and values to move"));
     shortcuts = add(menu, tr("&Shortcuts"), QKeySequence(Qt::CTRL | Qt::Key_F1));

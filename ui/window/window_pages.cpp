@@ -33,8 +33,8 @@ namespace {
 // The most that is asked for, of the screen: a pane at the left, three at the right, the page between them.
 constexpr double widestPane = 0.27, widestPage = 0.44;
 constexpr double highestPane = 0.18, highestPage = 0.7;
-constexpr int lowWindow = 850;                                                  // [px]
-const QString valuesMoved = QStringLiteral("window/valuesShareThePlaceOfRuns"); // by the program
+constexpr int lowWindow = 850;                                           // [px]
+constexpr QLatin1String valuesMoved("window/valuesShareThePlaceOfRuns"); // by the program
 
 } // namespace
 
