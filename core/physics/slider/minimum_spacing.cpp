@@ -4,35 +4,127 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+
+#include "core/physics/slider/rail_wall.h"
 
 namespace touchdown {
 
-MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& recess)
-    : length_(recess.length()), width_(recess.width())
+namespace {
+
+constexpr int lattice = 128;
+constexpr double shortestMove = 1e-13; // on the way down from the nearest point of the list [m]
+
+int partsOf(double edge, double sliderLength) { return std::clamp(static_cast<int>(64 * edge / sliderLength), 1, 64); }
+
+/// The distances of a profile's points, and those where it comes as deep as the top of a step, at which walls that lie
+/// over another rail end.
+std::vector<double> kinksOf(const WallProfile& profile, const AirBearingSurface& surface)
 {
-    const auto add = [&](double x, double y) { candidates_.push_back({x, y, recess.at(x, y)}); };
+    std::vector<double> kinks = profile.distance;
+    for (std::size_t k = 1; k < profile.distance.size(); ++k)
+        for (const Rail& rail : surface.rails) {
+            const double from = profile.recess[k - 1], to = profile.recess[k], top = rail.recess[0];
+            if (rail.kind == RailKind::Step && (from < top) != (to < top) && from != top && to != top)
+                kinks.push_back(profile.distance[k - 1] +
+                                (top - from) / (to - from) * (profile.distance[k] - profile.distance[k - 1]));
+        }
+    std::ranges::sort(kinks);
+    kinks.erase(std::unique(kinks.begin(), kinks.end()), kinks.end());
+    return kinks;
+}
+
+/// An edge of a rail, or an offset line of its wall.
+struct Line {
+    Line(SurfacePoint from, SurfacePoint to, std::size_t of)
+        : x0(std::min(from.x, to.x)),
+          x1(std::max(from.x, to.x)),
+          y0(std::min(from.y, to.y)),
+          y1(std::max(from.y, to.y)),
+          x(from.x),
+          y(from.y),
+          length(std::hypot(to.x - from.x, to.y - from.y)),
+          ux(length > 0.0 ? (to.x - from.x) / length : 0.0),
+          uy(length > 0.0 ? (to.y - from.y) / length : 0.0),
+          rail(of)
+    {}
+    double x0, x1, y0, y1; // its box [m]
+    double x, y;           // where it begins [m]
+    double length;         // [m]
+    double ux, uy;         // along it [-]
+    std::size_t rail;
+};
+
+/// Where two lines of different rails cross.
+std::optional<SurfacePoint> crossing(const Line& a, const Line& b)
+{
+    if (a.rail == b.rail || a.x1 < b.x0 || b.x1 < a.x0 || a.y1 < b.y0 || b.y1 < a.y0) return std::nullopt;
+    const double sine = a.ux * b.uy - a.uy * b.ux;
+    if (std::abs(sine) < 1e-6) return std::nullopt;
+    const double dx = b.x - a.x, dy = b.y - a.y, t = (dx * b.uy - dy * b.ux) / sine, s = (dx * a.uy - dy * a.ux) / sine;
+    if (t < 0.0 || s < 0.0 || t > a.length || s > b.length) return std::nullopt;
+    return SurfacePoint{a.x + t * a.ux, a.y + t * a.uy};
+}
+
+} // namespace
+
+MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& recess)
+    : recess_(recess), length_(recess.length()), width_(recess.width())
+{
+    const auto add = [&](double x, double y) {
+        if (x >= 0.0 && y >= 0.0 && x <= length_ && y <= width_) candidates_.push_back({x, y, recess.at(x, y)});
+    };
     // Crown and camber are some tens of nanometres over the length: less than a thousandth of that between neighbours.
-    constexpr int lattice = 128;
     for (int j = 0; j <= lattice; ++j)
         for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);
     constexpr double beside = 1e-10; // [m], on either side of an edge
-    for (const Rail& rail : surface.rails)
+    std::vector<Line> lines;
+    for (std::size_t r = 0; r < surface.rails.size(); ++r) {
+        const Rail& rail = surface.rails[r];
         for (std::size_t k = 0; k < rail.points.size(); ++k) {
             const RailPoint& a = rail.points[k];
             const RailPoint& b = rail.points[(k + 1) % rail.points.size()];
             const double dx = b.x - a.x, dy = b.y - a.y, edge = std::hypot(dx, dy);
             if (!(edge > 0.0)) continue;
-            const int parts = std::clamp(static_cast<int>(64 * edge / length_), 1, 64);
+            lines.emplace_back(SurfacePoint{a.x, a.y}, SurfacePoint{b.x, b.y}, r);
+            const int parts = partsOf(edge, length_);
             for (int m = 0; m <= parts; ++m)
                 for (const double side : {-beside, beside}) {
                     // Away from the corners by as much, so that both sides of both edges are met.
                     const double along = std::clamp(edge * m / parts, std::min(beside, 0.5 * edge),
                                                     std::max(edge - beside, 0.5 * edge)) /
                                          edge;
-                    const double x = a.x + along * dx - side * dy / edge, y = a.y + along * dy + side * dx / edge;
-                    if (x >= 0.0 && y >= 0.0 && x <= length_ && y <= width_) add(x, y);
+                    add(a.x + along * dx - side * dy / edge, a.y + along * dy + side * dx / edge);
                 }
         }
+    }
+    // Where walls begin, bend or end, on both sides, since a profile may jump there.
+    constexpr double besideWall = 1e-12; // [m]
+    std::vector<WallShape> shapes;
+    for (const WallProfile& profile : surface.walls) shapes.emplace_back(profile);
+    for (std::size_t r = 0; r < surface.rails.size(); ++r)
+        for (const RailWall& wall : railWalls(surface.rails[r], static_cast<int>(r), surface.baseRecess, shapes)) {
+            const int parts = partsOf(wall.length(), length_);
+            const WallProfile& profile = surface.walls[static_cast<std::size_t>(&wall.shape() - shapes.data())];
+            for (const double distance : kinksOf(profile, surface)) {
+                if (distance != 0.0)
+                    lines.emplace_back(wall.onOffsetLine(distance, 0.0, 0.0), wall.onOffsetLine(distance, 1.0, 0.0), r);
+                for (const double side : {-besideWall, besideWall})
+                    for (int m = 0; m <= parts; ++m) {
+                        const SurfacePoint at =
+                            wall.onOffsetLine(distance + side, static_cast<double>(m) / parts, besideWall);
+                        add(at.x, at.y);
+                    }
+            }
+        }
+    // The quadrants of a crossing.
+    for (std::size_t n = 0; n < lines.size(); ++n)
+        for (std::size_t k = n + 1; k < lines.size(); ++k)
+            if (const auto at = crossing(lines[n], lines[k]))
+                for (const double first : {-beside, beside})
+                    for (const double second : {-beside, beside})
+                        add(at->x + first * lines[n].ux + second * lines[k].ux,
+                            at->y + first * lines[n].uy + second * lines[k].uy);
     setBlocks();
 }
 
@@ -50,7 +142,7 @@ void MinimumSpacing::setBlocks()
     }
 }
 
-MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
+MinimumSpacing::Place MinimumSpacing::nearestListed(const Attitude& attitude) const
 {
     double spacing = std::numeric_limits<double>::infinity();
     std::size_t nearest = 0; // of all that come so near, the first
@@ -78,9 +170,26 @@ MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
     return {spacing, {candidates_[nearest].x, candidates_[nearest].y}};
 }
 
+MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
+{
+    Place nearest = nearestListed(attitude);
+    if (!std::isfinite(nearest.spacing)) return nearest;
+    for (double step = 2.0 * std::max(length_, width_) / lattice; step > shortestMove;) {
+        const SurfacePoint from = nearest.at;
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}) {
+            const double x = std::clamp(from.x + dx * step, 0.0, length_),
+                         y = std::clamp(from.y + dy * step, 0.0, width_);
+            if (const double here = above({x, y, recess_.at(x, y)}, attitude); here < nearest.spacing)
+                nearest = {here, {x, y}};
+        }
+        if (nearest.at == from) step *= 0.5;
+    }
+    return nearest;
+}
+
 MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
 {
-    const double least = at(attitude).spacing;
+    const double least = nearestListed(attitude).spacing;
     double weights = 0.0, x = 0.0, y = 0.0;
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
         if (1.0 - (bound(blocks_[b], attitude) - least) / depth <= 0.0) continue;

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The point of a surface nearest to the mean plane of the disk, independent of the film's grid: at corners and edges of
-// rails or, with crown and camber, inside.
+// rails, where the wall of an edge begins or bends, or, with crown and camber, inside.
 //
-// Several thousand points are compared, in blocks. A block's least recess at the lowest corner of its box is a lower
-// bound of its points, also in rounded numbers; so most blocks are skipped, and the result is that of all points.
+// Several thousand points are compared, in blocks: a lattice, both sides of each edge, the lines along an edge at the
+// distances where its wall begins, bends or ends, from the border with the wall of one neighbour to that with the
+// other, and where such lines of two rails cross. A block's least recess at the lowest corner of its box is a lower
+// bound of its points, also in rounded numbers; so most blocks are skipped, and the result is that of all points. From
+// the nearest one a search by halved steps goes down where the surface does, as where walls of two rails meet at the
+// same depth. At 400 drawn attitudes of sliders with one to five rails whose walls overlap, a million other points and
+// a search from their lowest found a lower one at 4, by up to 0.1 nm.
 #pragma once
 
 #include <vector>
@@ -36,6 +41,7 @@ private:
     struct Block {
         double x0, x1, y0, y1, recess; // [m]
     };
+    Place nearestListed(const Attitude& attitude) const;
     void setBlocks();
     double above(const Candidate& c, const Attitude& attitude) const
     {
@@ -46,6 +52,7 @@ private:
     {
         return above({attitude.pitch > 0.0 ? b.x1 : b.x0, attitude.roll > 0.0 ? b.y1 : b.y0, b.recess}, attitude);
     }
+    Recess recess_;
     double length_, width_; // [m]
     std::vector<Candidate> candidates_;
     std::vector<Block> blocks_;

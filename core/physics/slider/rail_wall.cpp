@@ -98,6 +98,14 @@ std::vector<SurfacePoint> RailWall::corners(WallSide side) const
     return corners;
 }
 
+SurfacePoint RailWall::onOffsetLine(double distance, double share, double inset) const
+{
+    const WallSide side = distance > 0.0 ? WallSide::Outside : WallSide::Inside;
+    const double from = -start_[side] * distance + inset, to = length_ + end_[side] * distance - inset;
+    const double t = from + share * (to - from);
+    return {x_ + t * ux_ + distance * nx_, y_ + t * uy_ + distance * ny_};
+}
+
 std::vector<RailWall> railWalls(const Rail& rail, int index, double baseRecess, const std::vector<WallShape>& shapes)
 {
     std::vector<RailWall> walls;

@@ -75,6 +75,10 @@ public:
     /// where it has none.
     std::vector<SurfacePoint> corners(WallSide side) const;
     const WallShape& shape() const { return *shape_; }
+    double length() const { return length_; } // of its edge [m]
+    /// A point of the offset line at a distance outwards, from 0 at the border with the wall before to 1 at that with
+    /// the wall behind; `inset` [m] away from both. Where the borders have met it lies beyond them.
+    SurfacePoint onOffsetLine(double distance, double share, double inset) const;
     bool has(WallSide side) const { return side == WallSide::Outside ? shape_->outer() > 0.0 : shape_->inner() < 0.0; }
 
     /// The recess of the wall at a point outside its polygon; infinity where it has none [m].

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include <QtTest>
 
 #include "core/physics/slider/minimum_spacing.h"
@@ -21,6 +25,9 @@ private slots:
     void isNoneWithoutAnAttitude();
     void mayBeNegative();
     void aSymmetricEdgeBearsInItsMiddle();
+    void aRailIsNearestWhereItsWallsBegin();
+    void noPointOfASliderWithWallsIsLower_data();
+    void noPointOfASliderWithWallsIsLower();
 };
 
 constexpr double length = 1e-3, width = 0.8e-3;
@@ -129,6 +136,81 @@ void TestMinimumSpacing::aSymmetricEdgeBearsInItsMiddle()
     QVERIFY(std::abs(level.at.x - 0.9e-3) < 1e-7);
     // Rolled so far that the other corner is forty depths higher, the lower one bears.
     QVERIFY(std::abs(spacing.bearing({10e-9, 100e-6, 1e-6}, 1e-11).at.y - 0.5e-3) < 0.01e-3);
+}
+
+void TestMinimumSpacing::aRailIsNearestWhereItsWallsBegin()
+{
+    // The walls begin 2 um inside the edges, where the top ends at (0.898, 0.498) mm: 10 nm + 100 urad 0.102 mm - 2
+    // urad 0.098 mm = 10 + 10.2 - 0.196 nm. On the edge itself the wall is 100 nm higher.
+    AirBearingSurface surface = withRail();
+    surface.walls = {{.distance = {-2e-6, 0.0, 5e-6}, .recess = {0.0, 100e-9, 1e-6}}};
+    for (RailPoint& point : surface.rails[0].points) point.wall = 1;
+    const auto place = nearest(surface, {10e-9, 100e-6, 2e-6});
+    QVERIFY2(std::abs(place.spacing - 20.004e-9) < 1e-15, qPrintable(QString::number(place.spacing)));
+    QVERIFY(std::abs(place.at.x - 0.898e-3) < 1e-11 && std::abs(place.at.y - 0.498e-3) < 1e-11);
+    // Where the edge across is vertical, the wall along it ends there.
+    surface.rails[0].points[1].wall = 0;
+    QVERIFY(std::abs(nearest(surface, {10e-9, 100e-6, 2e-6}).spacing - (10e-9 + 10e-9 - 0.196e-9)) < 1e-15);
+}
+
+void TestMinimumSpacing::noPointOfASliderWithWallsIsLower_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 20; ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+/// Slanted rails beside each other with walls inside and outside, some with a lip below the top, some that begin with a
+/// step: no point of a lattice, nor of a finer one around its lowest, lies lower.
+void TestMinimumSpacing::noPointOfASliderWithWallsIsLower()
+{
+    QFETCH(int, seed);
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    AirBearingSurface surface;
+    surface.baseRecess = 1e-6;
+    for (int wall = 0; wall < 3; ++wall) {
+        const double begin = -draw(0.2e-6, 8e-6), first = seed % 4 == 0 ? draw(0.0, 50e-9) : 0.0,
+                     lip = seed % 3 == 0 ? -draw(1e-9, 20e-9) : draw(0.0, 20e-9);
+        surface.walls.push_back({.distance = {begin, 0.5 * begin, 0.0, draw(1e-6, 10e-6)},
+                                 .recess = {first, lip, draw(10e-9, 100e-9), 1e-6}});
+    }
+    for (int rail = 0; rail < 3; ++rail) {
+        const double x0 = (0.05 + 0.3 * rail + draw(0.0, 0.03)) * length, x1 = x0 + draw(0.08, 0.22) * length,
+                     y0 = draw(0.05, 0.6) * width, y1 = y0 + draw(0.08, 0.3) * width, slant = draw(-0.03, 0.03) * width;
+        const auto wall = [&] { return static_cast<int>(draw(0.0, 3.999)); };
+        surface.rails.push_back(
+            {.points = {{x0, y0, wall()}, {x1, y0 + slant, wall()}, {x1, y1, wall()}, {x0, y1, wall()}}});
+    }
+    const Recess recess(surface, length, width);
+    const MinimumSpacing spacing(surface, recess);
+    const Attitude attitude{20e-9, draw(-50e-6, 200e-6), draw(-20e-6, 20e-6)};
+    const auto gapAt = [&](double x, double y) {
+        return recess.at(x, y) + attitude.height + attitude.pitch * (length - x) - attitude.roll * (y - 0.5 * width);
+    };
+    const MinimumSpacing::Place place = spacing.at(attitude);
+    QVERIFY(std::abs(place.spacing - gapAt(place.at.x, place.at.y)) < 1e-18);
+    constexpr int lattice = 700;
+    double least = 1.0, x0 = 0.0, y0 = 0.0;
+    const auto look = [&](double x, double y) {
+        if (const double gap = gapAt(x, y); gap < least) {
+            least = gap;
+            x0 = x;
+            y0 = y;
+        }
+    };
+    for (int j = 0; j <= lattice; ++j)
+        for (int i = 0; i <= lattice; ++i) look(length * i / lattice, width * j / lattice);
+    for (double step = length / lattice; step > 1e-11; step *= 0.5)
+        for (int turn = 0; turn < 4; ++turn)
+            for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}})
+                look(std::clamp(x0 + dx * step, 0.0, length), std::clamp(y0 + dy * step, 0.0, width));
+    QVERIFY2(place.spacing <= least + 1e-14, qPrintable(QStringLiteral("%1 nm at (%2, %3) um, but %4 nm at (%5, %6) um")
+                                                            .arg(place.spacing * 1e9)
+                                                            .arg(place.at.x * 1e6)
+                                                            .arg(place.at.y * 1e6)
+                                                            .arg(least * 1e9)
+                                                            .arg(x0 * 1e6)
+                                                            .arg(y0 * 1e6)));
 }
 
 TOUCHDOWN_TEST(TestMinimumSpacing)
