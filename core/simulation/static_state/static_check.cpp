@@ -51,6 +51,20 @@ std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing)
            fewDigits(c.initial.nominalTrailingEdgeHeight - lowest.spacing, "nm", 4);
 }
 
+std::optional<Attitude> unloadedRest(const Case& c)
+{
+    const SuspensionCase& s = c.suspension;
+    if (c.disk.speed != 0.0 || s.preload != 0.0) return std::nullopt;
+    Attitude rest = startOf(c);
+    if (s.holdsAttitude) {
+        if (s.pitchStiffness > 0.0) rest.pitch = s.staticPitch;
+        if (s.rollStiffness > 0.0 && c.degreesOfFreedom == 3) rest.roll = s.staticRoll;
+    } else if (s.pitchTorque != 0.0 || (s.rollTorque != 0.0 && c.degreesOfFreedom == 3)) {
+        return std::nullopt;
+    }
+    return rest;
+}
+
 std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing)
 {
     if (!c.steady.fixedAttitude) return {};

@@ -3,12 +3,14 @@
 // Static states that cannot exist, found before anything is computed, and the words for searches that found none.
 //
 // - A flying attitude needs a moving disk: over one at rest the steady film has ambient pressure everywhere and carries
-//   nothing. Contact has no part in a static state.
+//   nothing. Contact has no part in a static state. Without a load every height is a static state then: that of the
+//   initial attitude is taken, as for a squeeze film.
 // - A film at a fixed attitude needs rails above the mean plane of the disk. Where the gap is closed the film's
 //   equation does not hold. With a contact law in the case such an attitude occurs in runs in time, where contact
 //   carries the rails; its film is solved with a least gap (FilmSetting), and the result says so.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/physics/slider/minimum_spacing.h"
@@ -20,6 +22,10 @@ struct SteadyResult;
 
 /// Why the case has no static state; "" if it may have one.
 std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing);
+
+/// The initial attitude where the disk is at rest and the suspension exerts neither force nor torque; a suspension that
+/// holds an attitude gives pitch and roll.
+std::optional<Attitude> unloadedRest(const Case& c);
 
 /// What to know of a film that was solved at a fixed attitude with rails below the mean plane; "" if there are none.
 std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing);

@@ -367,7 +367,14 @@ std::string_view name(SteadyStatus status)
 SteadyResult steady(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
-    SteadyResult result = SteadySolver(c, callback).solve();
+    Case held = c;
+    if (const std::optional<Attitude> rest = unloadedRest(c); rest && !c.steady.fixedAttitude) {
+        held.steady.fixedAttitude = true;
+        held.initial.nominalTrailingEdgeHeight = rest->height;
+        held.initial.pitch = rest->pitch;
+        held.initial.roll = rest->roll;
+    }
+    SteadyResult result = SteadySolver(held, callback).solve();
     result.wallSeconds = wallClock() - start;
     return result;
 }

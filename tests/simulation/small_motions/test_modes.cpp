@@ -25,6 +25,7 @@ private slots:
     void aHeldRollHasNoMode();
     void saysWhereTheGridIsTooCoarse();
     void stiffAndSoftLimitsOfTheFilm();
+    void aPlateOverADiskAtRestIsASqueezeFilm();
 };
 
 constexpr double twoPi = 2.0 * std::numbers::pi;
@@ -201,6 +202,58 @@ void TestModes::stiffAndSoftLimitsOfTheFilm()
     const double fast = r.stiffness.back().stiffness(0, 0);
     QVERIFY(fast > (*s.stiffness)(0, 0));
     QVERIFY2(fast < trapped && fast > 0.5 * trapped, qPrintable(QString("%1 %2").arg(fast).arg(trapped)));
+}
+
+/// Blech 1983: K(s) of a level plate of sides L and W over a disk at rest, beta = W/L, x = 12 mu s W^2/(p0 h^2):
+/// K = 64 p0 L W/(pi^4 h) sum of x/(x + pi^2 (m^2 + n^2 beta^2))/(m n)^2 over odd m, n.
+Complex squeezeFilm(const Case& c, Complex s)
+{
+    const double h = c.initial.nominalTrailingEdgeHeight, width = c.slider.width, beta = width / c.slider.length,
+                 pressure = c.air.given.pressure, pi = std::numbers::pi;
+    const Complex x = 12.0 * c.air.given.viscosity * s * width * width / (pressure * h * h);
+    Complex sum = 0.0;
+    for (int m = 1; m < 200; m += 2)
+        for (int n = 1; n < 200; n += 2)
+            sum += x / (x + pi * pi * (m * m + n * n * beta * beta)) / (double(m) * m * double(n) * n);
+    return 64.0 * pressure * c.slider.length * width / (std::pow(pi, 4) * h) * sum;
+}
+
+void TestModes::aPlateOverADiskAtRestIsASqueezeFilm()
+{
+    // Without a load every height is a static state. m s^2 + k + K(s) = 0, by Newton's method from the plate on its
+    // suspension alone; the film's K takes the disk's shear and pitch no part in.
+    Case c = test::smallSlider(81);
+    c.surface = {};
+    c.surface.baseRecess = 0.0;
+    c.disk.speed = 0.0;
+    c.suspension.preload = 0.0;
+    c.suspension.stiffness = 3e3;
+    c.air.slip.model = SlipModel::Continuum;
+    c.initial.pitch = 0.0;
+    for (const double height : {800e-9, 4e-6}) {
+        c.initial.nominalTrailingEdgeHeight = height;
+        const ModesResult r = modes(c);
+        QCOMPARE(r.status, SteadyStatus::Converged);
+        QCOMPARE(r.steady.attitude.height, height);
+        QVERIFY(std::abs(r.steady.forces.net) < 1e-12);
+        const auto balance = [&](Complex s) {
+            return c.slider.mass * s * s + c.suspension.stiffness + c.suspension.damping * s + squeezeFilm(c, s);
+        };
+        const auto heave = std::ranges::find(r.modes, "vertical", &AirBearingMode::kind);
+        QVERIFY(heave != r.modes.end());
+        const double omega = twoPi * heave->frequency, zeta = heave->dampingRatio;
+        const Complex found(-zeta * omega / std::sqrt(1.0 - zeta * zeta), omega);
+        Complex s = found;
+        for (int k = 0; k < 20; ++k) {
+            const Complex step = 1e-4 * std::abs(s);
+            s -= balance(s) * step / (balance(s + step) - balance(s));
+        }
+        QVERIFY2(std::abs(found - s) < 2e-3 * std::abs(s), qPrintable(QString("%1 + %2 i against %3 + %4 i")
+                                                                          .arg(found.real())
+                                                                          .arg(found.imag())
+                                                                          .arg(s.real())
+                                                                          .arg(s.imag())));
+    }
 }
 
 TOUCHDOWN_TEST(TestModes)

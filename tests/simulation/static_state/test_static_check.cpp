@@ -80,6 +80,29 @@ private slots:
         c.disk.speed = 1e-3;
         QCOMPARE(check(c).refusal, QString());
     }
+    void withoutLoadEveryHeightIsAStaticState()
+    {
+        Case c = plane(300e-9);
+        c.steady.fixedAttitude = false;
+        c.disk.speed = 0.0;
+        QVERIFY(!unloadedRest(c)); // a preload
+        c.suspension.preload = 0.0;
+        c.degreesOfFreedom = 3;
+        QVERIFY(unloadedRest(c));
+        QCOMPARE(unloadedRest(c)->height, 300e-9);
+        QCOMPARE(unloadedRest(c)->pitch, 100e-6);
+        c.suspension.rollTorque = 1e-9;
+        QVERIFY(!unloadedRest(c));
+        c.degreesOfFreedom = 2; // what holds the roll carries it
+        QVERIFY(unloadedRest(c));
+        c.suspension.pitchTorque = 1e-9;
+        QVERIFY(!unloadedRest(c));
+        c.suspension.holdsAttitude = true; // torques come from the static attitude instead
+        c.suspension.staticPitch = 50e-6;
+        QCOMPARE(unloadedRest(c)->pitch, 50e-6);
+        c.disk.speed = 1e-3;
+        QVERIFY(!unloadedRest(c));
+    }
     void theLastStateInWords()
     {
         SteadyResult state;
