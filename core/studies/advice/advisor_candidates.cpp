@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/formats/units.h"
+#include "core/studies/advice/spring_fit.h"
 
 namespace touchdown {
 
@@ -107,7 +108,8 @@ std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
     if (c.contact == ContactKind::None || c.contact == ContactKind::OnoYamane)
         reduced.push_back({CandidateKind::Springs,
                            "springs",
-                           "the film's own law" + surface + (c.degreesOfFreedom == 3 ? ", motion in roll" : ""),
+                           "the film's own law" + (springsKnowDisk(c) ? "" : surface) +
+                               (c.degreesOfFreedom == 3 ? ", motion in roll" : ""),
                            {},
                            c});
     std::vector<ModelPart> grids{{}};

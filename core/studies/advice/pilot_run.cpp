@@ -58,6 +58,8 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     quiet.run.sampleInterval = pilotInterval(c);
     const std::vector<Quantity> quantities = recordedQuantities(quiet);
     const auto spacing = static_cast<std::size_t>(findQuantity(quantities, spacingOf(quiet)));
+    // Springs measure from the disk under them; a film, from its mean plane.
+    const int disk = c.model == ModelKind::Springs ? findQuantity(quantities, "disk_height") : -1;
     const TouchColumns touch(quiet, quantities);
 
     PilotRun pilot;
@@ -68,7 +70,8 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     const Summary summary = run(quiet, [&](const RunUpdate& update) {
         const SampleBatch& batch = update.samples;
         for (std::size_t k = 0; k < batch.size(); ++k) {
-            const double value = batch.columns[spacing][k];
+            const double under = disk >= 0 ? batch.columns[static_cast<std::size_t>(disk)][k] : 0.0;
+            const double value = batch.columns[spacing][k] + under;
             pilot.samples.spacing.push_back(value);
             const auto valueOf = [&](std::size_t column) { return batch.columns[column][k]; };
             pilot.samples.touching.push_back(touch.touches(valueOf));

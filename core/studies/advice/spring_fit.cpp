@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include "core/case/parameters.h"
+#include "core/physics/disk/disk_surface_check.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
@@ -96,6 +97,12 @@ SpringFit failed(std::string problem)
 
 } // namespace
 
+bool springsKnowDisk(const Case& c)
+{
+    const DiskSurface& surface = c.diskSurface;
+    return !(hasBumps(surface) && surface.bumpShape == BumpShape::Ellipsoid && surface.motion == SurfaceMotion::Moving);
+}
+
 SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
 {
     if (c.contact != ContactKind::None && c.contact != ContactKind::OnoYamane)
@@ -133,7 +140,7 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     Case& springs = fit.springs = c;
     springs.model = ModelKind::Springs;
     springs.degreesOfFreedom = 2;
-    springs.diskSurface = DiskSurface{};
+    if (!springsKnowDisk(c)) springs.diskSurface = DiskSurface{};
     springs.adhesion = Adhesion{};
     SpringsCase& s = springs.springs;
     s = SpringsCase{};

@@ -10,9 +10,9 @@
 //   d_f = m + v/(m + d_r),  k_f0 = K_11 (m + d_r)/(d_f + d_r),  k_r0 = K_11 - k_f0
 //
 // The dashpots give both modes the damping ratios of the film's modes; a negative one is left out. Static spacing and
-// pitch, suspension, contact characteristic and start are taken over. Two springs cannot represent roll, a disk that is
-// not flat, an asymmetric K, its change with frequency, and the film's own law of spacing; theirs is k_0 z_0^2 (z_0 -
-// z)/z^2.
+// pitch, suspension, contact characteristic, start and the disk's surface are taken over; the springs follow its
+// heights under three places. Two springs cannot represent roll, an asymmetric K, its change with frequency, and the
+// film's own law of spacing; theirs is k_0 z_0^2 (z_0 - z)/z^2.
 #pragma once
 
 #include <array>
@@ -30,6 +30,9 @@ struct SpringFit {
     std::array<double, 2> filmFrequency{}, springFrequency{}; // of the modes [Hz]
     std::array<double, 2> filmDamping{}, springDamping{};     // their damping ratios [-]
 };
+
+/// Springs follow the disk's surface under them, but not ellipsoids that move: their sides are vertical at the base.
+bool springsKnowDisk(const Case& c);
 
 /// `c` is a valid case of model "film". `goOn` is asked within; false ends with a problem.
 SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn = {});

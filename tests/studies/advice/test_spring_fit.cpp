@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
 #include <QtTest>
 
 #include "core/case/parameters.h"
 #include "core/simulation/static_state/steady.h"
+#include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/spring_fit.h"
 #include "core/studies/runs/measured_run.h"
 #include "tests/support/taper_flat.h"
@@ -20,6 +24,7 @@ private slots:
     void restsInTheStaticState();
     void beginsWhereTheFilmBegins();
     void takesTheCharacteristicOver();
+    void followsTheDiskAsTheFilmDoes();
     void saysWhereThereAreNone();
 };
 
@@ -87,6 +92,42 @@ void TestSpringFit::takesTheCharacteristicOver()
     QVERIFY2(fit.problem.empty(), fit.problem.c_str());
     QCOMPARE(fit.springs.contact, ContactKind::OnoYamane);
     QCOMPARE(fit.springs.onoYamane.meniscusForce, 12e-3);
+}
+
+/// A wave of 5 mm passes in some 0.4 ms: slider and film follow it, so that the minimum spacing above the mean plane
+/// is that of the static state and the height of the disk under it. Of the fitted springs it is the same.
+void TestSpringFit::followsTheDiskAsTheFilmDoes()
+{
+    Case c = taperFlat();
+    c.initial.state = InitialState::Static;
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {2e-9};
+    c.diskSurface.waveLengths = {5e-3};
+    c.diskSurface.wavePhases = {1.0};
+    c.diskSurface.track = 20e-3;
+    const SpringFit fit = fitSprings(c);
+    QVERIFY2(fit.problem.empty(), fit.problem.c_str());
+    QVERIFY(fit.springs.diskSurface == c.diskSurface);
+    QVERIFY(checkCombinations(fit.springs).empty());
+    const PilotRun film = pilotRun(c, {}, {}), springs = pilotRun(fit.springs, {}, {});
+    QVERIFY2(film.problem.empty() && springs.problem.empty(), (film.problem + springs.problem).c_str());
+    QCOMPARE(film.samples.spacing.size(), springs.samples.spacing.size());
+    double apart = 0.0, low = 1.0, high = 0.0;
+    for (std::size_t k = film.samples.spacing.size() / 2; k < film.samples.spacing.size(); ++k) {
+        apart = std::max(apart, std::abs(film.samples.spacing[k] - springs.samples.spacing[k]));
+        low = std::min(low, film.samples.spacing[k]);
+        high = std::max(high, film.samples.spacing[k]);
+    }
+    QVERIFY(high - low > 0.5e-9);
+    QVERIFY2(apart < 0.1 * (high - low),
+             qPrintable(QStringLiteral("%1 of %2 nm").arg(apart * 1e9).arg((high - low) * 1e9)));
+    c.diskSurface.kind = DiskSurfaceKind::Bumps;
+    c.diskSurface.bumpHeights = {1e-9};
+    c.diskSurface.bumpLengths = {100e-6};
+    c.diskSurface.bumpX = c.diskSurface.bumpY = {0.0};
+    QVERIFY(!springsKnowDisk(c)); // vertical sides
+    c.diskSurface.bumpShape = BumpShape::Cosine;
+    QVERIFY(springsKnowDisk(c));
 }
 
 void TestSpringFit::saysWhereThereAreNone()
