@@ -16,6 +16,7 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
+#include "core/simulation/static_state/high_disk.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 
@@ -66,6 +67,19 @@ int validateStudy(const CommandArguments& arguments, const StudySource& study)
         print(arguments.name + ": valid, a study of kind " + study.kind + "\n");
     }
     return plan.valid() ? exitDone : exitWrongInput;
+}
+
+/// What a film on the case's grid finds of the disk under it at the start of a run.
+void lookAtDisk(CaseDocument& document)
+{
+    if (!document.valid() || document.value.model != ModelKind::Film) return;
+    constexpr auto key = "initial.nominal_trailing_edge_height";
+    DiskAtStart disk = diskAtStart(document.value);
+    if (!disk.problem.empty()) document.problems.push_back({document.name, 0, key, std::move(disk.problem)});
+    for (std::string& warning : disk.warnings) {
+        document.warnings.push_back({document.name, 0, "disk.surface", std::move(warning)});
+        complainOf({document.warnings.back()}, "warning: ");
+    }
 }
 
 /// Names the file of the disk's surface as seen from the folder of the new files. Returns whether it lies outside.
@@ -180,7 +194,8 @@ int listCommand(bool json)
 int validateCommand(const CommandArguments& arguments)
 {
     if (const auto study = findStudySource(arguments.name)) return validateStudy(arguments, *study);
-    const CaseDocument document = openCaseToUse(arguments);
+    CaseDocument document = openCaseToUse(arguments);
+    lookAtDisk(document);
     complainOf(document.problems);
     if (arguments.json)
         print(jsonText(validation("case", document, document.value.title, document.problems)));

@@ -68,6 +68,7 @@ Json tailJson(const Summary& summary)
         const auto found = find(summary.tail, key);
         result[key] = found == summary.tail.end() ? Json(nullptr) : statisticsJson(found->second);
     }
+    for (const auto& [key, value] : summary.tail) result[key] = statisticsJson(value);
     return result;
 }
 
@@ -269,13 +270,19 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
             found != summary.final.end() &&
             (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
             text += reportRow(label, shown(quantities, key, found->second));
+    // The same over a flat disk.
+    const bool flat = findQuantity(quantities, "minimum_gap") < 0;
+    const std::string above = flat ? "" : c.model == ModelKind::Film ? " above the mean plane" : " above the disk";
     if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
-        text += reportRow("minimum spacing",
-                          shown(quantities, "minimum_spacing", found->second.min) + " at least, over the last 10 %");
+        text += reportRow("minimum spacing", shown(quantities, "minimum_spacing", found->second.min) + above +
+                                                 " at least, over the last 10 %");
     for (const auto& [key, label] :
-         {std::pair{"minimum_spacing", "least min. spacing"}, std::pair{"rear_spacing", "least rear spacing"}})
+         {std::pair{"minimum_spacing", "least min. spacing"}, std::pair{"rear_spacing", "least rear spacing"},
+          std::pair{"minimum_gap", "least gap"}})
         if (const auto found = find(summary.extremes, key); found != summary.extremes.end())
-            text += reportRow(label, shown(quantities, key, found->second.least) + " in the whole run");
+            text += reportRow(label, shown(quantities, key, found->second.least) +
+                                         (key == std::string_view("minimum_gap") ? " above the disk" : above) +
+                                         " in the whole run");
     if (!summary.verdict.rule.empty())
         text += reportRow("motion", textOf(summary.verdict) + ": " + summary.verdict.rule);
     for (std::size_t i = 0; i < summary.peaks.size(); ++i)

@@ -67,6 +67,24 @@ void addCharacteristicFigures(const OnoYamane& parameters, Summary& summary)
                                static_cast<double>(touchDowns) * each});
 }
 
+/// How much the flying height above the disk changes in the last tenth of a run.
+void addModulation(Summary& summary)
+{
+    const auto named = [&](const char* name) {
+        return std::ranges::find(summary.tail, name, &std::pair<std::string, Statistics>::first);
+    };
+    auto height = named("flying_height_above_disk");
+    if (height == summary.tail.end()) height = named("flying_height"); // the disk is flat
+    if (height == summary.tail.end()) return;
+    const Statistics& s = height->second;
+    summary.figures.push_back({{"flying_height_modulation", "m", "nm",
+                                "Flying height modulation over the last tenth, above the disk, peak to peak"},
+                               s.max - s.min});
+    summary.figures.push_back({{"flying_height_modulation_rms", "m", "nm",
+                                "Flying height modulation over the last tenth, above the disk, RMS"},
+                               s.std});
+}
+
 } // namespace
 
 Summary run(const Case& c, const RunCallback& callback, const RunOptions& options)
@@ -96,6 +114,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         break;
     }
     summary.model = toText(c, *findParameter("model"));
+    if (c.model != ModelKind::Contact) addModulation(summary);
     if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
     for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.message);
     for (const InputProblem& warning : disk.warnings) summary.warnings.push_back(warning.text());

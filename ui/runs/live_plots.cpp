@@ -128,6 +128,10 @@ void LivePlots::updateTitle(std::size_t s)
     const PlotSpec& spec = specs_[s];
     PlotWidget* plot = entries_[s].plot;
     QString title = spec.title;
+    // Over a flat disk both are the same.
+    if (spec.name == QLatin1String("spacing") && !flat_)
+        title = model_ == ModelKind::Springs ? tr("%1 above the disk").arg(title)
+                                             : tr("%1 above the mean plane of the disk").arg(title);
     if (runs_.baseline() >= 0 && !spec.across) {
         title = tr("%1 minus run %2").arg(title).arg(runs_.baseline());
         title += missingDifference(s);
@@ -175,6 +179,8 @@ void LivePlots::setCase(const Case& c)
     model_ = c.model;
     ready_ = recordedQuantities(c);
     rollIsHeld_ = c.degreesOfFreedom == 2;
+    flat_ = c.diskSurface.kind == DiskSurfaceKind::Flat;
+    updateTitle(indexOf(QStringLiteral("spacing")));
     updateWanted();
     updateVisibility();
     emit quantitiesChanged();
@@ -188,6 +194,8 @@ void LivePlots::updateWanted()
         bool atFirst = model_ == ModelKind::Contact ? entries_[s].name != QLatin1String("forces") : specs_[s].atFirst;
         if (specs_[s].choosable) atFirst = specs_[s].atFirst;
         if (entries_[s].name == QLatin1String("roll") && rollIsHeld_) atFirst = false;
+        // The spacings of the springs are those above the disk.
+        if (entries_[s].name == QLatin1String("above_disk") && model_ == ModelKind::Springs) atFirst = false;
         const auto chosen = chosen_.find({model_, entries_[s].name});
         entries_[s].wanted->setChecked(chosen != chosen_.end() ? chosen->second : atFirst);
     }

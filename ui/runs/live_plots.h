@@ -153,6 +153,7 @@ private:
     QVBoxLayout *overTime_, *portraits_; // side by side
     std::vector<PlotSpec> specs_;
     ModelKind model_ = ModelKind::Springs;                 // of the case
+    bool flat_ = true;                                     // its disk is
     bool rollIsHeld_ = true;                               // in it
     std::vector<Quantity> ready_;                          // that the case would record
     std::map<std::pair<ModelKind, QString>, bool> chosen_; // whether a plot is wanted, as the user said

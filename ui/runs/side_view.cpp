@@ -142,7 +142,8 @@ std::optional<SideView::State> SideView::stateOf(const Seen& seen, const std::op
     state.pitch = at("pitch");
     state.trailingHeight = at("height") - (seen.length - seen.centre) * state.pitch;
     state.separation = at("flying_height");
-    state.spacing = at("minimum_spacing");
+    state.aboveDisk = run->pyramid("minimum_gap") != nullptr;
+    state.spacing = at(state.aboveDisk ? "minimum_gap" : "minimum_spacing");
     state.contactForce = at("contact_force");
     state.disk = {at("front_disk_height"), at("rear_disk_height"), at("disk_height")};
     return state;

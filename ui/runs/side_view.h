@@ -46,6 +46,7 @@ public:
         double trailingHeight = 0.0; // nominal, of the trailing edge's centre above the mean disk plane [m]
         double pitch = 0.0;          // [rad]
         double spacing = 0.0;        // the smallest one [m]
+        bool aboveDisk = false;      // the spacing is, else above its mean plane
         double contactForce = 0.0;   // [N]
         double separation = 0.0;     // springs: of the pad [m]
         SpringsDrawing::Disk disk;   // springs

@@ -139,7 +139,8 @@ void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const
 {
     const QRectF area = plotArea();
     const State& state = *first_.state;
-    const QStringList attitude{timeText(state.time), tr("minimum spacing %1").arg(readout(state.spacing, "nm", 3)),
+    const QString spacing = state.aboveDisk ? tr("minimum gap above the disk %1") : tr("minimum spacing %1");
+    const QStringList attitude{timeText(state.time), spacing.arg(readout(state.spacing, "nm", 3)),
                                tr("pitch %1").arg(readout(state.pitch, "urad", 2))};
     QStringList rest{tr("heights × %L1").arg(std::round(exaggeration()), 0, 'f', 0)};
     if (state.contactForce > 0.0) rest.prepend(tr("contact %1").arg(forceText(state.contactForce)));

@@ -7,6 +7,8 @@
 #include "core/case/case.h"
 #include "core/formats/units.h"
 #include "core/numerics/spectrum.h"
+#include "core/physics/disk/disk_surface_check.h"
+#include "core/physics/disk/disk_velocity.h"
 
 namespace touchdown {
 
@@ -17,6 +19,26 @@ constexpr double oftenUnfitted = 0.1;  // of a run's time
 constexpr double enoughPerPeriod = 60; // steps with which BDF2OPT keeps a damping ratio to a twentieth or 5e-5
 
 std::string kilohertz(double frequency) { return std::to_string(std::lround(frequency / 1e3)) + " kHz"; }
+
+constexpr double sameFrequency = 0.03;
+constexpr int harmonics = 3;
+
+/// A motion that the waves of a moving disk force, and its harmonics: its size does not hang on damping.
+bool isForced(const Case& c, double frequency)
+{
+    const DiskSurface& surface = c.diskSurface;
+    if (!hasWaves(surface) || surface.motion != SurfaceMotion::Moving) return false;
+    const Velocity velocity =
+        diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    for (std::size_t k = 0; k < surface.waveLengths.size(); ++k) {
+        const double angle = surface.waveAngles.empty() ? 0.0 : surface.waveAngles[k];
+        const double passing =
+            std::abs(velocity.x * std::cos(angle) + velocity.y * std::sin(angle)) / surface.waveLengths[k];
+        const double order = std::clamp(std::round(frequency / passing), 1.0, double{harmonics});
+        if (std::abs(frequency - order * passing) <= sameFrequency * frequency) return true;
+    }
+    return false;
+}
 
 std::string doubtOnSteps(const Case& c, double frequency, const UnfittedSteps& unfitted, double duration)
 {
@@ -42,12 +64,14 @@ std::vector<std::string> doubtsOnDamping(const Case& c, const std::vector<Peak>&
     if (peaks.empty()) return doubts;
     double fastest = 0.0;
     for (const Peak& peak : peaks)
-        if (peak.amplitude >= largeShare * peaks.front().amplitude) fastest = std::max(fastest, peak.frequency);
+        if (peak.amplitude >= largeShare * peaks.front().amplitude && !isForced(c, peak.frequency))
+            fastest = std::max(fastest, peak.frequency);
     if (fastest > resolved)
         doubts.push_back("the damping of the motion at " + kilohertz(fastest) + " depends on the grid: above " +
                          kilohertz(resolved) +
                          " a wave that the air carries along the slider spans fewer than six cells; the modes of the "
                          "case state the error of this grid, and more film.nodes along the slider make it smaller");
+    if (fastest == 0.0) return doubts;
     if (std::string doubt = doubtOnSteps(c, fastest, unfitted, duration); !doubt.empty())
         doubts.push_back(std::move(doubt));
     return doubts;

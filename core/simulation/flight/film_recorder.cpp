@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "core/case/case.h"
+#include "core/physics/slider/disk_clearance.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/flight/film_run.h"
 
@@ -23,11 +25,10 @@ std::vector<FilmQuantity> filmRows(const Case& c)
     using S = const FilmSample&;
     std::vector<FilmQuantity> list{
         {{"flying_height", "m", "nm",
-          c.surface.pointsOfInterest.empty() ? "Flying height of the trailing edge's centre"
-                                             : "Flying height at the first point of interest"},
+          c.surface.pointsOfInterest.empty() ? "Flying height of the trailing edge's centre above the mean plane"
+                                             : "Flying height at the first point of interest above the mean plane"},
          [](S s) { return s.flyingHeight; }},
-        {{"minimum_spacing", "m", "nm", "Minimum spacing of slider and mean disk plane"},
-         [](S s) { return s.spacing; }},
+        {{"minimum_spacing", "m", "nm", "Minimum spacing above the disk's mean plane"}, [](S s) { return s.spacing; }},
         {{"pitch", "rad", "urad", "Pitch"}, [](S s) { return s.attitude.pitch; }},
         {{"roll", "rad", "urad", "Roll"}, [](S s) { return s.attitude.roll; }},
         {{"height", "m", "nm", "Height of the mass centre"}, [](S s) { return s.motion.q[0]; }},
@@ -45,6 +46,12 @@ std::vector<FilmQuantity> filmRows(const Case& c)
          [](S s) { return s.gained; }},
         {{"time_step", "s", "ns", "Time step"}, [](S s) { return s.dt; }},
     };
+    if (c.diskSurface.kind != DiskSurfaceKind::Flat)
+        list.insert(list.end(), {{{"minimum_gap", "m", "nm", "Minimum gap above the disk"}, [](S s) { return s.gap; }},
+                                 {{"flying_height_above_disk", "m", "nm", "Flying height above the disk"},
+                                  [](S s) { return s.flyingHeight - s.diskHeight; }},
+                                 {{"disk_height", "m", "nm", "Height of the disk under the flying height"},
+                                  [](S s) { return s.diskHeight; }}});
     if (c.degreesOfFreedom == 3)
         list.push_back({{"roll_velocity", "rad/s", "rad/s", "Roll velocity"}, [](S s) { return s.motion.v[2]; }});
     if (c.contact != ContactKind::None)
@@ -62,17 +69,44 @@ std::vector<FilmQuantity> filmRows(const Case& c)
     return list;
 }
 
-std::vector<Quantity> filmQuantities(const Case& c) { return quantitiesOf(filmRows(c)); }
+std::vector<Quantity> furtherPoints(const Case& c)
+{
+    std::vector<Quantity> list;
+    if (c.diskSurface.kind == DiskSurfaceKind::Flat) return list;
+    for (std::size_t k = 2; k <= c.surface.pointsOfInterest.size(); ++k) {
+        const std::string number = std::to_string(k);
+        list.push_back({"flying_height_above_disk_" + number, "m", "nm",
+                        "Flying height above the disk at point of interest " + number});
+        list.push_back({"disk_height_" + number, "m", "nm", "Height of the disk under point of interest " + number});
+    }
+    return list;
+}
+
+std::vector<Quantity> filmQuantities(const Case& c)
+{
+    std::vector<Quantity> list = quantitiesOf(filmRows(c));
+    std::ranges::move(furtherPoints(c), std::back_inserter(list));
+    return list;
+}
 
 FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
-                           RunRecorder& run)
-    : case_(c), body_(body), spacing_(spacing), run_(run), rows_(filmRows(c)), values_(rows_.size())
+                           DiskClearance* clearance, RunRecorder& run)
+    : case_(c),
+      body_(body),
+      spacing_(spacing),
+      clearance_(c.diskSurface.kind != DiskSurfaceKind::Flat ? clearance : nullptr),
+      run_(run),
+      rows_(filmRows(c)),
+      values_(rows_.size() + furtherPoints(c).size())
 {
-    headAt_ = {c.slider.length, 0.5 * c.slider.width};
-    if (!c.surface.pointsOfInterest.empty()) {
-        headAt_ = c.surface.pointsOfInterest.front();
-        headRecess_ = recess.at(headAt_.x, headAt_.y);
-    }
+    for (const SurfacePoint& at : c.surface.pointsOfInterest) points_.push_back({at, recess.at(at.x, at.y)});
+    if (points_.empty()) points_.push_back({{c.slider.length, 0.5 * c.slider.width}, 0.0});
+}
+
+double FilmRecorder::heightOf(const Point& point, const Attitude& attitude) const
+{
+    return attitude.height + attitude.pitch * (case_.slider.length - point.at.x) -
+           attitude.roll * (point.at.y - 0.5 * case_.slider.width) + point.recess;
 }
 
 void FilmRecorder::begin(const FilmPoint& start)
@@ -134,8 +168,7 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time)
         return along(earlier_.contact.*part, from.contact.*part, to.contact.*part);
     };
     FilmSample s{.attitude = attitude, .motion = motion};
-    s.flyingHeight = attitude.height + attitude.pitch * (case_.slider.length - headAt_.x) -
-                     attitude.roll * (headAt_.y - 0.5 * case_.slider.width) + headRecess_;
+    s.flyingHeight = heightOf(points_.front(), attitude);
     s.spacing = spacing_.at(attitude).spacing;
     s.airForce = along(earlier_.filmForce[0], from.filmForce[0], to.filmForce[0]);
     s.kinetic = body_.kineticEnergy(motion.v);
@@ -149,6 +182,16 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time)
     s.stored = ofContact(&SliderContactForces::storedEnergy);
     s.area = ofContact(&SliderContactForces::area);
     s.peakPressure = ofContact(&SliderContactForces::peakPressure);
+    if (clearance_) {
+        s.gap = clearance_->at(attitude, time).gap;
+        s.diskHeight = clearance_->diskHeight(points_.front().at, time);
+        double* further = values_.data() + rows_.size();
+        for (std::size_t k = 1; k < points_.size(); ++k) {
+            const double disk = clearance_->diskHeight(points_[k].at, time);
+            *further++ = heightOf(points_[k], attitude) - disk;
+            *further++ = disk;
+        }
+    }
     touchdown::evaluate(rows_, s, values_.data());
 }
 

@@ -14,13 +14,15 @@
 
 namespace touchdown {
 
+class DiskClearance;
 class MinimumSpacing;
 class Recess;
 struct Case;
 
 /// A state as it is recorded: forces in N, energies in J.
 struct FilmSample {
-    double flyingHeight = 0.0, spacing = 0.0; // [m]
+    double flyingHeight = 0.0, spacing = 0.0; // above the mean plane [m]
+    double gap = 0.0, diskHeight = 0.0;       // above the actual disk; its height under the flying height [m]
     Attitude attitude;
     SliderMotion motion;
     double airForce = 0.0, kinetic = 0.0, suspension = 0.0, film = 0.0, gained = 0.0, dt = 0.0;
@@ -29,12 +31,14 @@ struct FilmSample {
 };
 using FilmQuantity = RecordedQuantity<FilmSample>;
 std::vector<FilmQuantity> filmRows(const Case& c);
+/// Of each point of interest behind the first, over a disk that is not flat: flying height above the disk, its height.
+std::vector<Quantity> furtherPoints(const Case& c);
 
 class FilmRecorder {
 public:
-    /// All must last.
+    /// All must last. `clearance` may be null over a flat disk.
     FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
-                 RunRecorder& run);
+                 DiskClearance* clearance, RunRecorder& run);
 
     void begin(const FilmPoint& start);
     /// A step from the last point to this one.
@@ -48,19 +52,24 @@ public:
     Summary summary(const RunEnd& end);
 
 private:
+    struct Point {
+        SurfacePoint at;     // [m]
+        double recess = 0.0; // [m]
+    };
     void record(const FilmPoint& to, double time);
     /// Sets values_, between the last point and `to`.
     void evaluate(const FilmPoint& to, double time);
+    double heightOf(const Point& point, const Attitude& attitude) const; // above the mean plane [m]
     void addToEnergy(const FilmPoint& point);
 
     const Case& case_;
     const SliderBody& body_;
     const MinimumSpacing& spacing_;
+    DiskClearance* clearance_; // null: the disk is flat
     RunRecorder& run_;
     std::vector<FilmQuantity> rows_;
-    SurfacePoint headAt_; // where the flying height is taken [m]
-    double headRecess_ = 0.0;
-    FilmPoint last_, earlier_; // the same where forces have jumped
+    std::vector<Point> points_; // of interest; the flying height is taken at the first
+    FilmPoint last_, earlier_;  // the same where forces have jumped
     long long samples_ = 0;
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
     double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]

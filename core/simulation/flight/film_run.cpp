@@ -16,6 +16,7 @@
 #include "core/simulation/flight/law_switch.h"
 #include "core/simulation/flight/step_length.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/high_disk.h"
 
 namespace touchdown {
 
@@ -72,6 +73,11 @@ public:
             std::ranges::move(doubtsOnDamping(case_, summary.peaks, resolvedFrequency(case_, scene_.level->gaps.grid),
                                               unfitted_, summary.endTime),
                               std::back_inserter(summary.warnings));
+        if (steps_ > 0)
+            std::ranges::move(
+                doubtsOnDisk(scene_.diskOnCells, case_.run.steps == StepControl::Fixed ? case_.run.step : 0.0),
+                std::back_inserter(summary.warnings));
+        if (!unseenDisk_.empty()) summary.warnings.push_back(std::move(unseenDisk_));
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (contact_ && recorder_ && end_.status != RunStatus::Cancelled) addDoubts(summary);
@@ -159,7 +165,7 @@ private:
             return fail(RunFailure::Other, "the forces at the start are no numbers; start higher "
                                            "(initial.nominal_trailing_edge_height) or on a smoother disk");
         balance_.emplace(level.film, *body_, scene_.restEnergy);
-        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, run_);
+        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance, run_);
         point_ = pointNow(0.0);
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);
@@ -184,7 +190,7 @@ private:
     /// No longer than the fastest motion and a moving surface allow.
     double longestStep() const
     {
-        double longest = longestShare * case_.run.duration;
+        double longest = std::min(longestShare * case_.run.duration, scene_.diskOnCells.longestStep);
         if (const double rate = stepper_->fastestRate(); rate > 0.0)
             longest = std::min(longest, StepLength::longestPhase / rate);
         if (contact_ && stepper_->contactInReach()) longest = std::min(longest, contact_->longestStep());
@@ -239,11 +245,26 @@ private:
         if (contact_)
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
                 return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
+        if (!lookAtDisk(attitude)) return false;
         if (scene_.spacing.at(attitude).spacing > farthest)
             return fail(RunFailure::Diverged,
                         "the slider left the disk: at " + timeText(point_.time) + " it is " +
                             formatQuantity(std::round(scene_.spacing.at(attitude).spacing * 1e9) / 1e9, "um") +
                             " above it");
+        return true;
+    }
+
+    /// False where the disk reaches the slider and no law of contact acts.
+    bool lookAtDisk(const Attitude& attitude)
+    {
+        const bool none = case_.contact == ContactKind::None;
+        if (!none && (case_.contact != ContactKind::OnoYamane || scene_.topography.flat() || !unseenDisk_.empty()))
+            return true;
+        const DiskClearance::Place place = scene_.clearance->at(attitude, point_.time);
+        if (place.gap > 0.0) return true;
+        const std::string reached = diskReachesSlider(case_, place, point_.time);
+        if (none) return fail(RunFailure::Other, reached);
+        unseenDisk_ = reached;
         return true;
     }
 
@@ -336,7 +357,11 @@ private:
         const Attitude last = body_->attitude(point_.motion.q);
         const RunFailure failure =
             result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
+        const bool noLaw = case_.contact == ContactKind::None && !scene_.topography.flat();
         return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) +
+                                 (noLaw ? "; " + nearestDisk(scene_.clearance->at(last, point_.time)) +
+                                              ", and no law of contact acts (contact = \"none\")"
+                                        : std::string()) +
                                  "; the samples end with the last good state, minimum spacing " +
                                  formatQuantity(std::round(scene_.spacing.at(last).spacing * 1e13) / 1e13, "nm"));
     }
@@ -375,6 +400,7 @@ private:
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
     int snapshots_ = 0;                                             // taken
     ChatterWatch switches_;
+    std::string unseenDisk_; // where its surface first reached the slider under a law that does not see it
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     UnfittedSteps unfitted_;
     RunEnd end_;

@@ -10,6 +10,7 @@
 #include "core/physics/film/film_energy.h"
 #include "core/simulation/flight/film_run.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/high_disk.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -54,6 +55,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
     }
 
     if (!makeParts(rest, goOn)) return State::Stopped;
+    if (checkDisk() == State::Failed) return State::Failed;
     if (balanced) {
         level->film.setAttitude(rest.attitude);
         restEnergy = FilmEnergy(level->film).at(level->pressure).stored;
@@ -77,6 +79,15 @@ bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>&
     return goOn();
 }
 
+FilmScene::State FilmScene::checkDisk()
+{
+    clearance.emplace(recess, spacing, topography, disk->velocity());
+    diskOnCells = touchdown::diskOnCells(case_, topography, recess, level->gaps.grid, start);
+    if (case_.contact != ContactKind::None) return State::Ready;
+    const DiskClearance::Place place = clearance->at(start, 0.0);
+    return place.gap > 0.0 ? State::Ready : fail(diskReachesSlider(case_, place, 0.0) + "; " + startHigher());
+}
+
 FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
 {
     level->film.setAttitude(start);
@@ -90,14 +101,17 @@ FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
     if (film.cancelled) return State::Stopped;
     if (film.converged) return State::Ready;
     const double lowest = spacing.at(start).spacing;
-    const std::string height =
-        case_.initial.state == InitialState::Static ? "initial.height_offset" : "initial.nominal_trailing_edge_height";
     return fail("the film was not solved at the initial attitude, where the minimum spacing is " +
-                formatQuantity(std::round(lowest * 1e13) / 1e13, "nm") +
+                formatQuantity(std::round(lowest * 1e13) / 1e13, "nm") + "; " + startHigher() +
                 (lowest > 0.0
-                     ? "; start higher (" + height + ") or allow more film.maximum_iterations"
-                     : "; start higher (" + height +
-                           "): air that the rails shut in below the disk's mean plane may find no steady pressure"));
+                     ? " or allow more film.maximum_iterations"
+                     : ": air that the rails shut in below the disk's mean plane may find no steady pressure"));
+}
+
+std::string FilmScene::startHigher() const
+{
+    return case_.initial.state == InitialState::Static ? "start higher (initial.height_offset)"
+                                                       : "start higher (initial.nominal_trailing_edge_height)";
 }
 
 std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& attitude, std::span<const double> p) const

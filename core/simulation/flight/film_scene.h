@@ -11,8 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "core/physics/slider/disk_clearance.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/contact/slider_contact.h"
+#include "core/simulation/static_state/disk_on_cells.h"
 #include "core/simulation/static_state/disk_under_film.h"
 #include "core/simulation/static_state/slider_body.h"
 
@@ -40,6 +42,8 @@ public:
     Recess recess;
     MinimumSpacing spacing;
     DiskTopography topography;
+    std::optional<DiskClearance> clearance; // of slider and topography
+    DiskOnCells diskOnCells;                // at the start
     std::optional<SliderBody> body;
     std::unique_ptr<FilmLevel> level; // its pressure: at the start
     std::optional<DiskUnderFilm> disk;
@@ -51,7 +55,11 @@ private:
     State fail(std::string reason);
     /// Film, disk, contact on the static state's grid. False: stopped.
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
+    /// Where no law of contact acts the disk must not reach the slider at the start.
+    State checkDisk();
     State solveStart(const std::function<bool()>& goOn);
+    /// "start higher (initial.height_offset)"
+    std::string startHigher() const;
 
     const Case& case_;
     std::vector<RecordedFields> maps_; // of the film, of the contact; may be empty

@@ -99,7 +99,9 @@ Touch TouchColumns::between(std::span<const double> least, std::span<const doubl
 RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantities)
     : case_(c), quantities_(quantities), oscillates_(c.model != ModelKind::Contact), touch_(c, quantities)
 {
-    for (const char* name : {"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"}) {
+    std::vector<const char*> names{"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"};
+    if (oscillates_) names.insert(names.end(), {"minimum_gap", "flying_height_above_disk"});
+    for (const char* name : names) {
         const int column = findQuantity(quantities, name);
         if (column >= 0) columns_.push_back(static_cast<std::size_t>(column));
     }

@@ -269,6 +269,11 @@ const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(cons
          [](S s) { return s.frictionPower; }},
         {{"contact_energy", "J", "pJ", "Elastic energy of the contact"}, [](S s) { return s.stored; }}};
     static const List uneven{
+        {{"minimum_gap", "m", "nm", "Minimum gap above the disk"},
+         [](S s) {
+             return std::min({s.d, s.zf, s.zr});
+         }},
+        {{"flying_height_above_disk", "m", "nm", "Flying height above the disk"}, [](S s) { return s.d; }},
         {{"disk_height", "m", "nm", "Height of the disk under the contact pad"}, [](S s) { return s.under[Pad]; }},
         {{"front_disk_height", "m", "nm", "Height of the disk under the front pressure centre"},
          [](S s) { return s.under[Front]; }},

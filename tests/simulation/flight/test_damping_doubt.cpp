@@ -5,6 +5,7 @@
 
 #include "core/case/case.h"
 #include "core/numerics/spectrum.h"
+#include "core/physics/disk/disk_velocity.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -54,6 +55,28 @@ private slots:
         const std::string text = told({}, 200e3, {});
         QVERIFY2(text.find("at 250 kHz depends on the grid: above 200 kHz") != std::string::npos, text.c_str());
         QVERIFY(text.find("film.nodes") != std::string::npos && text.find("steps") == std::string::npos);
+    }
+    /// A motion that waves of the disk force, with its harmonics, is as large as they make it: its damping is not
+    /// asked.
+    void noneAboutWhatTheDiskForces()
+    {
+        Case c;
+        c.diskSurface.kind = DiskSurfaceKind::Waves;
+        c.diskSurface.waveAmplitudes = {1e-9};
+        const Velocity velocity =
+            diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+        const auto forcedAt = [&](double frequency) {
+            c.diskSurface.waveLengths = {velocity.x / frequency};
+            return c;
+        };
+        QVERIFY(told(forcedAt(250e3), 200e3, all(30.0)).empty()); // 75 steps in a period of the other one
+        QVERIFY(!told({}, 300e3, all(30.0)).empty());
+        QVERIFY(told(forcedAt(125e3), 200e3, {}).empty());
+        QVERIFY(told(forcedAt(230e3), 200e3, {}).find("at 250 kHz") != std::string::npos);
+        QVERIFY(told(forcedAt(250e3), 90e3, {}).find("at 100 kHz") != std::string::npos);
+        forcedAt(250e3);
+        c.diskSurface.motion = SurfaceMotion::Still;
+        QVERIFY(told(c, 200e3, {}).find("at 250 kHz") != std::string::npos);
     }
     void steps()
     {

@@ -67,18 +67,25 @@ private slots:
     void saysHowToBegin_data()
     {
         QTest::addColumn<double>("height");
+        QTest::addColumn<ContactKind>("contact");
         QTest::addColumn<QString>("advice");
         QTest::newRow("above")
-            << 20e-9 << "start higher (initial.nominal_trailing_edge_height) or allow more film.maximum_iterations";
-        QTest::newRow("below") << -60e-9
-                               << "start higher (initial.nominal_trailing_edge_height): air that the rails shut in";
+            << 20e-9 << ContactKind::None
+            << "start higher (initial.nominal_trailing_edge_height) or allow more film.maximum_iterations";
+        QTest::newRow("below, where a contact may carry it")
+            << -60e-9 << ContactKind::Elastic
+            << "start higher (initial.nominal_trailing_edge_height): air that the rails shut in";
+        QTest::newRow("below, without contact")
+            << -60e-9 << ContactKind::None
+            << "(contact = \"none\"); start higher (initial.nominal_trailing_edge_height)";
     }
     void saysHowToBegin()
     {
         QFETCH(double, height);
+        QFETCH(ContactKind, contact);
         QFETCH(QString, advice);
         Case c = case_;
-        c.contact = ContactKind::None;
+        c.contact = contact;
         c.diskSurface.kind = DiskSurfaceKind::Flat;
         c.film.tolerance = 1e-30;
         c.film.maximumIterations = 3;

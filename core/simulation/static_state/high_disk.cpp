@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/high_disk.h"
+
+#include "core/case/disk_setup.h"
+#include "core/formats/units.h"
+#include "core/simulation/static_state/disk_on_cells.h"
+#include "core/simulation/static_state/film_setup.h"
+
+namespace touchdown {
+
+namespace {
+
+std::string placeOf(const DiskClearance::Place& place)
+{
+    return "x = " + fewDigits(place.at.x, "mm", 4) + ", y = " + fewDigits(place.at.y, "mm", 4);
+}
+
+} // namespace
+
+std::string diskReachesSlider(const Case& c, const DiskClearance::Place& place, double time)
+{
+    const std::string when = time > 0.0 ? " at " + fewDigitsOfTime(time, 4) : std::string(" at the start");
+    const std::string law = c.contact == ContactKind::OnoYamane
+                                ? "; contact = \"ono-yamane\" acts on the mean plane and does not see it"
+                                : "; no law of contact acts there (contact = \"none\")";
+    const double slider = place.gap + place.diskHeight;
+    if (place.diskHeight == 0.0)
+        return "the slider reaches the mean plane of the disk" + when + ": at " + placeOf(place) + law;
+    return "the disk's surface reaches the slider" + when + ": at " + placeOf(place) + " it is " +
+           fewDigits(place.diskHeight, "nm", 4) + " above its mean plane, and the slider " +
+           fewDigits(slider, "nm", 4) + law;
+}
+
+std::string nearestDisk(const DiskClearance::Place& place)
+{
+    return "the disk's surface, " + fewDigits(place.diskHeight, "nm", 3) + " above its mean plane at " +
+           placeOf(place) + ", is " + fewDigits(place.gap, "nm", 2) + " below the slider";
+}
+
+DiskAtStart diskAtStart(const Case& c)
+{
+    DiskAtStart found;
+    const DiskTopography disk = diskTopography(c);
+    if (disk.flat()) return found;
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    const Attitude start{c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll};
+    found.warnings =
+        doubtsOnDisk(diskOnCells(c, disk, recess, unadaptedGrid(c, {c.film.nodes[0] - 1, c.film.nodes[1] - 1}), start),
+                     c.run.steps == StepControl::Fixed ? c.run.step : 0.0);
+    if (c.contact != ContactKind::None || c.initial.state == InitialState::Static) return found;
+    const MinimumSpacing spacing(c.surface, recess);
+    const DiskClearance::Place place = DiskClearance(recess, spacing, disk, {}).at(start, 0.0);
+    if (place.gap <= 0.0) found.problem = diskReachesSlider(c, place, 0.0) + "; start higher";
+    return found;
+}
+
+} // namespace touchdown
