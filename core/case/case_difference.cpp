@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/case_difference.h"
 
-#include "core/case/parameters.h"
-#include "core/formats/units.h"
+#include "core/case/case_key.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -13,28 +13,36 @@ namespace touchdown {
 
 namespace {
 
-/// A part of the surface in which changes are found: its key and its label.
+/// An item of a list: "abs.rail[2].point[4]", "rail 2, point 4".
 struct ChangePlace {
-    std::string key;   // "abs.rail[2]"
-    std::string label; // "rail 2"
+    std::string owner; // "abs.rail[2]."
+    std::string list;  // "point"
+    std::size_t number = 0;
+    std::string label; // "rail 2, point 4"
+
+    /// The same item of another list: "abs.rail[2].wall[4]".
+    std::string keyOf(const std::string& otherList) const
+    {
+        return owner + otherList + '[' + std::to_string(number) + ']';
+    }
+    std::string key() const { return keyOf(list); }
 };
 
 class SurfaceDifference {
 public:
-    explicit SurfaceDifference(std::vector<CaseChange>& changes) : changes_(changes) {}
-
-    void compare(const AirBearingSurface& before, const AirBearingSurface& after)
+    SurfaceDifference(const Case& before, const Case& after, std::vector<CaseChange>& changes)
+        : before_(before), after_(after), changes_(changes)
     {
-        compareLists(before.rails, after.rails, "abs.rail", "rail");
-        compareLists(before.walls, after.walls, "abs.wall", "wall");
-        compareLists(before.pointsOfInterest, after.pointsOfInterest, "abs.points_of_interest", "point of interest");
+        compareLists(before.surface.rails, after.surface.rails, {"abs.", "rail", 0, "rail"});
+        compareLists(before.surface.walls, after.surface.walls, {"abs.", "wall", 0, "wall"});
+        compareLists(before.surface.pointsOfInterest, after.surface.pointsOfInterest,
+                     {"abs.", "points_of_interest", 0, "point of interest"});
     }
 
 private:
     /// Equal items at the front and at the back are passed over; the items between them are compared in order.
     template <typename Item>
-    void compareLists(const std::vector<Item>& before, const std::vector<Item>& after, const std::string& key,
-                      const std::string& label)
+    void compareLists(const std::vector<Item>& before, const std::vector<Item>& after, const ChangePlace& list)
     {
         const auto front = static_cast<std::size_t>(std::ranges::mismatch(before, after).in1 - before.begin());
         std::size_t back = 0;
@@ -44,18 +52,17 @@ private:
         const std::size_t oldEnd = before.size() - back;
         const std::size_t newEnd = after.size() - back;
         const auto place = [&](std::size_t i) {
-            const std::string number = std::to_string(i + 1);
-            return ChangePlace{key + '[' + number + ']', label + ' ' + number};
+            return ChangePlace{list.owner, list.list, i + 1, list.label + ' ' + std::to_string(i + 1)};
         };
-        const auto at = [](const std::vector<Item>& list, std::size_t i) {
-            return list.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto at = [](const std::vector<Item>& items, std::size_t i) {
+            return items.begin() + static_cast<std::ptrdiff_t>(i);
         };
         if (oldEnd == newEnd && oldEnd > front &&
             std::is_permutation(at(before, front), at(before, oldEnd), at(after, front))) {
             changes_.push_back(
                 {CaseChangeKind::Order,
-                 key,
-                 "order of " + label + "s " + std::to_string(front + 1) + " to " + std::to_string(newEnd),
+                 list.owner + list.list,
+                 "order of " + list.label + "s " + std::to_string(front + 1) + " to " + std::to_string(newEnd),
                  {},
                  {}});
             return;
@@ -70,27 +77,26 @@ private:
     {
         const auto kindName = [](const Rail& each) { return each.kind == RailKind::Step ? "step" : "ramp"; };
         if (before.kind != after.kind)
-            add(rail.key + ".recess", rail.label + ": kind", kindName(before), kindName(after));
-        // A step has one recess.
-        const std::size_t count = before.kind == RailKind::Step && after.kind == RailKind::Step ? 1 : 3;
-        for (std::size_t i = 0; i < count; ++i)
-            compareLengths(before.recess[i], after.recess[i], "um", rail.key + ".recess",
-                           rail.label + ": recess" + (count == 1 ? "" : " at point " + std::to_string(i + 1)));
-        compareLists(before.points, after.points, rail.key + ".points", rail.label + ", point");
+            changes_.push_back({CaseChangeKind::Kind, rail.key(), rail.label, kindName(before), kindName(after)});
+        else if (after.kind == RailKind::Step)
+            compareValue(rail.key() + ".recess", rail.label + ": recess");
+        else
+            for (std::size_t i = 1; i <= after.recess.size(); ++i)
+                compareValue(rail.key() + ".recess[" + std::to_string(i) + ']',
+                             rail.label + ": recess at point " + std::to_string(i));
+        compareLists(before.points, after.points, {rail.key() + '.', "point", 0, rail.label + ", point"});
     }
 
-    void compareItems(const RailPoint& before, const RailPoint& after, const ChangePlace& point)
+    void compareItems(const RailPoint&, const RailPoint&, const ChangePlace& point)
     {
-        compareItems(SurfacePoint{before.x, before.y}, SurfacePoint{after.x, after.y}, point);
-        const auto wallName = [](int wall) { return wall == 0 ? std::string("none") : std::to_string(wall); };
-        if (before.wall != after.wall)
-            add(point.key + ".wall", point.label + ": wall", wallName(before.wall), wallName(after.wall));
+        compareItems(SurfacePoint{}, SurfacePoint{}, point);
+        compareValue(point.keyOf("wall"), point.label + ": wall");
     }
 
-    void compareItems(const SurfacePoint& before, const SurfacePoint& after, const ChangePlace& point)
+    void compareItems(const SurfacePoint&, const SurfacePoint&, const ChangePlace& point)
     {
-        compareLengths(before.x, after.x, "mm", point.key + ".x", point.label + ": x");
-        compareLengths(before.y, after.y, "mm", point.key + ".y", point.label + ": y");
+        compareValue(point.key() + ".x", point.label + ": x");
+        compareValue(point.key() + ".y", point.label + ": y");
     }
 
     struct WallPoint {
@@ -107,38 +113,31 @@ private:
                 result.push_back({profile.distance[i], profile.recess[i]});
             return result;
         };
-        compareLists(points(before), points(after), wall.key + ".points", wall.label + ", point");
+        compareLists(points(before), points(after), {wall.key() + '.', "point", 0, wall.label + ", point"});
     }
 
-    void compareItems(const WallPoint& before, const WallPoint& after, const ChangePlace& point)
+    void compareItems(const WallPoint&, const WallPoint&, const ChangePlace& point)
     {
-        compareLengths(before.distance, after.distance, "um", point.key + ".distance", point.label + ": distance");
-        compareLengths(before.recess, after.recess, "um", point.key + ".recess", point.label + ": recess");
+        compareValue(point.keyOf("distance"), point.label + ": distance");
+        compareValue(point.keyOf("recess"), point.label + ": recess");
     }
 
-    /// With as many digits as show a difference, at least four.
-    void compareLengths(double before, double after, const char* unit, const std::string& key, const std::string& label)
+    void compareValue(const std::string& key, const std::string& label)
     {
-        if (before == after) return;
-        for (int digits = 4; digits <= 17; ++digits) {
-            const std::string then = formatQuantity(roundedTo(before, digits), unit);
-            const std::string now = formatQuantity(roundedTo(after, digits), unit);
-            if (then == now && digits < 17) continue;
-            add(key, label, then, now);
-            return;
-        }
-    }
-
-    void add(const std::string& key, const std::string& label, const std::string& before, const std::string& after)
-    {
-        changes_.push_back({CaseChangeKind::Value, key, label, before, after});
+        const auto found = caseKey(after_, key);
+        assert(std::holds_alternative<Parameter>(found));
+        const Parameter& parameter = std::get<Parameter>(found);
+        if (parameter.get(before_) != parameter.get(after_))
+            changes_.push_back(
+                {CaseChangeKind::Value, key, label, toText(before_, parameter), toText(after_, parameter)});
     }
 
     void addItem(CaseChangeKind kind, const ChangePlace& place)
     {
-        changes_.push_back({kind, place.key, place.label, {}, {}});
+        changes_.push_back({kind, place.key(), place.label, {}, {}});
     }
 
+    const Case &before_, &after_;
     std::vector<CaseChange>& changes_;
 };
 
@@ -201,8 +200,7 @@ std::vector<CaseChange> caseChanges(const Case& before, const Case& after)
         changes.push_back({CaseChangeKind::Value, parameter.key, parameter.label, toText(before, parameter),
                            toText(after, parameter)});
     }
-    if (usesSliderSurface(before) || usesSliderSurface(after))
-        SurfaceDifference(changes).compare(before.surface, after.surface);
+    if (usesSliderSurface(before) || usesSliderSurface(after)) SurfaceDifference(before, after, changes);
     return changes;
 }
 

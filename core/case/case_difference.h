@@ -10,16 +10,19 @@
 
 namespace touchdown {
 
-enum class CaseChangeKind : std::uint8_t { Value, Added, Removed, Order };
+/// Kind: a step that became a ramp, or the reverse, with its recess. Order: of the items of a list.
+enum class CaseChangeKind : std::uint8_t { Value, Kind, Added, Removed, Order };
 
 /// One value, or one rail, wall or point that was added, removed or moved in its list. Numbers count from 1; those of
-/// a removed item count in the first case, all others in the second.
+/// a removed item count in the first case, all others in the second. The key of a value is a key of
+/// core/case/case_key.h in the second case: after changes of the other kinds, `key=after` of each value makes the
+/// second case out of the first one.
 struct CaseChange {
     CaseChangeKind kind = CaseChangeKind::Value;
-    std::string key;    // "ono_yamane.take_off", "abs.rail[3].recess", "abs.rail[2].points[4].x", "abs.rail[3]"
+    std::string key;    // "ono_yamane.take_off", "abs.rail[3].recess", "abs.rail[2].point[4].x", "abs.rail[3]"
     std::string label;  // "take-off height", "rail 3: recess", "rail 2, point 4: x", "rail 3", "order of rails 2 to 3"
-    std::string before; // Value: "0.1 um"
-    std::string after;  // Value: "0.2 um"
+    std::string before; // Value: "0.1 um", as toText() writes it; Kind: "step"
+    std::string after;  // Value: "0.2 um"; Kind: "ramp"
 };
 
 /// Values that neither case uses, the title and the texts about a case are left out.

@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
-#include <utility>
+#include <string>
+
+#include <sys/stat.h>
+#include <time.h>
 
 #include "core/case/parameters.h"
 #include "core/formats/surfaces/height_map_file.h"
@@ -14,9 +21,65 @@ namespace {
 
 bool readsFile(const Case& c) { return findParameter("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
 
-HeightMapDocument readMap(const Case& c)
+/// What tells a file from another one, and from itself before a change.
+struct FileMark {
+    dev_t device{};
+    ino_t number{};
+    off_t size{};
+    timespec changed{}, renewed{}; // its content; its content, name or rights
+
+    bool operator==(const FileMark& other) const
+    {
+        const auto same = [](const timespec& a, const timespec& b) {
+            return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
+        };
+        return device == other.device && number == other.number && size == other.size && same(changed, other.changed) &&
+               same(renewed, other.renewed);
+    }
+};
+
+std::optional<FileMark> markOf(const std::filesystem::path& file)
 {
-    return readHeightMap(c.folder / c.diskSurface.file, c.diskSurface.file, c.diskSurface.unit);
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    return FileMark{status.st_dev, status.st_ino, status.st_size, status.st_mtim, status.st_ctim};
+}
+
+/// Whether a later change of the file gets another time. File times advance with this clock, in steps of some
+/// milliseconds; two changes within one step have the same time.
+bool isPast(const timespec& time)
+{
+    timespec now{};
+    ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
+    return time.tv_sec < now.tv_sec || (time.tv_sec == now.tv_sec && time.tv_nsec < now.tv_nsec);
+}
+
+using ReadMap = std::shared_ptr<const HeightMapDocument>;
+
+/// The map of the case's file. The last file that was read is kept: a command asks for it up to six times, a study once
+/// for each run. It is read again when it has changed.
+ReadMap readMap(const Case& c)
+{
+    struct Kept {
+        std::filesystem::path file;
+        std::string name, unit;
+        FileMark mark;
+        ReadMap map;
+    };
+    static std::mutex busy; // who waits needs the same file as a rule
+    static std::optional<Kept> kept;
+    const std::lock_guard lock(busy);
+
+    const std::filesystem::path file = c.folder / c.diskSurface.file;
+    const std::optional<FileMark> mark = markOf(file);
+    if (kept && mark && kept->file == file && kept->name == c.diskSurface.file && kept->unit == c.diskSurface.unit &&
+        kept->mark == *mark)
+        return kept->map;
+    kept.reset();
+    const bool settled = mark && isPast(mark->changed);
+    auto map = std::make_shared<const HeightMapDocument>(readHeightMap(file, c.diskSurface.file, c.diskSurface.unit));
+    if (settled && markOf(file) == mark) kept = Kept{file, c.diskSurface.file, c.diskSurface.unit, *mark, map};
+    return map;
 }
 
 } // namespace
@@ -24,14 +87,14 @@ HeightMapDocument readMap(const Case& c)
 DiskFileCheck checkDiskFile(const Case& c)
 {
     if (!readsFile(c) || c.diskSurface.file.empty()) return {};
-    const HeightMapDocument document = readMap(c);
-    DiskFileCheck check{document.problems, {}};
+    const ReadMap document = readMap(c);
+    DiskFileCheck check{document->problems, {}};
     for (InputProblem& problem : check.problems) {
         problem.kind = ProblemKind::MeasuredDisk;
         if (problem.key.empty()) problem.key = "disk.surface.file";
     }
-    if (document.valid())
-        for (const DiskSurfaceProblem& each : heightMapWarnings(document.map))
+    if (document->valid())
+        for (const DiskSurfaceProblem& each : heightMapWarnings(document->map))
             check.warnings.push_back(
                 {c.diskSurface.file, 0, "disk.surface." + each.key, each.sentence, ProblemKind::MeasuredDisk});
     return check;
@@ -40,9 +103,9 @@ DiskFileCheck checkDiskFile(const Case& c)
 DiskTopography diskTopography(const Case& c, const std::function<bool()>& goOn)
 {
     if (!readsFile(c)) return DiskTopography(c.diskSurface, {}, goOn);
-    HeightMapDocument document = readMap(c);
-    if (!document.valid()) throw std::runtime_error(document.problems.front().text());
-    return DiskTopography(c.diskSurface, std::move(document.map), goOn);
+    const ReadMap document = readMap(c);
+    if (!document->valid()) throw std::runtime_error(document->problems.front().text());
+    return DiskTopography(c.diskSurface, document->map, goOn);
 }
 
 } // namespace touchdown

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// From a case to the surface of its disk.
+// From a case to the surface of its disk. A measured file is read once, and again only after it has changed: the last
+// one is kept in memory.
 #pragma once
 
 #include <functional>

@@ -31,8 +31,8 @@ std::string writeInto(const fs::path& folder, const std::vector<CmlMember>& memb
             name = findCmlMember(folder, member.name).value_or(folder / member.name).string();
             if (fs::is_directory(name)) return name + ": is a directory, not a file";
             parts.push_back(std::make_unique<PartFile>(name));
-            if (const std::string problem = writePart(*parts.back(), member.text); !problem.empty())
-                return name + ": " + problem;
+            if (const std::string reason = writePart(*parts.back(), member.text); !reason.empty())
+                return name + ": cannot be written: " + reason;
         }
         for (const auto& part : parts) part->show();
     } catch (const std::exception& failure) {

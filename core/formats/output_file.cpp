@@ -18,20 +18,24 @@ namespace touchdown {
 
 namespace fs = std::filesystem;
 
-std::string checkOutputFile(const fs::path& file)
+std::string outputObstacle(const fs::path& file)
 {
-    const std::string beginning = "cannot write to " + file.string() + ": ";
-    if (file.empty() || !file.has_filename()) return beginning + "it names no file";
+    if (file.empty() || !file.has_filename()) return "it names no file";
     std::error_code none;
     const fs::file_status status = fs::status(file, none);
-    if (fs::is_directory(status)) return beginning + "it is a directory";
-    if (fs::exists(status) && !fs::is_regular_file(status)) return beginning + "it is no regular file";
-    if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) return beginning + "no permission";
+    if (fs::is_directory(status)) return "it is a directory";
+    if (fs::exists(status) && !fs::is_regular_file(status)) return "it is no regular file";
+    if (fs::exists(status) && ::access(file.c_str(), W_OK) != 0) return "no permission";
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    if (!fs::is_directory(folder, none)) return beginning + "there is no directory " + folder.string();
-    if (::access(folder.c_str(), W_OK | X_OK) != 0)
-        return beginning + "the directory " + folder.string() + " cannot be written to";
+    if (!fs::is_directory(folder, none)) return "there is no directory " + folder.string();
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) return "the directory " + folder.string() + " cannot be written to";
     return {};
+}
+
+std::string checkOutputFile(const fs::path& file)
+{
+    const std::string obstacle = outputObstacle(file);
+    return obstacle.empty() ? std::string() : "cannot write to " + file.string() + ": " + obstacle;
 }
 
 fs::path linkTarget(const fs::path& file)

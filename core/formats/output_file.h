@@ -10,7 +10,9 @@
 
 namespace touchdown {
 
-/// Why a regular file cannot be written, before anything is: "cannot write to NAME: it is a directory"; "" if it can.
+/// Why a regular file cannot be written, before anything is: "it is a directory"; "" if it can.
+std::string outputObstacle(const std::filesystem::path& file);
+/// The same with the name: "cannot write to NAME: it is a directory".
 std::string checkOutputFile(const std::filesystem::path& file);
 
 /// The file that a symbolic link names, so that the link stays one; any other file as it is.

@@ -114,8 +114,7 @@ std::variant<std::string, FileProblem> readTextFile(const fs::path& file, std::u
 std::string writePart(const PartFile& part, const std::string& text)
 {
     Descriptor descriptor(part.create());
-    if (descriptor.number() < 0 || !writeAll(descriptor.number(), text) || !descriptor.close())
-        return "cannot be written: " + lastError();
+    if (descriptor.number() < 0 || !writeAll(descriptor.number(), text) || !descriptor.close()) return lastError();
     return {};
 }
 
@@ -126,7 +125,7 @@ std::string writeTextFile(const fs::path& file, const std::string& text)
     if (fs::exists(file, none) && ::access(file.c_str(), W_OK) != 0) return "cannot be written: " + lastError();
     try {
         const PartFile part(file);
-        if (const std::string problem = writePart(part, text); !problem.empty()) return problem;
+        if (const std::string reason = writePart(part, text); !reason.empty()) return "cannot be written: " + reason;
         part.show();
     } catch (const std::exception& failure) {
         return std::string("cannot be written: ") + failure.what();

@@ -30,7 +30,7 @@ std::variant<std::string, FileProblem> readTextFile(const std::filesystem::path&
 /// system; "" for a regular file. Opens nothing.
 std::string notRegularFile(const std::filesystem::path& file);
 
-/// Writes what show() makes appear. Returns the problem, or "".
+/// Writes what show() makes appear. Returns the reason why it cannot, or "".
 std::string writePart(const PartFile& part, const std::string& text);
 
 /// Writes a file that appears whole or not at all (core/formats/output_file.h). Returns the problem, or "".

@@ -41,11 +41,17 @@ std::vector<Quantity> recordedQuantities(const Case& c)
     return {};
 }
 
-std::vector<RecordedFields> recordedFields(const Case& c)
+bool recordsFields(const Case& c)
+{
+    return c.run.fieldSnapshots > 0 &&
+           (c.model == ModelKind::Film || (c.model == ModelKind::Contact && c.contact == ContactKind::Elastic));
+}
+
+std::vector<RecordedFields> recordedFields(const Case& c, const std::function<bool()>& goOn)
 {
     std::vector<RecordedFields> sets;
     if (c.model == ModelKind::Contact) sets.push_back(contactMaps(c));
-    if (c.model == ModelKind::Film) sets = {filmMaps(c), sliderContactFields(c)};
+    if (c.model == ModelKind::Film) sets = {filmMaps(c), sliderContactFields(c, goOn)};
     std::erase_if(sets, [](const RecordedFields& set) { return set.empty(); });
     return sets;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <random>
 
 #include <QtTest>
@@ -8,6 +10,7 @@
 #include "core/case_files/case_reader.h"
 #include "core/results/results_reader.h"
 #include "tests/support/command_process.h"
+#include "tests/support/open_count.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -28,6 +31,7 @@ private slots:
     void everySampleCaseRuns_data();
     void everySampleCaseRuns();
     void filmCase();
+    void aMeasuredDiskIsReadOnce();
     void failedRun();
     void badInput_data();
     void badInput();
@@ -218,6 +222,21 @@ void TestRunCommand::filmCase()
     const Outcome text = folder_->touchdown(QStringList{"run", "film_pico"} + settings);
     for (const char* part : {"completed at 0.005 ms", "final bearing force", "final net contact", "steps"})
         QVERIFY2(text.out.contains(part), text.out);
+}
+
+/// `validate` checks the file; a run with a setting needs it at six places.
+void TestRunCommand::aMeasuredDiskIsReadOnce()
+{
+    folder_->put("case.toml", "model = \"contact\"\n[approach]\nstart = \"5 nm\"\nclosest = \"3 nm\"\n"
+                              "[disk.surface]\nkind = \"file\"\nmotion = \"still\"\nfile = \"track.txt\"\n");
+    folder_->put("track.txt", "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n4 0\n5 1\n6 0\n7 -1\n");
+    const std::filesystem::path track = folder_->path("track.txt").toStdString();
+    std::filesystem::last_write_time(track, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    test::OpenCount opened(track);
+    QCOMPARE(folder_->touchdown({"validate", "case.toml"}).code, 0);
+    QCOMPARE(opened.taken(), 1);
+    QCOMPARE(folder_->touchdown({"run", "case.toml", "--set", "approach.closest=4 nm"}).code, 0);
+    QCOMPARE(opened.taken(), 1);
 }
 
 void TestRunCommand::failedRun()

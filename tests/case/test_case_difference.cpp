@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/case_difference.h"
 
-#include "core/case/parameters.h"
+#include "core/case/case_key.h"
+#include "tests/support/random_case.h"
+#include "tests/support/random_surface.h"
 #include "tests/support/test_program.h"
 
 #include <cmath>
@@ -34,13 +36,34 @@ Case filmCase()
 /// "key kind before after" of each change.
 QStringList shown(const std::vector<CaseChange>& changes)
 {
-    static const char* const kinds[] = {"value", "added", "removed", "order"};
+    static const char* const kinds[] = {"value", "kind", "added", "removed", "order"};
     QStringList list;
     for (const CaseChange& change : changes)
         list << QString::fromStdString(
             change.key + ' ' + kinds[static_cast<int>(change.kind)] +
-            (change.kind == CaseChangeKind::Value ? " " + change.before + " to " + change.after : std::string()));
+            (change.before.empty() && change.after.empty() ? "" : " " + change.before + " to " + change.after));
     return list;
+}
+
+/// A drawn half of the numbers of a surface gets other values.
+void changeNumbers(AirBearingSurface& surface, test::RandomSurface& draw)
+{
+    const auto change = [&](double& length, double most) {
+        if (draw.whole(0, 1)) length += draw.uniform(-most, most);
+    };
+    for (Rail& rail : surface.rails) {
+        const std::size_t count = rail.kind == RailKind::Step ? 1 : 3;
+        for (std::size_t i = 0; i < count; ++i) change(rail.recess[i], 1e-6);
+        for (RailPoint& point : rail.points) {
+            change(point.x, 1e-4), change(point.y, 1e-4);
+            if (draw.whole(0, 1)) point.wall = draw.whole(0, static_cast<int>(surface.walls.size()));
+        }
+    }
+    for (WallProfile& wall : surface.walls) {
+        for (double& distance : wall.distance) change(distance, 1e-5);
+        for (double& recess : wall.recess) change(recess, 1e-6);
+    }
+    for (SurfacePoint& point : surface.pointsOfInterest) change(point.x, 1e-4), change(point.y, 1e-4);
 }
 
 class TestCaseDifference : public QObject {
@@ -69,28 +92,28 @@ private slots:
         row("a small change", [](Case& c) { c.surface.rails[2].recess[0] = 0.1000001e-6; },
             {"abs.rail[3].recess value 0.1 um to 0.1000001 um"});
         row("a corner", [](Case& c) { c.surface.rails[1].points[3].x = 0.25e-3; },
-            {"abs.rail[2].points[4].x value 0.3 mm to 0.25 mm"});
+            {"abs.rail[2].point[4].x value 0.3 mm to 0.25 mm"});
         row("the wall of an edge", [](Case& c) { c.surface.rails[1].points[0].wall = 0; },
-            {"abs.rail[2].points[1].wall value 1 to none"});
+            {"abs.rail[2].wall[1] value 1 to 0"});
         row("a corner added",
             [](Case& c) {
                 auto& points = c.surface.rails[0].points;
                 points.insert(points.begin() + 2, {0.25e-3, 0.2e-3, 1});
             },
-            {"abs.rail[1].points[3] added"});
+            {"abs.rail[1].point[3] added"});
         row("a ramp",
             [](Case& c) {
                 c.surface.rails[3].kind = RailKind::Ramp;
                 c.surface.rails[3].recess = {0.0, 0.0, 1e-6};
             },
-            {"abs.rail[4].recess value step to ramp", "abs.rail[4].recess value 0 um to 1 um"});
+            {"abs.rail[4] kind step to ramp"});
         row("a rail added", [](Case& c) { c.surface.rails.push_back(box(0.9e-3, 0.0)); }, {"abs.rail[5] added"});
         row("a rail removed", [](Case& c) { c.surface.rails.erase(c.surface.rails.begin() + 1); },
             {"abs.rail[2] removed"});
         row("rails in another order", [](Case& c) { std::swap(c.surface.rails[1], c.surface.rails[2]); },
             {"abs.rail order"});
         row("a wall profile", [](Case& c) { c.surface.walls[0].recess[1] = 0.6e-6; },
-            {"abs.wall[1].points[2].recess value 0.5 um to 0.6 um"});
+            {"abs.wall[1].recess[2] value 0.5 um to 0.6 um"});
         row("a point of interest", [](Case& c) { c.surface.pointsOfInterest[0].y = 0.4e-3; },
             {"abs.points_of_interest[1].y value 0.5 mm to 0.4 mm"});
     }
@@ -114,6 +137,35 @@ private slots:
         QCOMPARE(changes.size(), std::size_t(2));
         QCOMPARE(changes[0].label, std::string("rail 2, point 4: x"));
         QCOMPARE(changes[1].label, std::string("rail 3: recess"));
+    }
+
+    /// What `--set` does with the key and the value of each change makes the second case out of the first one.
+    void eachChangedValueCanBeSet()
+    {
+        std::size_t changed = 0;
+        for (unsigned seed = 1; seed <= 40; ++seed) {
+            test::RandomSurface draw(seed);
+            Case before = filmCase();
+            before.surface = draw.draw();
+            before.surface.pointsOfInterest = {{1e-4, 2e-4}, {3e-4, 1e-4}};
+            Case after = before;
+            test::RandomCase(seed).change(after, 0.3);
+            after.model = ModelKind::Film;
+            changeNumbers(after.surface, draw);
+
+            Case set = before;
+            for (const CaseChange& change : caseChanges(before, after)) {
+                QCOMPARE(change.kind, CaseChangeKind::Value);
+                const auto found = caseKey(before, change.key);
+                QVERIFY2(std::holds_alternative<Parameter>(found), change.key.c_str());
+                const auto problem = setFromText(set, std::get<Parameter>(found), change.after);
+                QVERIFY2(!problem, (change.key + ": " + problem.value_or("")).c_str());
+                ++changed;
+            }
+            QVERIFY2(set.surface == after.surface, std::to_string(seed).c_str());
+            QCOMPARE(shown(caseChanges(set, after)), QStringList());
+        }
+        QVERIFY(changed > 40 * 40); // at least 2 rails and 4 walls each, half of whose numbers change
     }
 
     /// The springs have no surface.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -11,6 +13,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_settings.h"
 #include "core/simulation/run.h"
+#include "tests/support/open_count.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -115,6 +118,47 @@ private slots:
         applySettings(document, {});
         QVERIFY(document.warnings.empty());
     }
+    /// The command that runs a case with a setting reads it, sets, asks whether it can run, runs it and lists its
+    /// warnings.
+    void anUnchangedFileIsReadOnce()
+    {
+        makeOlder("measured/track.txt");
+        test::OpenCount opened(path("measured/track.txt"));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        applySettings(document, {"approach.closest=4 nm"});
+        QCOMPARE(reasonNotToRun(document.value), std::string());
+        QCOMPARE(run(document.value).status, RunStatus::Completed);
+        QVERIFY(checkDiskFile(document.value).warnings.empty());
+        QCOMPARE(opened.taken(), 1);
+    }
+    /// By its content, its name or its unit; also twice within a step of the clock of file times.
+    void aChangedFileIsReadAnew()
+    {
+        const auto rise = [this](const CaseDocument& document) { // from 1 to 3 um [m]
+            const DiskTopography surface = diskTopography(document.value);
+            return surface.height(1e-6, 0.0) - surface.height(3e-6, 0.0);
+        };
+        makeOlder("measured/track.txt");
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QVERIFY(std::abs(rise(document) - 2e-9) < 1e-15);
+        for (int height = 2; height < 7; ++height) {
+            QByteArray other = profile;
+            put("measured/track.txt", other.replace("\n1 1\n", "\n1 " + QByteArray::number(height) + "\n"));
+            QVERIFY(std::abs(rise(document) - (height + 1) * 1e-9) < 1e-15);
+        }
+        put("measured/track.txt", "0 0\n1 1\n2 0\n3 -1\n4 0\n5 1\n6 0\n7 -1\n");
+        makeOlder("measured/track.txt");
+        QVERIFY(!checkDiskFile(document.value).problems.empty()); // has no unit
+        applySettings(document, {"disk.surface.unit=um, nm"});
+        QVERIFY(std::abs(rise(document) - 2e-9) < 1e-15);
+        applySettings(document, {"disk.surface.unit=um, um"});
+        QVERIFY(std::abs(rise(document) - 2e-6) < 1e-15);
+        put("measured/other.txt", "0 0\n1 2\n2 0\n3 -2\n4 0\n5 2\n6 0\n7 -2\n");
+        applySettings(document, {"disk.surface.file=measured/other.txt"});
+        QVERIFY(std::abs(rise(document) - 4e-6) < 1e-15);
+        QVERIFY(QFile::remove(folder_->filePath("measured/other.txt")));
+        QVERIFY(!checkDiskFile(document.value).problems.empty());
+    }
     void missing()
     {
         QVERIFY(QFile::remove(folder_->filePath("measured/track.txt")));
@@ -145,6 +189,12 @@ private:
         QFile file(folder_->filePath(name));
         QVERIFY(file.open(QIODevice::WriteOnly));
         QCOMPARE(file.write(text), text.size());
+    }
+    /// A file that was not written just now.
+    void makeOlder(const char* name) const
+    {
+        std::filesystem::last_write_time(path(name),
+                                         std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
     }
     std::unique_ptr<QTemporaryDir> folder_;
 };

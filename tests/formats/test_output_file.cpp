@@ -58,8 +58,11 @@ private slots:
         QFETCH(QString, says);
         fs::create_directory(path("sub"));
         write(path("file"), "text");
-        const std::string problem = checkOutputFile(target.isEmpty() ? fs::path() : path(qPrintable(target)));
-        QVERIFY2(problem.find(says.toStdString()) != std::string::npos, problem.c_str());
+        const fs::path file = target.isEmpty() ? fs::path() : path(qPrintable(target));
+        const std::string obstacle = outputObstacle(file);
+        QVERIFY2(obstacle.find(says.toStdString()) != std::string::npos, obstacle.c_str());
+        QCOMPARE(checkOutputFile(file), "cannot write to " + file.string() + ": " + obstacle);
+        QCOMPARE(outputObstacle(path("new")), std::string());
         QCOMPARE(checkOutputFile(path("file")), std::string());
         QCOMPARE(checkOutputFile(path("new")), std::string());
     }

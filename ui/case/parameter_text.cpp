@@ -9,7 +9,7 @@
 #include <QRegularExpression>
 
 #include "core/case/case_difference.h"
-#include "core/case/parameters.h"
+#include "core/case/case_key.h"
 #include "core/formats/units.h"
 #include "ui/case/choice_text.h"
 #include "ui/style/quantity_format.h"
@@ -47,15 +47,6 @@ QString plainSymbol(const std::string& symbol)
     return text.replace(QLatin1String("&lt;"), QLatin1String("<")).replace(QLatin1String("&amp;"), QLatin1String("&"));
 }
 
-/// "0.1 um" as people read it: "0.1 µm".
-QString quantityText(const std::string& text, const QLocale& locale = QLocale())
-{
-    const auto space = text.find(' ');
-    QString number = QString::fromStdString(text.substr(0, space));
-    if (space == std::string::npos) return number;
-    return number.replace(QLatin1Char('.'), locale.decimalPoint()) + QChar(0x00A0) + unitText(text.substr(space + 1));
-}
-
 /// Both values with their unit; a number with as many digits as show the difference, at least five.
 std::pair<QString, QString> changeTexts(const Case& before, const Case& after, const Parameter& parameter)
 {
@@ -75,9 +66,9 @@ std::pair<QString, QString> changeTexts(const Case& before, const Case& after, c
 bool isMove(const CaseChange& change, const std::vector<MovedPoints>& moved)
 {
     const auto concerns = [&change](const MovedPoints& each) {
-        const std::string points = "abs.rail[" + std::to_string(each.rail + 1) + "].points";
-        if (change.kind == CaseChangeKind::Order) return change.key == points && each.how == MovedPoints::How::Mirrored;
-        return change.kind == CaseChangeKind::Value && change.key.starts_with(points + '[') &&
+        const std::string point = "abs.rail[" + std::to_string(each.rail + 1) + "].point";
+        if (change.kind == CaseChangeKind::Order) return change.key == point && each.how == MovedPoints::How::Mirrored;
+        return change.kind == CaseChangeKind::Value && change.key.starts_with(point + '[') &&
                (change.key.ends_with(".x") || change.key.ends_with(".y"));
     };
     return std::ranges::any_of(moved, concerns);
@@ -124,7 +115,11 @@ QStringList changesAs(const Case& before, const Case& after, const ValueChange& 
         case CaseChangeKind::Added: texts << tr("%1 added").arg(label); break;
         case CaseChangeKind::Removed: texts << tr("%1 removed").arg(label); break;
         case CaseChangeKind::Order: texts << tr("%1 changed").arg(label); break;
-        case CaseChangeKind::Value: texts << valueChange(label, findParameter(change.key), change); break;
+        case CaseChangeKind::Kind:
+            texts << tr("%1: %2 → %3")
+                         .arg(label, QString::fromStdString(change.before), QString::fromStdString(change.after));
+            break;
+        case CaseChangeKind::Value: texts << valueChange(label, std::get<Parameter>(caseKey(after, change.key))); break;
         }
     }
     return texts;
@@ -174,19 +169,17 @@ QString valueText(const Case& c, const Parameter& parameter, const QLocale& loca
 
 QStringList caseDifference(const Case& before, const Case& after)
 {
-    return changesAs(before, after, [&](const QString& label, const Parameter* parameter, const CaseChange& change) {
-        const auto [then, now] = parameter ? changeTexts(before, after, *parameter)
-                                           : std::pair(quantityText(change.before), quantityText(change.after));
+    return changesAs(before, after, [&](const QString& label, const Parameter& parameter) {
+        const auto [then, now] = changeTexts(before, after, parameter);
         return QStringLiteral("%1 %2 → %3").arg(label, then, now);
     });
 }
 
 QStringList shortDifference(const Case& before, const Case& after)
 {
-    return changesAs(before, after, [&](const QString& label, const Parameter* parameter, const CaseChange& change) {
-        if (!parameter) return QStringLiteral("%1 %2").arg(label, quantityText(change.after));
-        return QStringLiteral("%1 %2").arg(parameter->symbol.empty() ? label : plainSymbol(parameter->symbol),
-                                           changeTexts(before, after, *parameter).second);
+    return changesAs(before, after, [&](const QString& label, const Parameter& parameter) {
+        return QStringLiteral("%1 %2").arg(parameter.symbol.empty() ? label : plainSymbol(parameter.symbol),
+                                           changeTexts(before, after, parameter).second);
     });
 }
 

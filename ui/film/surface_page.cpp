@@ -189,7 +189,11 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
 {
     if (state.status != SteadyStatus::Converged) {
         const QString reason = QString::fromStdString(state.message);
-        showObstacle(tr("It does not fly so: %1.").arg(reason.section(QStringLiteral("; "), 0, 0)));
+        // One line; the tool tip has all of it.
+        constexpr int mostCharacters = 100;
+        const QFontMetrics metrics = flight_->fontMetrics();
+        showObstacle(tr("It does not fly so: %1")
+                         .arg(metrics.elidedText(reason, Qt::ElideRight, mostCharacters * metrics.averageCharWidth())));
         flight_->setToolTip(sentence(state.message));
         return;
     }

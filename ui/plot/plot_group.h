@@ -57,7 +57,6 @@ public:
     void followNewest();
     /// The range of the time axis, instead of the whole run, until the axis is zoomed or everything is shown.
     void setFirstRange(std::optional<PlotRange> range);
-    const std::optional<PlotRange>& firstRange() const { return firstRange_; }
     /// The range of the time axis where the length of the run does not change it.
     std::optional<PlotRange> fixedRange() const;
 

@@ -45,8 +45,6 @@ QColor PlotTheme::paleColour(const CurveStyle& style) const { return mixed(plotA
 
 PlotTheme lightPlotTheme() { return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0")); }
 
-PlotTheme darkPlotTheme() { return themeFrom(QColor("#1d2024"), QColor("#eef1f4"), QColor("#5aa7ee")); }
-
 PlotTheme plotTheme(const QPalette& palette)
 {
     PlotTheme theme =

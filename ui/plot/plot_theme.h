@@ -39,7 +39,6 @@ struct PlotTheme {
 };
 
 PlotTheme lightPlotTheme(); // also of everything that is printed
-PlotTheme darkPlotTheme();
 /// The one that fits the palette and the font of the application.
 PlotTheme plotTheme(const QPalette& palette);
 

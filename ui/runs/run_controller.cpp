@@ -86,11 +86,13 @@ RunWorker::RunWorker(const RunController::Solver& solver, RunRequest request, Ru
 
 void RunWorker::work()
 {
-    if (!request_.recordTo.empty())
-        report(recorder_.emplace().open(request_.recordTo, request_.value, request_.caseText,
-                                        recordedQuantities(request_.value), recordedFields(request_.value)));
     Summary summary;
     try {
+        std::vector<RecordedFields> sets = recordedFields(request_.value, [this] { return !stop_.stop_requested(); });
+        if (!request_.recordTo.empty())
+            report(recorder_.emplace().open(request_.recordTo, request_.value, request_.caseText,
+                                            recordedQuantities(request_.value), sets));
+        mailbox_.post([&](RunMail& mail) { mail.delivery.sets = std::move(sets); });
         summary = solver_(request_.value, [this](const RunUpdate& update) { return handOut(update); });
     } catch (const std::exception& problem) {
         summary.status = RunStatus::Failed;

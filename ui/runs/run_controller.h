@@ -33,9 +33,10 @@ struct RunDelivery {
     int run = 0; // number of the run
     SampleBatch samples;
     std::vector<RunEvent> events;
-    std::vector<FieldSnapshot> fields; // of recordedFields()
-    double time = 0.0;                 // reached [s]
-    double duration = 0.0;             // of the whole run [s]; 0 without an update since the last delivery
+    std::optional<std::vector<RecordedFields>> sets; // of which there will be snapshots: once, before the first one
+    std::vector<FieldSnapshot> fields;               // of these sets
+    double time = 0.0;                               // reached [s]
+    double duration = 0.0; // of the whole run [s]; 0 without an update since the last delivery
 };
 
 struct RunMail {

@@ -55,8 +55,13 @@ RunRecord::RunRecord(int runNumber, const Case& c, std::string text, std::vector
     number = runNumber;
     name = QString::fromStdString(c.title);
     value = c;
-    for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
+    setFields(sets);
     for (std::size_t i = 0; i < quantities.size(); ++i) columns.emplace_back(times);
+}
+
+void RunRecord::setFields(const std::vector<RecordedFields>& sets)
+{
+    for (const RecordedFields& set : sets) fields.push_back({set, fieldCapacity / sets.size(), {}, {}});
 }
 
 void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,

@@ -35,9 +35,11 @@ struct RunRecord : ListedRecord {
     /// Values of all fields of all snapshots, shared by the sets: 256 MB.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
-    /// A run that is to start.
+    /// A run that is to start, or one of a file, whose sets of fields are known.
     RunRecord(int number, const Case& c, std::string caseText, std::vector<Quantity> quantities,
-              const std::vector<RecordedFields>& fields = {});
+              const std::vector<RecordedFields>& sets = {});
+    /// Once, before the first snapshot.
+    void setFields(const std::vector<RecordedFields>& sets);
     RunRecord(const RunRecord&) = delete;
     RunRecord& operator=(const RunRecord&) = delete;
 

@@ -117,8 +117,7 @@ void RunView::setCase(const Case& c)
         openedDuration_ = 0.0;
         showTime();
     }
-    // Finding the contact patches of a film in recordedFields() is too slow for each key press.
-    const bool maps = c.model == ModelKind::Film ? c.run.fieldSnapshots > 0 : !recordedFields(c).empty();
+    const bool maps = recordsFields(c);
     const bool flatUnderSprings = c.model == ModelKind::Springs && c.diskSurface.kind == DiskSurfaceKind::Flat;
     const bool disk = findParameter("disk.surface.kind")->used(c) && !flatUnderSprings;
     const bool side = c.model != ModelKind::Contact;

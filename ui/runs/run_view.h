@@ -74,7 +74,6 @@ public:
     QSplitter* splitter() const { return splitter_; }
     QTabBar* tabs() const { return tabs_; }
     /// Whether the spectrum is wanted; a slow approach has none worth seeing.
-    QAction* spectrumWanted() const { return spectrumWanted_; }
     QAction* sideWanted() const { return sideWanted_; }
     /// Whether the list of quantities stands beside the plots.
     QAction* quantitiesWanted() const { return quantitiesWanted_; }

@@ -71,7 +71,7 @@ void RunWindow::add(const RunRequest& request)
         if (runs_.record(row).shown && runs_.record(row).value.model != request.value.model)
             runs_.setData(runs_.index(row), Qt::Unchecked, Qt::CheckStateRole);
     auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
-                                              recordedQuantities(request.value), recordedFields(request.value));
+                                              recordedQuantities(request.value));
     number_ = runs_.add(std::move(record)).number;
     runs_.setFile(number_, QString::fromStdString(request.recordTo.string()));
     panel_->setActive(number_);
@@ -81,6 +81,7 @@ void RunWindow::add(const RunRequest& request)
 
 void RunWindow::onDelivered(const RunDelivery& delivery)
 {
+    if (RunRecord* run = runUnderWay(); run && delivery.sets) run->setFields(*delivery.sets);
     runs_.append(number_, delivery.samples, delivery.events, delivery.fields);
     view_->plots()->dataArrived(number_);
     view_->spectrum()->dataArrived(number_);

@@ -25,7 +25,7 @@ MessageStrip::MessageStrip(QWidget* parent)
     close->setAccessibleName(tr("Close the message"));
     close->setToolTip(tr("Close the message"));
     close->setFocusPolicy(Qt::NoFocus);
-    connect(close, &QToolButton::clicked, this, &MessageStrip::clear);
+    connect(close, &QToolButton::clicked, this, [this] { clear(); });
     connect(action_, &QPushButton::clicked, this, &MessageStrip::actionRequested);
 
     auto* layout = new QHBoxLayout(this);
@@ -48,9 +48,10 @@ void MessageStrip::keepPlace(bool kept)
     setSizePolicy(keeping);
 }
 
-void MessageStrip::show(Kind kind, const QString& text, const QString& action)
+void MessageStrip::show(Kind kind, const QString& text, const QString& action, Topic topic)
 {
     kind_ = kind;
+    topic_ = topic;
     text_->setText(text);
     action_->setText(action);
     action_->setVisible(!action.isEmpty());
@@ -58,8 +59,14 @@ void MessageStrip::show(Kind kind, const QString& text, const QString& action)
     setVisible(true);
 }
 
+void MessageStrip::clear(Topic topic)
+{
+    if (topic_ == topic) clear();
+}
+
 void MessageStrip::clear()
 {
+    topic_ = Topic::Any;
     text_->clear();
     action_->hide();
     setVisible(false);

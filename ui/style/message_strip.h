@@ -15,12 +15,16 @@ class MessageStrip : public QFrame {
 public:
     enum class Kind { Information, Success, Warning, Failure };
     Q_ENUM(Kind)
+    /// Case: about the case as it is now, to be cleared when this is over.
+    enum class Topic { Any, Case };
 
     explicit MessageStrip(QWidget* parent = nullptr);
 
     /// `action` is the text of a button, for which `actionRequested` is emitted; none when empty.
-    void show(Kind kind, const QString& text, const QString& action = {});
+    void show(Kind kind, const QString& text, const QString& action = {}, Topic topic = Topic::Any);
     void clear();
+    /// Only a message of this topic.
+    void clear(Topic topic);
     /// Whether it takes the place of one line while it is hidden; it does at first.
     void keepPlace(bool kept);
     QString text() const { return text_->text(); }
@@ -37,6 +41,7 @@ private:
     void colour();
 
     Kind kind_ = Kind::Information;
+    Topic topic_ = Topic::Any;
     QLabel* mark_;
     QLabel* text_;
     QPushButton* action_;

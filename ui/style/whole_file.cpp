@@ -32,13 +32,11 @@ QString writeWholeFiles(const std::vector<std::pair<QString, QByteArray>>& files
     try {
         for (const auto& [path, bytes] : files) {
             now = path;
-            if (const std::string problem = checkOutputFile(path.toStdString()); !problem.empty())
-                return notWritten(path, QString::fromStdString(problem).section(path + QLatin1String(": "), 1));
+            if (const std::string obstacle = outputObstacle(path.toStdString()); !obstacle.empty())
+                return notWritten(path, QString::fromStdString(obstacle));
             parts.push_back(std::make_unique<PartFile>(path.toStdString()));
-            QString problem = QString::fromStdString(writePart(*parts.back(), bytes.toStdString()));
-            const QLatin1String beginning("cannot be written: ");
-            if (problem.startsWith(beginning)) problem = problem.sliced(beginning.size());
-            if (!problem.isEmpty()) return notWritten(path, problem);
+            if (const std::string reason = writePart(*parts.back(), bytes.toStdString()); !reason.empty())
+                return notWritten(path, QString::fromStdString(reason));
         }
         for (std::size_t i = 0; i < parts.size(); ++i) {
             now = files[i].first;

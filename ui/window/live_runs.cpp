@@ -2,9 +2,10 @@
 #include "ui/window/live_runs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <utility>
+
+#include <time.h>
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_text.h"
@@ -26,18 +27,26 @@ namespace touchdown {
 
 namespace {
 
-constexpr int mergeOfMovements = 1 << 16;       // with the number of the movement: of edits that are one for undo
-constexpr std::chrono::milliseconds quick{300}; // for a run that follows the hand
+constexpr int mergeOfMovements = 1 << 16; // with the number of the movement: of edits that are one for undo
+constexpr double quick = 0.3;             // processor time of a run that follows the hand [s]
+
+/// Of this thread [s]: what other programs do does not decide whether a case is quick.
+double processorTime()
+{
+    timespec now{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 /// The run of a case until a time [s], or to its end; nothing where it takes too long, is left, or breaks off.
 std::unique_ptr<RunRecord> performed(const Case& c, double until, const std::atomic<bool>& left)
 {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processorTime();
     bool whole = true;
     std::unique_ptr<RunRecord> record;
     try {
         record = performedRecord(c, until, [&] {
-            whole = !left && std::chrono::steady_clock::now() - start < quick;
+            whole = !left && processorTime() - start < quick;
             return whole;
         });
     } catch (const std::exception&) {
@@ -158,7 +167,11 @@ void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<R
     if (!record) {
         movement->slow = true;
         forgetPart(*movement);
-        if (movement->settled) window_.startRun();
+        if (!movement->settled) return;
+        if (movement == movement_)
+            window_.startRun();
+        else // another movement has begun: the case in the window is that one's
+            window_.runWindow().start({movement->value, movement->text, {}});
         return;
     }
     const bool newest = record->value == movement->value;

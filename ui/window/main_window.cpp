@@ -197,9 +197,9 @@ void MainWindow::updateRunActions()
     for (QAction* action : {actions_->solve, actions_->solveGiven})
         action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
-        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show it"));
-    else if (messages_->text().startsWith(tr("The case cannot be run.")))
-        messages_->clear();
+        messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show it"), MessageStrip::Topic::Case);
+    else
+        messages_->clear(MessageStrip::Topic::Case);
     actions_->surface->setEnabled(pages_->model() == ModelKind::Film);
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);

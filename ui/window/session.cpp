@@ -57,6 +57,7 @@ std::size_t bytesOf(const SteadyResult& state)
 
 struct Session::Stream {
     int number = 0;
+    bool opened = false; // or waits for it on the writer's thread
     ResultsWriter writer;
     bool whole = true;   // no samples or snapshots from before it are missing
     bool broken = false; // on the writer's thread
@@ -165,10 +166,27 @@ void Session::beginStream(RunRecord& run)
                    .arg(QLocale().formattedDataSize(budget())));
         return;
     }
-    std::vector<RecordedFields> sets;
-    for (const FieldHistory& history : run.fields) sets.push_back(history.fields);
     stream_ = std::make_shared<Stream>();
     stream_->number = run.number;
+    if (!run.finished() && fieldsKnownOf_ != run.number) return; // its first delivery says which fields it records
+    std::vector<RecordedFields> sets;
+    for (const FieldHistory& history : run.fields) sets.push_back(history.fields);
+    openStream(run, sets);
+    RunDelivery whole;
+    stream_->whole = run.fieldsComplete();
+    for (std::size_t part = 0; part < run.parts(); ++part) {
+        whole.samples = run.samples(part);
+        onDelivered(whole);
+    }
+    whole.samples = {};
+    for (const FieldHistory& history : run.fields)
+        for (std::size_t i = 0; i < history.snapshots.size(); ++i) whole.fields.push_back(history.snapshot(i));
+    onDelivered(whole);
+}
+
+void Session::openStream(const RunRecord& run, const std::vector<RecordedFields>& sets)
+{
+    stream_->opened = true;
     results_.post(
         [stream = stream_, file = folder_->runFile(run.number).toStdString(), c = run.value, text = run.caseText,
          quantities = run.quantities, sets] {
@@ -178,20 +196,14 @@ void Session::beginStream(RunRecord& run)
             return QString::fromStdString(problem);
         },
         [this](const QString& problem) { report(problem); });
-    RunDelivery before;
-    stream_->whole = run.fieldsComplete();
-    for (std::size_t part = 0; part < run.parts(); ++part) {
-        before.samples = run.samples(part);
-        onDelivered(before);
-    }
-    before.samples = {};
-    for (const FieldHistory& history : run.fields)
-        for (std::size_t i = 0; i < history.snapshots.size(); ++i) before.fields.push_back(history.snapshot(i));
-    onDelivered(before);
 }
 
 void Session::onDelivered(const RunDelivery& delivery)
 {
+    if (const RunRecord* run = parts_.runs.runUnderWay(); run && delivery.sets) {
+        fieldsKnownOf_ = run->number;
+        if (stream_) openStream(*run, *delivery.sets);
+    }
     const std::size_t bytes = bytesOf(delivery.samples) + bytesOf(delivery.fields);
     if (!stream_ || bytes == 0) return;
     if (results_.pending() + bytes > mostPending) {
@@ -216,6 +228,7 @@ void Session::onRunEnded(int number, const Summary& summary)
 {
     schedule();
     if (!stream_ || stream_->number != number) return;
+    if (!stream_->opened) return stream_.reset(); // it failed before it began
     results_.post(
         [stream = std::exchange(stream_, nullptr), summary] {
             if (stream->broken || !stream->whole) return tr("The file of the run is not complete.");

@@ -23,6 +23,7 @@ class RecordList;
 class RunWindow;
 class StudyWindow;
 class WindowPages;
+struct RecordedFields;
 struct RunDelivery;
 struct RunRecord;
 struct StudyReport;
@@ -79,6 +80,7 @@ private:
     SessionState state() const;
     void onRunStarted(int number);
     void beginStream(RunRecord& run);
+    void openStream(const RunRecord& run, const std::vector<RecordedFields>& sets);
     void onDelivered(const RunDelivery& delivery);
     void onRunEnded(int number, const Summary& summary);
     void onSolutionAdded(int number);
@@ -94,6 +96,7 @@ private:
     SessionParts parts_;
     std::unique_ptr<SessionFolder> folder_; // none after close()
     std::shared_ptr<Stream> stream_;
+    int fieldsKnownOf_ = -1; // number of the run under way, from its first delivery on
     QTimer soon_;            // writes the state
     QByteArray written_;     // the state that was written last, without its time
     bool restoring_ = false; // results that are added are in the folder already

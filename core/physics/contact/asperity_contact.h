@@ -2,8 +2,8 @@
 //
 // Contact of a smooth flat with a statistical rough surface (Greenwood & Williamson 1966), per unit of area. d is the
 // separation of the flat and the disk's mean plane. The summits' mean plane is higher by y_s (Asperities::planeHeight;
-// of a Gaussian surface isotropicPlaneHeight()). A summit of height z above its plane is pressed by w = z - (d - y_s).
-// With the density phi of Gaussian heights,
+// of an isotropic Gaussian surface 0.045944/(eta R), McCool 1986; Chang, Etsion & Bogy 1987). A summit of height z
+// above its plane is pressed by w = z - (d - y_s). With the density phi of Gaussian heights,
 //
 //   p = eta int P(w) phi(z) dz over w > 0, likewise the contacts (P -> 1), their area (P -> A) and energy.
 //
@@ -82,12 +82,6 @@ private:
     double criticalInterference_ = 0.0;                 // w_c [m]
     std::array<std::array<double, 8>, pieces> table_{}; // W [J/m^2], coefficients of powers of the place in each piece
 };
-
-/// y_s of an isotropic Gaussian surface [m]: 0.045944/(eta R) (McCool 1986; Chang, Etsion & Bogy 1987).
-inline double isotropicPlaneHeight(const Asperities& asperities)
-{
-    return 0.045944 / (asperities.density * asperities.radius);
-}
 
 inline double AsperityContact::pressure(double separation) const
 {

@@ -62,12 +62,7 @@ class ContactRun {
 public:
     /// `coarser`: on cells twice as large, for the figures alone.
     ContactRun(const Case& c, const RunCallback& callback, bool coarser = false)
-        : case_(c),
-          coarser_(coarser),
-          rows_(contactRows(c)),
-          recorder_(c, quantitiesOf(rows_), callback),
-          figures_(c),
-          recordsFields_(!contactMaps(c).empty())
+        : case_(c), coarser_(coarser), rows_(contactRows(c)), recorder_(c, quantitiesOf(rows_), callback), figures_(c)
     {}
 
     Summary run()
@@ -157,10 +152,10 @@ private:
             doubts_ = model_->doubts({});
         }
         record(station);
-        if (station.snapshot && recordsFields_) {
+        if (station.snapshot) {
             FieldSnapshot snapshot{station.time, 0, {}};
             model_->observe(snapshot);
-            recorder_.addFields(std::move(snapshot));
+            if (!snapshot.values.empty()) recorder_.addFields(std::move(snapshot));
         }
         if (recorder_.full()) flush();
         return lookAtClock();
@@ -361,7 +356,6 @@ private:
     RunRecorder recorder_;
     ContactFigures figures_;
     std::unique_ptr<ContactModel> model_;
-    bool recordsFields_;
     std::vector<double> values_; // of the newest sample; empty without one
     bool started_ = false, startsInContact_ = false;
     bool away_ = false; // on the way out

@@ -16,7 +16,7 @@
 namespace touchdown {
 
 FilmScene::FilmScene(const Case& c)
-    : recess(c.surface, c.slider.length, c.slider.width), spacing(c.surface, recess), case_(c)
+    : recess(c.surface, c.slider.length, c.slider.width), spacing(c.surface, recess), case_(c), filmMaps_(filmMaps(c))
 {}
 
 FilmScene::~FilmScene() = default;
@@ -30,8 +30,6 @@ FilmScene::State FilmScene::fail(std::string reason)
 FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 {
     topography = diskTopography(case_, goOn);
-    if (!goOn()) return State::Stopped;
-    maps_ = {filmMaps(case_), sliderContactFields(case_, goOn)};
     if (!goOn()) return State::Stopped;
     const SteadyResult rest = steady(attitudeCase(case_), [&](const SteadyProgress&) { return goOn(); });
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
@@ -117,19 +115,16 @@ std::string FilmScene::startHigher() const
 std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& attitude, std::span<const double> p) const
 {
     std::vector<FieldSnapshot> result;
-    std::size_t set = 0;
-    if (const RecordedFields& film = maps_[0]; !film.empty()) {
-        FieldSnapshot& snapshot = result.emplace_back(FieldSnapshot{time, set++, std::vector<std::vector<double>>(2)});
-        for (int j = 0; j < film.grid.ny(); ++j)
-            for (int i = 0; i < film.grid.nx(); ++i) {
-                const double x = film.grid.centreX(i), y = film.grid.centreY(j);
-                snapshot.values[0].push_back(recess.at(x, y) + level->gaps.lift(attitude, x, y));
-            }
-        snapshot.values[1] =
-            transfer(level->gaps.grid, level->gaps.pad.unpad<double>(p), level->film.ambient(), film.grid);
-    }
-    if (contact && !maps_[1].empty()) {
-        FieldSnapshot& snapshot = result.emplace_back(FieldSnapshot{time, set, {}});
+    const CellGrid& grid = filmMaps_.grid;
+    FieldSnapshot& film = result.emplace_back(FieldSnapshot{time, 0, std::vector<std::vector<double>>(2)});
+    for (int j = 0; j < grid.ny(); ++j)
+        for (int i = 0; i < grid.nx(); ++i) {
+            const double x = grid.centreX(i), y = grid.centreY(j);
+            film.values[0].push_back(recess.at(x, y) + level->gaps.lift(attitude, x, y));
+        }
+    film.values[1] = transfer(level->gaps.grid, level->gaps.pad.unpad<double>(p), level->film.ambient(), grid);
+    if (contact) {
+        FieldSnapshot& snapshot = result.emplace_back(FieldSnapshot{time, 1, {}});
         contact->observe(snapshot);
         if (snapshot.values.empty()) result.pop_back();
     }

@@ -34,7 +34,7 @@ public:
     enum class State : std::uint8_t { Ready, Stopped, Failed };
     /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
     State prepare(const std::function<bool()>& goOn);
-    /// Snapshots of filmMaps() and of the contact, at pressures p (padded).
+    /// Snapshots of filmMaps() and of the contact, at pressures p (padded), of a case that records them.
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
 
     std::string message; // why it failed
@@ -62,7 +62,7 @@ private:
     std::string startHigher() const;
 
     const Case& case_;
-    std::vector<RecordedFields> maps_; // of the film, of the contact; may be empty
+    RecordedFields filmMaps_;
 };
 
 } // namespace touchdown

@@ -38,7 +38,7 @@ std::optional<double> workAt(const BouncingMapTask& task, double x, double y)
 }
 
 /// The first value of the axis at which the function changes its sign, by bisection between its neighbours.
-std::optional<double> zeroAlong(const MapAxis& axis, const std::function<std::optional<double>(double)>& work)
+std::optional<double> zeroAlong(const BouncingMapAxis& axis, const std::function<std::optional<double>(double)>& work)
 {
     for (std::size_t i = 1; i < axis.values.size(); ++i) {
         double low = axis.values[i - 1], high = axis.values[i];
@@ -57,7 +57,7 @@ std::optional<double> zeroAlong(const MapAxis& axis, const std::function<std::op
 
 } // namespace
 
-double MapAxis::at(double share) const
+double BouncingMapAxis::at(double share) const
 {
     const double first = values.front(), last = values.back();
     return logarithmic ? first * std::pow(last / first, share) : std::lerp(first, last, share);

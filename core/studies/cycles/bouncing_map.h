@@ -20,7 +20,7 @@
 
 namespace touchdown {
 
-struct MapAxis {
+struct BouncingMapAxis {
     Parameter keys;
     ParameterText text;
     bool logarithmic = false;
@@ -37,7 +37,7 @@ struct MapMark {
 
 struct BouncingMapTask {
     Case start;
-    MapAxis x, y;
+    BouncingMapAxis x, y;
     int starts = 3;
     BouncingSearch search;
     std::vector<MapMark> marks{};

@@ -52,9 +52,9 @@ std::optional<double> readEnd(StudyReader& reader, const std::string& name, cons
     return value;
 }
 
-std::optional<MapAxis> readAxis(StudyReader& reader, const std::string& name)
+std::optional<BouncingMapAxis> readAxis(StudyReader& reader, const std::string& name)
 {
-    MapAxis axis;
+    BouncingMapAxis axis;
     const std::optional<std::string> text = reader.text(name, neededKeys);
     axis.logarithmic = reader.choice(name + "_scale") == "logarithmic";
     const int points = reader.integer(name + "_points");
@@ -105,7 +105,8 @@ std::optional<double> placeOfWork(const BouncingMapTask& task, double y, double 
     return 0.5 * (low + high);
 }
 
-std::optional<double> readPlace(StudyReader& reader, const std::string& table, const char* leaf, const MapAxis& axis)
+std::optional<double> readPlace(StudyReader& reader, const std::string& table, const char* leaf,
+                                const BouncingMapAxis& axis)
 {
     if (!reader.has(table + leaf)) reader.add(table, std::string("has no ") + (leaf + 1));
     return reader.number(table + leaf, axis.text.unit, axis.text.displayUnit, axis.values.front(), axis.values.back());
@@ -170,7 +171,7 @@ std::string cellText(const BouncingMapTask& task, const MapCell& cell)
     return text + (cell.problem.empty() ? "" : " (" + cell.problem + ")");
 }
 
-ChartAxis chartAxis(const MapAxis& axis)
+ChartAxis chartAxis(const BouncingMapAxis& axis)
 {
     return {axis.text.label, axis.text.unit, axis.text.displayUnit, axis.logarithmic};
 }
@@ -283,7 +284,7 @@ std::optional<MarkedMapTask> readBouncingMap(StudyReader& reader, int starts, do
     task.start = reader.start();
     task.search.duration = duration;
     task.starts = reader.integer("map.starts", 1, mostStarts).value_or(starts);
-    const std::optional<MapAxis> x = readAxis(reader, "map.x"), y = readAxis(reader, "map.y");
+    const std::optional<BouncingMapAxis> x = readAxis(reader, "map.x"), y = readAxis(reader, "map.y");
     if (!x || !y) return {};
     if (x->keys.key == y->keys.key) {
         reader.add("map.y", inQuotes(y->keys.key) + " is the key of x, too");

@@ -76,6 +76,12 @@ std::string outcomeText(const MeasuredRun& run)
     return run.valid() ? endText(run.end) : "fails: " + run.summary.message;
 }
 
+bool namesMotion(const EndState& end)
+{
+    return (end.kind == EndKind::Contact && end.motion == Motion::Vibrates) ||
+           (end.kind == EndKind::Intermittent && end.motion == Motion::Bounces);
+}
+
 std::string endText(const EndState& end)
 {
     constexpr double rest = 0.1 * sameSpacing;
@@ -83,10 +89,9 @@ std::string endText(const EndState& end)
         fewDigits(end.spacing, "nm", 3) + (end.spread > rest ? " +- " + fewDigits(end.spread, "nm") : "");
     switch (end.kind) {
     case EndKind::Flying: return "flies at " + at;
-    case EndKind::Contact:
-        return (end.motion == Motion::Vibrates ? "vibrates in contact at " : "ends in contact at ") + at;
+    case EndKind::Contact: return std::string(namesMotion(end) ? name(end.motion) : "ends in contact") + " at " + at;
     case EndKind::Intermittent:
-        return (end.motion == Motion::Bounces ? "bounces about " : "goes in and out of contact about ") + at;
+        return std::string(namesMotion(end) ? name(end.motion) : "goes in and out of contact") + " about " + at;
     case EndKind::Failed: break;
     }
     return "has no end";

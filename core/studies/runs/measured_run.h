@@ -73,5 +73,7 @@ bool sameOutcome(const MeasuredRun& a, const MeasuredRun& b, double distance = s
 std::string outcomeText(const MeasuredRun& run);
 /// The same of a valid end.
 std::string endText(const EndState& end);
+/// Whether this text begins with the motion of the end: "bounces", "vibrates in contact".
+bool namesMotion(const EndState& end);
 
 } // namespace touchdown

@@ -47,7 +47,7 @@ StatementFinding judgeEnd(const Statement& statement, const MeasuredRun& run, co
     const bool moves = isOneOf(statement.motions, run.valid() ? name(run.end.motion) : std::string_view("failed"));
     const bool same = !statement.sameAsLike || sameOutcome(run, *like) == *statement.sameAsLike;
     std::string text = outcomeText(run);
-    if (!statement.motions.empty() && run.valid() && !text.starts_with(name(run.end.motion)))
+    if (!statement.motions.empty() && run.valid() && !namesMotion(run.end))
         text += ": " + std::string(name(run.end.motion));
     if (statement.sameAsLike) text += "; the other one " + outcomeText(*like);
     return {ends && moves && same, text};

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/support/test_program.h"
+#include "tests/ui/dark_theme.h"
 
 using namespace touchdown;
 

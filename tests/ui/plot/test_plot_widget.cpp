@@ -473,7 +473,7 @@ void TestPlotWidget::followsThePalette()
     plot_->refreshNow();
     const QImage image = plot_->grab().toImage();
     QCOMPARE(image.pixelColor(2, 2), QColor("#1d2024"));
-    QVERIFY(ink(image, plot_->plotArea(), darkPlotTheme().curves[0]) > 500);
+    QVERIFY(ink(image, plot_->plotArea(), plotTheme(dark).curves[0]) > 500);
 }
 
 void TestPlotWidget::rangesFollowTheCurveThatLeads()

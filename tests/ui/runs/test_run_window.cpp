@@ -6,6 +6,9 @@
 
 #include <QTest>
 
+#include "core/case/parameters.h"
+#include "core/simulation/run.h"
+#include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 #include "ui/plot/cursor_table.h"
 #include "ui/plot/spectrum_view.h"
@@ -23,7 +26,21 @@ class TestRunWindow : public QObject {
 
 private slots:
     void theTableReadsTimeAndFrequency();
+    void theWorkerFindsTheFieldsOfARun();
+    void aMissingDiskFileEndsTheRun();
 };
+
+/// A pad with the air bearing surface of a slider, whose parts that can touch are sought over the surface of the disk.
+Case sliderPad()
+{
+    Case c = defaultsOf(ModelKind::Contact);
+    c.pad.shape = PadShape::Slider;
+    c.surface = test::smallSlider().surface;
+    c.slider = test::smallSlider().slider;
+    c.elastic.cell = 20e-6;
+    c.run.fieldSnapshots = 3;
+    return c;
+}
 
 /// 4 ms, sampled every 1 us, of a sine of 62.5 kHz, a multiple of the bins' distance.
 void TestRunWindow::theTableReadsTimeAndFrequency()
@@ -63,6 +80,44 @@ void TestRunWindow::theTableReadsTimeAndFrequency()
     QVERIFY(std::abs(*spectrum->group()->cursor(0) - 62.5e3) < 50.0); // a tenth of the distance of two bins
     window.view()->plots()->group()->setCursor(0, 1e-3);
     QCOMPARE(window.values()->shown(), window.view()->plots()->group());
+}
+
+/// The search may take seconds: the window lists the run at once and learns later which fields it records, once.
+void TestRunWindow::theWorkerFindsTheFieldsOfARun()
+{
+    QWidget page;
+    RunWindow window(&page);
+    const Case c = sliderPad();
+    int found = 0;
+    connect(&window.controller(), &RunController::delivered, this, [&](const RunDelivery& delivery) {
+        if (delivery.sets) ++found;
+        QVERIFY(found == 1);
+    });
+    window.start({c, std::string(), {}});
+    QVERIFY(window.runUnderWay()->fields.empty());
+    QTRY_VERIFY_WITH_TIMEOUT(!window.runUnderWay(), 30000);
+    const RunRecord& run = window.runs().record(0);
+    QCOMPARE(run.summary->status, RunStatus::Completed);
+    const std::vector<RecordedFields> sets = recordedFields(c);
+    QCOMPARE(sets.size(), std::size_t{1});
+    QCOMPARE(run.fields.size(), sets.size());
+    QCOMPARE(run.fields[0].fields.grid.cells(), sets[0].grid.cells());
+    QVERIFY(run.fields[0].snapshots.size() >= 3);
+}
+
+/// The window checked the file when it was opened.
+void TestRunWindow::aMissingDiskFileEndsTheRun()
+{
+    QWidget page;
+    RunWindow window(&page);
+    Case c = sliderPad();
+    c.diskSurface.kind = DiskSurfaceKind::File;
+    c.diskSurface.file = "removed.txt";
+    window.start({c, std::string(), {}});
+    QTRY_VERIFY_WITH_TIMEOUT(!window.runUnderWay(), 30000);
+    const Summary& summary = *window.runs().record(0).summary;
+    QCOMPARE(summary.status, RunStatus::Failed);
+    QVERIFY(summary.message.find("removed.txt") != std::string::npos);
 }
 
 TOUCHDOWN_TEST(TestRunWindow)

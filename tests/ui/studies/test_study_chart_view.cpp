@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "tests/support/test_program.h"
+#include "tests/ui/dark_theme.h"
 #include "tests/ui/sample_study.h"
 #include "ui/plot/plot_export.h"
 #include "ui/studies/study_chart_drawing.h"
