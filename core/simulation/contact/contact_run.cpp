@@ -141,8 +141,8 @@ private:
         const double d = padSeparation(case_, station.time);
         away_ = station.time > 0.5 * case_.run.duration;
         for (const ContactSwitch& known : model_->switchesUntil(d))
-            recorder_.addEvent(away_ ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
-                               known.name);
+            recorder_.addEvent(wayTime(known.separation), known.name);
+        for (const PullPoint& pull : model_->pullsUntil(d)) figures_.addPull(pull.separation, pull.force);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();

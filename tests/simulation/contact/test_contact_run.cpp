@@ -192,6 +192,37 @@ private slots:
         QVERIFY(trace.fields.empty());
         QVERIFY(std::abs(figure(trace.summary, "pull_off_force") - 10e-3) < 1e-12);
     }
+    /// f_m = 10 mN, k_c = 5e6 N/m, f_c0 = 5 mN, d_s = 3 nm: F_cr ends at 4 nm, if the menisci do not break before. The
+    /// strongest pull is there or at d_s or d_e, wherever the samples are.
+    void pullOff_data()
+    {
+        QTest::addColumn<QString>("shape");
+        QTest::addColumn<double>("takeOff"); // [nm]
+        QTest::addColumn<double>("force");   // [mN]
+        QTest::addColumn<double>("place");   // [nm]
+        QTest::newRow("F_cr still presses at d_e") << "constant" << 3.31 << 10.0 - (5.0 - 5.0 * 0.31) << 3.31;
+        QTest::newRow("both end at once") << "constant" << 3.0 << 10.0 - 5.0 << 3.0;
+        QTest::newRow("menisci alone") << "constant" << 5.1 << 10.0 << 4.0;
+        QTest::newRow("falling menisci") << "linear" << 5.5 << 10.0 * (5.5 - 4.0) / (5.5 - 3.0) << 4.0;
+        QTest::newRow("both fall") << "both-linear" << 5.5 << 10.0 - 5.0 << 3.0;
+    }
+    void pullOff()
+    {
+        QFETCH(const QString, shape);
+        QFETCH(const double, takeOff);
+        QFETCH(const double, force);
+        QFETCH(const double, place);
+        Case c = sample("contact_ono_yamane");
+        c.onoYamane.takeOff = takeOff * 1e-9;
+        c.onoYamane.takeOffShape =
+            TakeOffShape(std::ranges::find(takeOffShapeNames, shape.toStdString()) - takeOffShapeNames.begin());
+        for (const double interval : {3e-6, 37e-6, 310e-6}) {
+            c.run.sampleInterval = interval;
+            const Summary summary = run(c);
+            QVERIFY(std::abs(figure(summary, "pull_off_force") - force * 1e-3) < 1e-14);
+            QVERIFY(std::abs(figure(summary, "pull_off_separation") - place * 1e-9) < 1e-20);
+        }
+    }
     /// As its own test has it: the fit belongs to the summary, and its curve lies beside the full one.
     void multiAsperity()
     {
