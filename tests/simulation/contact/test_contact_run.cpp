@@ -11,6 +11,7 @@
 #include "core/case_files/case_file.h"
 #include "core/formats/units.h"
 #include "core/physics/contact/contact_bodies.h"
+#include "core/simulation/contact/pad_way.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 
@@ -75,18 +76,6 @@ class TestContactRun : public QObject {
     Q_OBJECT
 
 private slots:
-    /// From 5 nm to -10 nm and back within 2 ms.
-    void separations()
-    {
-        const Case c = sample("contact_hertz");
-        QCOMPARE(padSeparation(c, 0.0), 5e-9);
-        QCOMPARE(padSeparation(c, 1e-3), -10e-9);
-        QCOMPARE(padSeparation(c, 2e-3), 5e-9);
-        QVERIFY(std::abs(padSeparation(c, 0.5e-3) + 2.5e-9) < 1e-22);
-        QVERIFY(std::abs(approachTime(c, -2.5e-9) - 0.5e-3) < 1e-18);
-        QVERIFY(std::abs(retractionTime(c, -2.5e-9) - 1.5e-3) < 1e-18);
-    }
-
     /// F = (4/3) E* sqrt(R d^3), a^2 = R d, p_0 = 3 F/(2 pi a^2) (Hertz), on cells of a/25.
     void hertz()
     {
