@@ -22,7 +22,7 @@
 #include "core/formats/words.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_writer.h"
-#include "core/simulation/contact/contact_run.h"
+#include "core/simulation/contact/pad_way.h"
 #include "core/simulation/recording/run_spectra.h"
 #include "core/simulation/run.h"
 

@@ -30,7 +30,7 @@ std::vector<Parameter> springParameters()
                "Damping ratio of the rear dashpot, c_r = 2 xi_r sqrt(M k_r0).", "paper, text on Fig. 14"),
         number("springs.cutoff", "cutoff spacing", "d_1", nanometres, positive(1),
                at(&Case::springs, &SpringsCase::cutoff), withSprings,
-               "Spacing below which an air bearing spring exerts no force.",
+               "Spacing below which an air bearing spring exerts no force; its dashpot still acts.",
                "paper, equation (1): 0.3 nm, the no-fly zone, or d_s"),
         number("springs.flying_height", "static flying height", "FH", nanometres, within(1),
                at(&Case::springs, &SpringsCase::flyingHeight), withSprings,

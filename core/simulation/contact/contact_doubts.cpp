@@ -11,7 +11,7 @@
 
 #include "core/case/case.h"
 #include "core/formats/units.h"
-#include "core/simulation/contact/contact_run.h"
+#include "core/simulation/contact/pad_way.h"
 
 namespace touchdown {
 namespace {

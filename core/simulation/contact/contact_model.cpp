@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/numerics/interval.h"
 #include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/characteristic_fit.h"
 #include "core/physics/contact/multi_asperity.h"
@@ -42,6 +43,16 @@ public:
         if (branch_ == ContactBranch::TakeOff && separation_ < takeOff_ && separation >= takeOff_)
             return {{takeOff_, switchName(ContactRegion::Bridged, ContactRegion::Apart)}};
         return {};
+    }
+    /// The forces are affine within a region, so that the strongest pull is at an end of one.
+    std::vector<PullPoint> pullsUntil(double separation) const override
+    {
+        std::vector<PullPoint> list;
+        for (ContactRegion region = law_.region(branch_, separation_);; region = law_.beyond(region, true)) {
+            const double end = law_.interval(region).upper;
+            if (end > separation) return list;
+            list.push_back({end, law_.contactForce(region, end) + law_.adhesionForce(region, end)});
+        }
     }
 
 private:
@@ -110,9 +121,29 @@ public:
         }
         return list;
     }
+    /// At each jump, and on the smooth way to it and beyond the last.
+    std::vector<PullPoint> pullsUntil(double separation) const override
+    {
+        std::vector<PullPoint> list;
+        MultiAsperityState state = state_;
+        const TracedContact way{[&](double d) { return model_.forces(model_.advance(state, d)).total(); }, {}, [] {}};
+        double from = separation_;
+        while (from < separation) {
+            const auto jump = model_.nextJump(state, PadMotion::Away);
+            const bool passed = jump && jump->padSeparation <= separation;
+            const double to = passed ? jump->padSeparation : separation;
+            list.push_back(strongestPull(way, from, to, resolution));
+            if (!passed) break;
+            list.push_back({to, model_.forces(jump->from).total()});
+            state = jump->to;
+            from = to;
+        }
+        return list;
+    }
     std::optional<CharacteristicFit> fit() const override { return fit_; }
 
 private:
+    static constexpr double resolution = 1e-15; // of the separation of the strongest pull [m]
     MultiAsperity model_;
     double separation_;
     MultiAsperityState state_;
@@ -131,6 +162,8 @@ bool adheres(const Case& c)
 } // namespace
 
 std::vector<ContactSwitch> ContactModel::switchesUntil(double) const { return {}; }
+
+std::vector<PullPoint> ContactModel::pullsUntil(double) const { return {}; }
 
 void ContactModel::observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
 

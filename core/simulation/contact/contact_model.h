@@ -13,6 +13,7 @@
 
 #include "core/case/case.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/physics/contact/strongest_pull.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/contact/contact_doubts.h"
 #include "core/simulation/recording/field_snapshot.h"
@@ -50,6 +51,9 @@ public:
 
     /// The switches that a straight move to d [m] will pass, in their order.
     virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
+    /// Of a law that does not jump elsewhere: the strongest net pulls on a straight move out to d [m], between the
+    /// samples too. Empty on the way in.
+    virtual std::vector<PullPoint> pullsUntil(double separation) const;
     /// Whether the force can jump where no switch says so, and whether it may have on the last move: the way
     /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }

@@ -9,6 +9,7 @@
 #include "core/physics/contact/strongest_pull.h"
 #include "core/simulation/contact/contact_figures.h"
 #include "core/simulation/contact/contact_model.h"
+#include "core/simulation/contact/pad_way.h"
 #include "core/simulation/recording/run_recorder.h"
 
 namespace touchdown {
@@ -25,38 +26,6 @@ constexpr int shortSteps = 8;
 constexpr double pullResolution = 2e-12; // of the separation of the strongest pull [m]
 constexpr double worthRefining = 0.95;   // of the strongest pull so far, for a search between the samples [-]
 
-/// Where the pad goes: the times of all states, and which of them are recorded.
-struct Station {
-    double time = 0.0; // [s]
-    bool sample = false;
-    bool snapshot = false;
-};
-
-std::vector<Station> stations(const Case& c)
-{
-    const double duration = c.run.duration, interval = c.run.sampleInterval;
-    const double slack = 1e-9 * interval;
-    const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-9)) + 1;
-    std::vector<Station> list(count);
-    for (std::size_t i = 0; i < count; ++i)
-        list[i] = {std::min(static_cast<double>(i) * interval, duration), true, false};
-    if (list.back().time > duration - slack) list.back().time = duration;
-
-    const auto snapshots = static_cast<std::size_t>(c.run.fieldSnapshots);
-    for (std::size_t i = 0; i < std::min(snapshots, count); ++i)
-        list[snapshots == 1 ? 0 : i * (count - 1) / (std::min(snapshots, count) - 1)].snapshot = true;
-    // The closest approach is a state of its own where no sample falls onto it.
-    const double middle = 0.5 * duration;
-    const auto next = std::ranges::find_if(list, [&](const Station& station) { return station.time > middle - slack; });
-    if (next != list.end() && next->time < middle + slack) {
-        next->time = middle;
-        next->snapshot = snapshots > 0;
-    } else {
-        list.insert(next, {middle, false, snapshots > 0});
-    }
-    return list;
-}
-
 /// Moves the pad from station to station, and records its states.
 class ContactRun {
 public:
@@ -69,7 +38,7 @@ public:
     {
         model_ = makeContactModel(
             case_, [this] { return lookAtClock(); }, coarser_);
-        for (const Station& station : stations(case_))
+        for (const PadStation& station : padStations(case_))
             if (!lookAtClock() || !visit(station)) break;
         flush();
         Summary summary = recorder_.summary(end_, time_, values_);
@@ -131,13 +100,13 @@ private:
     }
 
     /// False when the run ends here.
-    bool visit(const Station& station)
+    bool visit(const PadStation& station)
     {
         const double d = padSeparation(case_, station.time);
         away_ = station.time > 0.5 * case_.run.duration;
         for (const ContactSwitch& known : model_->switchesUntil(d))
-            recorder_.addEvent(away_ ? retractionTime(case_, known.separation) : approachTime(case_, known.separation),
-                               known.name);
+            recorder_.addEvent(wayTime(known.separation), known.name);
+        for (const PullPoint& pull : model_->pullsUntil(d)) figures_.addPull(pull.separation, pull.force);
         if (!go(station.time, d)) return fail(station.time);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
@@ -317,7 +286,7 @@ private:
     bool isTouching() const { return case_.contact == ContactKind::Elastic && forces_.contact > 0.0; }
 
     /// A force may jump between two stations.
-    void record(const Station& station)
+    void record(const PadStation& station)
     {
         values_.resize(recorder_.quantities().size());
         contactValues(case_, rows_, forces_, values_.data());
@@ -374,20 +343,6 @@ private:
 };
 
 } // namespace
-
-double padSeparation(const Case& c, double time)
-{
-    const double half = 0.5 * c.run.duration;
-    const double share = std::min(std::abs(time - half) / half, 1.0); // 0 at the closest, 1 at both ends
-    return share == 1.0 ? c.approach.start : c.approach.closest + share * (c.approach.start - c.approach.closest);
-}
-
-double approachTime(const Case& c, double separation)
-{
-    return 0.5 * c.run.duration * (c.approach.start - separation) / (c.approach.start - c.approach.closest);
-}
-
-double retractionTime(const Case& c, double separation) { return c.run.duration - approachTime(c, separation); }
 
 Summary runContact(const Case& c, const RunCallback& callback) { return ContactRun(c, callback).run(); }
 

@@ -141,6 +141,7 @@ double valueOf(const Statement& statement, const SampledRun& run)
     case Taken::Difference: return momentsOf(tailOf(run)).mean;
     case Taken::Swing: return swingOf(statement, run);
     case Taken::Rms: return momentsOf(tailOf(run)).deviation;
+    case Taken::Mean: return momentsOf(run.samples()).mean;
     case Taken::Least: return extremesOf(statement, *run.run).least;
     case Taken::Greatest: return extremesOf(statement, *run.run).most;
     case Taken::Peaks: return peaksWithin(statement, run);

@@ -202,7 +202,7 @@ private:
     {
         const std::string at = reader_.text(table + ".at").value_or("end");
         const bool needed = at == "difference" || at == "distance" || at == "likeness" || statement.sameAsLike;
-        const bool useful = needed || at == "end" || at == "swing" || at == "rms";
+        const bool useful = needed || at == "end" || at == "swing" || at == "rms" || at == "mean";
         if (!reader_.has(table + ".like")) {
             const bool changes = !reader_.settings(table + ".like_set").empty();
             if (needed)

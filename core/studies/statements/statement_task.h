@@ -21,12 +21,26 @@ namespace touchdown {
 class StudyReader;
 
 /// Where a quantity is taken.
-enum class Taken : std::uint8_t { End, Swing, Rms, Least, Greatest, Difference, Distance, Peak, Peaks, Likeness, Case };
-inline constexpr std::size_t takenCount = 11;
+enum class Taken : std::uint8_t {
+    End,
+    Swing,
+    Rms,
+    Mean,
+    Least,
+    Greatest,
+    Difference,
+    Distance,
+    Peak,
+    Peaks,
+    Likeness,
+    Case
+};
+inline constexpr std::size_t takenCount = 12;
 inline std::string_view name(Taken taken)
 {
-    constexpr std::array<std::string_view, takenCount> names{
-        "end", "swing", "rms", "least", "greatest", "difference", "distance", "peak", "peaks", "likeness", "case"};
+    constexpr std::array<std::string_view, takenCount> names{"end",   "swing",    "rms",        "mean",
+                                                             "least", "greatest", "difference", "distance",
+                                                             "peak",  "peaks",    "likeness",   "case"};
     return names[static_cast<std::size_t>(taken)];
 }
 

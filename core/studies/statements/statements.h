@@ -25,13 +25,14 @@
 //   against = { "ono_yamane.take_off" = "4 nm" } # changes with which it must not hold
 //
 // Where a quantity is taken: over the last tenth of the run `end` is its mean, `swing` is peak to peak, and `rms` is
-// its standard deviation. `least` and `greatest` are its extremes over the whole run, between samples too, also of a
-// run that fails. With a case `like` (and the changes `like_set`) these are differences: the run's less that of `like`;
-// `difference` is another word for `end`. `distance` is the largest distance of the two at any time: both have the same
-// duration, and samples at the same times. `peak` is the frequency of a peak in the power spectrum of the minimum
-// spacing, `peaks` the number of peaks `from` a frequency `to` another one with at least a tenth of the largest
-// amplitude at any frequency, and `likeness` tells how far the spectra of the run and of `like` have the same shape,
-// from 0 to 1 (Bhattacharyya's coefficient). `case` is a number of the case itself.
+// its standard deviation. `mean` is the mean over the whole run: of a power, the work divided by the duration. `least`
+// and `greatest` are its extremes over the whole run, between samples too, also of a run that fails. With a case `like`
+// (and the changes `like_set`) these are differences: the run's less that of `like`; `difference` is another word for
+// `end`. `distance` is the largest distance of the two at any time: both have the same duration, and samples at the
+// same times. `peak` is the frequency of a peak in the power spectrum of the minimum spacing, `peaks` the number of
+// peaks `from` a frequency `to` another one with at least a tenth of the largest amplitude at any frequency, and
+// `likeness` tells how far the spectra of the run and of `like` have the same shape, from 0 to 1 (Bhattacharyya's
+// coefficient). `case` is a number of the case itself.
 //
 // A check is worth what it refuses. With the option `contradict` each statement's case is run with its changes
 // `against`, and every statement that holds then proves nothing.

@@ -9,7 +9,9 @@
 
 #include "core/case/parameters.h"
 #include "core/physics/contact/asperity_contact.h"
+#include "core/physics/contact/multi_asperity.h"
 #include "core/simulation/contact/contact_lever.h"
+#include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -125,6 +127,33 @@ private slots:
         for (const ContactKind kind : {ContactKind::OnoYamane, ContactKind::Asperity, ContactKind::MultiAsperity})
             QVERIFY(contactMaps(contactCase(kind)).empty());
         QVERIFY(!contactMaps(contactCase(ContactKind::Elastic)).empty());
+    }
+
+    /// Many asperities with menisci: the way out in 10,001 points, with the two ends of each jump, has a strongest
+    /// pull. One move out finds the same, and so do three; on the way in there is none.
+    void pullsOfManyAsperities()
+    {
+        Case c = sample("contact_ono_yamane_full");
+        for (const double deviation : {0.2e-9, 1e-9}) {
+            c.asperity.heightDeviation = deviation;
+            const MultiAsperity law(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width);
+            double strongest = 0.0; // [N]
+            for (const MultiAsperityPoint& point : multiAsperityCurve(law, 6e-9, 1e-9, 10001).away)
+                strongest = std::min(strongest, point.forces.total());
+            QVERIFY(strongest < -1e-3);
+            for (const std::vector<double>& stops : {std::vector{6e-9}, std::vector{2.71e-9, 3.14e-9, 6e-9}}) {
+                const auto model = makeContactModel(c);
+                QVERIFY(model->pullsUntil(1e-9).empty());
+                model->move(1e-9, 0.0);
+                double found = 0.0;
+                for (const double stop : stops) {
+                    for (const PullPoint& pull : model->pullsUntil(stop)) found = std::min(found, pull.force);
+                    model->move(stop, 0.0);
+                }
+                QVERIFY2(std::abs(found / strongest - 1.0) < 1e-6,
+                         qPrintable(QString::number(found / strongest, 'g', 12)));
+            }
+        }
     }
 };
 

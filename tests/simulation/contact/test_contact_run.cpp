@@ -11,6 +11,7 @@
 #include "core/case_files/case_file.h"
 #include "core/formats/units.h"
 #include "core/physics/contact/contact_bodies.h"
+#include "core/simulation/contact/pad_way.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 
@@ -75,18 +76,6 @@ class TestContactRun : public QObject {
     Q_OBJECT
 
 private slots:
-    /// From 5 nm to -10 nm and back within 2 ms.
-    void separations()
-    {
-        const Case c = sample("contact_hertz");
-        QCOMPARE(padSeparation(c, 0.0), 5e-9);
-        QCOMPARE(padSeparation(c, 1e-3), -10e-9);
-        QCOMPARE(padSeparation(c, 2e-3), 5e-9);
-        QVERIFY(std::abs(padSeparation(c, 0.5e-3) + 2.5e-9) < 1e-22);
-        QVERIFY(std::abs(approachTime(c, -2.5e-9) - 0.5e-3) < 1e-18);
-        QVERIFY(std::abs(retractionTime(c, -2.5e-9) - 1.5e-3) < 1e-18);
-    }
-
     /// F = (4/3) E* sqrt(R d^3), a^2 = R d, p_0 = 3 F/(2 pi a^2) (Hertz), on cells of a/25.
     void hertz()
     {
@@ -191,6 +180,37 @@ private slots:
         QVERIFY(std::abs(trace.column("net_contact_force")[322] + 10e-3) < 1e-12);
         QVERIFY(trace.fields.empty());
         QVERIFY(std::abs(figure(trace.summary, "pull_off_force") - 10e-3) < 1e-12);
+    }
+    /// f_m = 10 mN, k_c = 5e6 N/m, f_c0 = 5 mN, d_s = 3 nm: F_cr ends at 4 nm, if the menisci do not break before. The
+    /// strongest pull is there or at d_s or d_e, wherever the samples are.
+    void pullOff_data()
+    {
+        QTest::addColumn<QString>("shape");
+        QTest::addColumn<double>("takeOff"); // [nm]
+        QTest::addColumn<double>("force");   // [mN]
+        QTest::addColumn<double>("place");   // [nm]
+        QTest::newRow("F_cr still presses at d_e") << "constant" << 3.31 << 10.0 - (5.0 - 5.0 * 0.31) << 3.31;
+        QTest::newRow("both end at once") << "constant" << 3.0 << 10.0 - 5.0 << 3.0;
+        QTest::newRow("menisci alone") << "constant" << 5.1 << 10.0 << 4.0;
+        QTest::newRow("falling menisci") << "linear" << 5.5 << 10.0 * (5.5 - 4.0) / (5.5 - 3.0) << 4.0;
+        QTest::newRow("both fall") << "both-linear" << 5.5 << 10.0 - 5.0 << 3.0;
+    }
+    void pullOff()
+    {
+        QFETCH(const QString, shape);
+        QFETCH(const double, takeOff);
+        QFETCH(const double, force);
+        QFETCH(const double, place);
+        Case c = sample("contact_ono_yamane");
+        c.onoYamane.takeOff = takeOff * 1e-9;
+        c.onoYamane.takeOffShape =
+            TakeOffShape(std::ranges::find(takeOffShapeNames, shape.toStdString()) - takeOffShapeNames.begin());
+        for (const double interval : {3e-6, 37e-6, 310e-6}) {
+            c.run.sampleInterval = interval;
+            const Summary summary = run(c);
+            QVERIFY(std::abs(figure(summary, "pull_off_force") - force * 1e-3) < 1e-14);
+            QVERIFY(std::abs(figure(summary, "pull_off_separation") - place * 1e-9) < 1e-20);
+        }
     }
     /// As its own test has it: the fit belongs to the summary, and its curve lies beside the full one.
     void multiAsperity()
