@@ -264,9 +264,10 @@ StudyForm responseForm(const Case& c)
                   "of the waves, which replace the surface of the case"),
         numberKey("wavelength", std::monostate{}, "m", "um", 1e-9, longestWave,
                   "of the waves, if it is held and the speed of the disk changes instead"),
-        integerKey("starts", standardStarts, 0, 10000,
-                   "spread over the frequencies, from which other motions are looked for: each fourth at rest, the "
-                   "others drawn about the static state"),
+        integerKey(
+            "starts", standardStarts, 0, 10000,
+            "spread over the frequencies, from which other motions are looked for: at rest, where contact begins, "
+            "and drawn about the static state"),
         integerKey("periods", 1000, 10, 1000000, "of the forcing within which the motion must settle"),
         integerKey("longest_period", 8, 1, 64, "in periods of the forcing, after which a motion may repeat"),
     };

@@ -10,8 +10,8 @@
 // The first motion starts as the case says. It is followed up to the last frequency and down again, in steps that are
 // as short as the motion needs (followed_motion.h). Where it ends the slider jumps to another motion. The place of the
 // end does not depend on the frequencies of the study. Where both ways differ there are two states. That both agree
-// does not mean that there is one state only: other starts, at rest and drawn, are spread over the range, and the
-// motions that they reach are shown beside both ways (response_sweep.h). The report says how many starts were tried.
+// does not mean that there is one state only: other starts are spread over the range, and the motions that they
+// reach are shown beside both ways (response_sweep.h). The report says how many starts were tried.
 //
 // Beside it: amplitude and phase of small motions about the static state, as linear algebra gives them.
 #pragma once

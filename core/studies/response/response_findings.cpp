@@ -3,6 +3,7 @@
 // The findings of a study of forced motion in sentences: jumps with two states between, the largest amplitude, contact,
 // periods, and where the motion did not settle.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -117,10 +118,11 @@ private:
             findings_.push_back("Other motions were not looked for.");
             return;
         }
-        int atRest = 0;
-        for (int start = 0; start < result_.starts; ++start) atRest += isAtRest(start) ? 1 : 0;
-        std::string starts = counted(std::size_t(result_.starts), "other start") + " (" + std::to_string(atRest) +
-                             " at rest, the others drawn), spread over the frequencies";
+        std::array<int, 3> kinds{}; // by StartKind
+        for (int start = 0; start < result_.starts; ++start) ++kinds[std::size_t(kindOfStart(task_, start))];
+        std::string starts = counted(std::size_t(result_.starts), "other start") + " (" + std::to_string(kinds[0]) +
+                             " at rest, " + (kinds[1] > 0 ? std::to_string(kinds[1]) + " where contact begins, " : "") +
+                             std::to_string(kinds[2]) + " drawn), spread over the frequencies";
         if (result_.unsettled > 0) starts += ", of which " + std::to_string(result_.unsettled) + " did not settle";
         const std::size_t found = result_.others.size();
         findings_.push_back(found == 0 ? "No other motion was found from " + starts + "."

@@ -108,7 +108,10 @@ ForcedState stateOfStart(const ResponseTask& task, const ForcedSprings& springs,
 {
     const SpringModel& model = springs.model();
     ForcedState at{model.staticState(), {}};
-    if (isAtRest(start)) return springs.continued(at);
+    const StartKind kind = kindOfStart(task, start);
+    const double toContact = task.start.springs.flyingHeight - task.start.onoYamane.touchDown; // [m]
+    if (kind == StartKind::AtContact) at.y[0] -= toContact;
+    if (kind != StartKind::Drawn) return springs.continued(at);
     std::mt19937_64 engine(seedOfStarts + std::uint64_t(start));
     // Both by hand: the distributions of the standard library differ between its implementations.
     const auto share = [&] { return (double(engine() >> 11) + 0.5) * 0x1p-53; };
@@ -117,9 +120,7 @@ ForcedState stateOfStart(const ResponseTask& task, const ForcedSprings& springs,
         for (int k = 0; k < 4; ++k) direction[k] = 2.0 * share() - 1.0;
     } while (direction.norm() > 1.0 || direction.norm() < 0.1);
     double furthest = furthestStart * task.amplitude;
-    if (task.start.contact == ContactKind::OnoYamane)
-        furthest =
-            std::max(furthest, beyondContact * (task.start.springs.flyingHeight - task.start.onoYamane.touchDown));
+    if (task.start.contact == ContactKind::OnoYamane) furthest = std::max(furthest, beyondContact * toContact);
     const double size = task.amplitude * std::pow(furthest / task.amplitude, share());
     at.y += size / model.scale()[0] * model.scale().cwiseProduct(direction.normalized());
     return springs.continued(at);
@@ -159,6 +160,12 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
         done(i, point, point.down ? std::nullopt : springs.linear());
     }
     return jumps;
+}
+
+StartKind kindOfStart(const ResponseTask& task, int start)
+{
+    if (start % 4 == 0) return StartKind::AtRest;
+    return start % 4 == 2 && task.start.contact == ContactKind::OnoYamane ? StartKind::AtContact : StartKind::Drawn;
 }
 
 std::size_t placeOfStart(const ResponseTask& task, int start)

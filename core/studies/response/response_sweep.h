@@ -8,12 +8,14 @@
 // doubling, for example, they do not.
 //
 // A motion on which neither way comes by is found only from another start. These starts are spread over the
-// frequencies. Every fourth is the static state at rest. The others are drawn about it: height, pitch and their rates
-// in a direction of equal shares, with a size from the amplitude a of the waves to 30 a, or to twice the distance to
-// the disk's contact where that is more. Motions with a narrow range of starts or frequencies may still be missed.
+// frequencies. One in four is the static state at rest. Where there is a contact, another one is at rest with the pad
+// at the height at which contact begins. The others are drawn about the static state: height, pitch and their rates in
+// a drawn direction, with a size from the amplitude a of the waves to 30 a, or to twice the distance of the contact
+// where that is more. Motions with a narrow range of starts or frequencies may still be missed.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -31,8 +33,8 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
 std::size_t placeOfStart(const ResponseTask& task, int start);
 /// The motion that this start reaches.
 ForcedMotion motionOfStart(const ResponseTask& task, int start);
-/// Whether a start is at rest; the others are drawn.
-constexpr bool isAtRest(int start) { return start % 4 == 0; }
+enum class StartKind : std::uint8_t { AtRest, AtContact, Drawn };
+StartKind kindOfStart(const ResponseTask& task, int start);
 /// How many other motions are followed at most.
 inline constexpr std::size_t mostOthers = 8;
 /// Follows those of these motions that are on neither way, as far as they exist; adds them and their jumps.

@@ -102,7 +102,7 @@ private slots:
             const StudyReport report = performed(c, overWaves(0.5, 2.0, 30, 20));
             QVERIFY(table(report, "jumps").rows.empty());
             QVERIFY(says(report, "Up and down agree at all 31 frequencies"));
-            QVERIFY(says(report, "No other motion was found from 20 other starts (5 at rest, the others drawn)"));
+            QVERIFY(says(report, "No other motion was found from 20 other starts (5 at rest, 15 drawn)"));
             const StudyTable& points = table(report, "points");
             QCOMPARE(points.rows.size(), std::size_t(62));
             for (std::size_t row = 0; row < points.rows.size(); ++row) {
