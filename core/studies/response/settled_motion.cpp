@@ -152,13 +152,16 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
         const SpringModel::State units = unitsOf(springs, way.swing),
                                  size = unitsOf(springs, way.swing.cwiseMax(0.5 * (highest - lowest)));
         if (const int n = likelyPeriod(states, options.longestPeriod, size)) {
-            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size, {}, options.goOn);
+            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size, {.rough = true}, options.goOn);
             const bool byItself = apart(last, states[states.size() - 1 - std::size_t(n)], units) <= repeatsByItself;
             if (found && !byItself) {
                 const double distance = apart(last, found->at, units);
                 const bool nearer = distance <= comesNearer * apart(before, found->at, units);
                 if (distance > alreadyThere && !(nearer && distance <= closeEnough)) found.reset();
             }
+            if (found)
+                found =
+                    repeatingNear(springs, found->at, found->period, found->size, {.reach = closeEnough}, options.goOn);
             if (found || byItself) {
                 motion.period = found ? found->period : n;
                 motion.size = found ? found->size : units;
