@@ -36,18 +36,20 @@ public:
             if (way_->to(frequency)) return motion_ = way_->motion();
             const ForcedMotion before = way_->motion();
             const double end = way_->beyond();
-            ForcedMotion after = settledBeyond(before.end, end, frequency);
+            const double left = frequency - end,
+                         little = end + std::copysign(std::min(littleBeyond * end, std::abs(left)), left);
+            ForcedMotion after = settled(before.end, little);
+            const bool atOnce = after.settled() || little == frequency;
+            if (!atOnce && !stopped()) after = settled(before.end, frequency);
             if (stopped()) return motion_ = std::move(after);
+            jumped_ = true;
             if (after.settled()) {
                 FollowedMotion back(task_, after);
-                back.to(before.frequency);
+                const bool reaches = back.to(before.frequency);
                 const ForcedMotion there = back.motion();
-                if (!continuous(before, there)) {
-                    jumps.push_back({down_, other_, before, there, end});
-                    jumped_ = true;
-                }
-            } else {
-                jumped_ = true;
+                jumped_ = !reaches || !continuous(before, there);
+                // Else there are frequencies between at which it does not settle.
+                if (jumped_ && (reaches || atOnce)) jumps.push_back({down_, other_, before, there, end});
             }
             motion_ = std::move(after);
             if (!motion_.settled() || (jumped_ && !overJumps)) return motion_;
@@ -66,13 +68,6 @@ private:
         ForcedMotion motion = settledMotion(task_.springsAt(frequency), start, task_.settle);
         motion.frequency = frequency; // without the round-off of its period
         return motion;
-    }
-    /// A little beyond an end, or where it does not settle there at the next frequency.
-    ForcedMotion settledBeyond(const ForcedState& start, double end, double next) const
-    {
-        const double little = end + std::copysign(std::min(littleBeyond * end, std::abs(next - end)), next - end);
-        ForcedMotion motion = settled(start, little);
-        return motion.settled() || stopped() || little == next ? motion : settled(start, next);
     }
     /// The period may double or halve.
     static bool continuous(const ForcedMotion& before, const ForcedMotion& after)
