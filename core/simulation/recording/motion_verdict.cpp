@@ -157,7 +157,8 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
     std::string figures =
         "over the last " + part + " of the run after the landing the minimum spacing swings by " + nm(evidence.swing());
     if (!small)
-        figures += (evidence.undersampled ? " in more than " : " in ") + formatNumber(evidence.periods) + " periods";
+        figures += (evidence.undersampled ? " in more than " : " in ") + formatNumber(evidence.periods) +
+                   (evidence.periods == 1.0 ? " period" : " periods");
     if (evidence.parts > 1) figures += ", after " + nm(evidence.swings[1]) + " over the " + part + " before";
     if (!small) {
         figures += evidence.touch == Touch::Never    ? ", without contact"

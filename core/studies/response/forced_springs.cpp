@@ -19,9 +19,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double waveShare = 1e-10;                 // of the wave's amplitude: local error of a step [-]
-constexpr double roughTimes = 1e3;                  // error of a rough step [-]
-constexpr double finestTolerance = 1e-13;           // above round-off [-]
+constexpr double waveShare = 1e-10; // of the wave's amplitude: local error of a step [-]
+constexpr double roundOff = 4.0 * std::numeric_limits<double>::epsilon(); // of a step, in its height [-]
 constexpr double smallMotion = 1e-4;                // of the wave, for derivatives of a quantity [-]
 constexpr double firstStepShare = 1.0 / 64.0;       // of a period [-]
 constexpr double fullTurn = 2.0 * std::numbers::pi; // [rad]
@@ -197,8 +196,10 @@ ForcedSprings::ForcedSprings(const Case& c, const std::string& quantity)
     // w = Re W exp(i w t) with W = first - i quarter; at t = begin_ it is Re(-i a exp(i w (t - begin_))).
     const double turn = (-0.25 * fullTurn - std::arg(Complex(first, -quarter))) / fullTurn;
     begin_ = (turn - std::floor(turn)) * period_;
-    tolerance_ = std::max(finestTolerance, std::min(c.run.tolerance, waveShare * waveAmplitude_ / model_.scale()[0]));
+    tolerance_ = std::min(c.run.tolerance, waveShare * waveAmplitude_ / model_.scale()[0]);
 }
+
+double ForcedSprings::roundOffOfHeight(const SpringModel& model) { return roundOff * std::abs(model.staticState()[0]); }
 
 ForcedState ForcedSprings::start() const { return {model_.initialState(), model_.initialMode(underAt(0.0).height)}; }
 
@@ -215,8 +216,7 @@ ForcedPeriods ForcedSprings::run(const ForcedState& start, const ForcedRequest& 
     recorder.minimumSpacing = minimumSpacing_;
     recorder.values.resize(quantities_);
     const SpringsOverDisk system(model_, disk_, period_);
-    const AdaptiveOptions options{.tolerance = (request.rough ? roughTimes : 1.0) * tolerance_,
-                                  .firstStep = firstStepShare * period_};
+    const AdaptiveOptions options{.tolerance = toleranceOf(request.rough), .firstStep = firstStepShare * period_};
     result.end = start;
     for (int k = 0; k < request.periods; ++k) {
         Start<SpringsOverDisk> from{SpringsOverDisk::State::Zero(), result.end.mode};

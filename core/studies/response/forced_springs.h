@@ -18,6 +18,7 @@
 // Mechanical Systems, 2004, chapter 7); g is the normal of the switch, v the velocities and w' the rate of the disk.
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <limits>
 #include <optional>
@@ -66,8 +67,13 @@ public:
 
     double frequency() const { return 1.0 / period_; }      // f [Hz]
     double waveAmplitude() const { return waveAmplitude_; } // [m]
-    /// Of the height in one step [m].
-    double stepError() const { return tolerance_ * model_.scale()[0]; }
+    /// Of the height in one step, also of rough steps: not below the round-off of the height [m].
+    double stepError(bool rough = false) const
+    {
+        return std::max(toleranceOf(rough) * model_.scale()[0], roundOffOfHeight(model_));
+    }
+    /// Of a height near the static state [m].
+    static double roundOffOfHeight(const SpringModel& model);
     const SpringModel& model() const { return model_; }
     /// From the start of the case.
     ForcedState start() const;
@@ -80,6 +86,9 @@ public:
     std::optional<std::complex<double>> linear() const;
 
 private:
+    static constexpr double roughTimes = 1e3; // error of a rough step [-]
+
+    double toleranceOf(bool rough) const { return (rough ? roughTimes : 1.0) * tolerance_; }
     SpringModel::Under underAt(double time) const { return disk_.at(begin_ + time); }
 
     DiskUnderSprings disk_;

@@ -2,7 +2,9 @@
 #include "core/studies/response/response.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <numbers>
 #include <optional>
@@ -13,6 +15,7 @@
 #include "core/simulation/equilibria/spring_equilibria.h"
 #include "core/simulation/run.h"
 #include "core/studies/response/response_report.h"
+#include "core/studies/response/response_sweep.h"
 #include "core/studies/runs/parallel.h"
 #include "core/studies/study/study_reader.h"
 
@@ -20,9 +23,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr int jumpHalvings = 6;                                // of the interval in which a jump lies
+constexpr int fewestSteps = 60, mostSteps = 400; // by default
+constexpr double stepsOfBeat = 8.0;              // by default [-]
+constexpr int standardStarts = 48;
 constexpr double leastFrequency = 100.0, mostFrequency = 1e8;  // [Hz]
 constexpr double leastAmplitude = 1e-15, mostAmplitude = 1e-3; // of the wave [m]
+constexpr double aboveRoundOff = 1e5;                          // amplitude of the wave, in round-off of a height [-]
 constexpr double standardAmplitude = 0.5e-9;                   // [m]
 constexpr double longestWave = 1.0;                            // [m]
 constexpr double belowModes = 0.5, aboveModes = 1.5;           // default range, in frequencies of the modes [-]
@@ -34,13 +40,17 @@ std::vector<Quantity> quantitiesOverWave(Case c)
     return SpringModel::quantities(c);
 }
 
+SpringModel modelOverFlatDisk(Case c)
+{
+    c.diskSurface.kind = DiskSurfaceKind::Flat;
+    return SpringModel(c);
+}
+
 /// From half of the lowest frequency of the static state to 1.5 times the highest [Hz]; nothing without a mode.
 std::optional<ValueRange> defaultFrequencies(const Case& c)
 {
     if (c.model != ModelKind::Springs) return {};
-    Case flat = c;
-    flat.diskSurface.kind = DiskSurfaceKind::Flat;
-    const SpringModel model(flat);
+    const SpringModel model = modelOverFlatDisk(c);
     double lowest = mostFrequency, highest = 0.0;
     for (const std::complex<double> value : eigenvaluesAt(model, model.staticState().head<2>(), {})) {
         const double frequency = value.imag() / (2.0 * std::numbers::pi);
@@ -50,6 +60,17 @@ std::optional<ValueRange> defaultFrequencies(const Case& c)
     }
     if (!(highest > 0.0)) return {};
     return ValueRange{roundedTo(belowModes * lowest, 2), roundedTo(std::min(aboveModes * highest, mostFrequency), 2)};
+}
+
+/// Between two frequencies at which the waves under both air springs are in phase, if the speed is held [Hz].
+double beatOf(const Case& c) { return std::abs(speedAlong(c)) / (c.springs.frontDistance + c.springs.rearDistance); }
+
+/// Eight in each beat, if the speed is held.
+int defaultSteps(const Case& c, const ValueRange& range, bool lengthHeld)
+{
+    if (lengthHeld) return fewestSteps;
+    const double beats = (range.upper - range.lower) / beatOf(c);
+    return int(std::clamp(std::ceil(stepsOfBeat * beats), double(fewestSteps), double(mostSteps)));
 }
 
 double defaultAmplitude(const Case& c)
@@ -63,13 +84,31 @@ class ResponsePerformance {
 public:
     ResponsePerformance(const ResponseTask& task, const StudyCallback& callback) : task_(task), callback_(callback) {}
 
-    StudyReport perform()
+    StudyReport perform(int jobs)
     {
-        const std::size_t count = task_.frequencies.size();
+        const std::size_t count = task_.frequencies.size(), starts = std::size_t(task_.starts);
         result_.linear.resize(count);
         result_.points.resize(2 * count);
-        bool whole = runParallel(
-            1, 1, [this](std::size_t, const GoOn& goOn) { sweep(goOn); }, [this](std::size_t) { return tell(); });
+        const auto poll = [this](std::size_t) { return tell(); };
+        const auto one = [&](const std::function<void(const ResponseTask&)>& act) {
+            return runParallel(
+                1, 1, [&](std::size_t, const GoOn& goOn) { act(withGoOn(goOn)); }, poll);
+        };
+        std::vector<ForcedMotion> ofStarts(starts);
+        const bool whole = one([this](const ResponseTask& task) { sweep(task); }) &&
+                           runParallel(
+                               starts, jobs,
+                               [&](std::size_t start, const GoOn& goOn) {
+                                   ofStarts[start] = motionOfStart(withGoOn(goOn), int(start));
+                                   ++done_;
+                               },
+                               poll) &&
+                           one([&](const ResponseTask& task) {
+                               ResponseResult result = result_;
+                               addOthers(task, ofStarts, result);
+                               const std::lock_guard lock(mutex_);
+                               result_ = std::move(result);
+                           });
         StudyReport report = responseReport(task_, result_);
         if (!whole) {
             report.status = StudyStatus::Cancelled;
@@ -84,30 +123,24 @@ public:
     }
 
 private:
-    void sweep(const GoOn& goOn)
+    ResponseTask withGoOn(const GoOn& goOn) const
     {
         ResponseTask task = task_;
         task.settle.goOn = goOn;
-        const std::size_t count = task_.frequencies.size();
-        std::optional<ForcedState> last;
-        for (std::size_t i = 0; i < 2 * count && goOn(); ++i) {
-            ResponsePoint point;
-            point.down = i >= count;
-            const std::size_t place = point.down ? 2 * count - 1 - i : i;
-            const ForcedSprings springs = task.springsAt(task.frequencies[place]);
-            const std::optional<std::complex<double>> linear = point.down ? result_.linear[place] : springs.linear();
-            point.anew = i > 0 && !last;
-            point.motion = settledMotion(springs, last.value_or(springs.start()), task.settle);
-            point.motion.frequency = task.frequencies[place]; // without the round-off of its period
-            if (!goOn()) return;
-            last = point.motion.valid() ? std::optional(point.motion.end) : std::nullopt;
-            point.done = true;
-            const std::lock_guard lock(mutex_);
-            result_.linear[place] = linear;
-            result_.points[i] = std::move(point);
-            ++done_;
-        }
-        std::vector<ResponseJump> jumps = jumpsOf(task, result_, jumpHalvings);
+        return task;
+    }
+
+    void sweep(const ResponseTask& task)
+    {
+        const std::size_t count = task.frequencies.size();
+        std::vector<ResponseJump> jumps = sweepBothWays(
+            task, [&](std::size_t i, const ResponsePoint& point, const std::optional<std::complex<double>>& linear) {
+                const std::lock_guard lock(mutex_);
+                if (i < count) result_.linear[i] = linear;
+                result_.points[i] = point;
+                ++points_;
+                ++done_;
+            });
         const std::lock_guard lock(mutex_);
         result_.jumps = std::move(jumps);
     }
@@ -116,17 +149,19 @@ private:
     {
         if (!callback_) return true;
         const std::lock_guard lock(mutex_);
-        const std::size_t all = result_.points.size();
-        StudyProgress progress{.share = double(done_) / double(all),
-                               .doing = std::string(2 * done_ < all ? "up, " : "down, ") + std::to_string(done_) +
-                                        " of " + std::to_string(all) + " points",
+        const std::size_t points = result_.points.size(), all = points + std::size_t(task_.starts), done = done_;
+        StudyProgress progress{.share = double(done) / double(all),
+                               .doing = std::string(done >= points      ? "other starts, "
+                                                    : 2 * done < points ? "up, "
+                                                                        : "down, ") +
+                                        std::to_string(done) + " of " + std::to_string(all) + " motions",
                                .soFar = nullptr};
         std::optional<StudyReport> soFar;
-        if (done_ > told_) {
+        if (points_ > told_) {
             soFar = responseReport(task_, result_);
             soFar->findings.clear();
             progress.soFar = &*soFar;
-            told_ = done_;
+            told_ = points_;
         }
         return callback_(progress);
     }
@@ -135,7 +170,8 @@ private:
     const StudyCallback& callback_;
     std::mutex mutex_; // of all below
     ResponseResult result_;
-    std::size_t done_ = 0, told_ = 0;
+    std::size_t points_ = 0, told_ = 0;
+    std::atomic<std::size_t> done_ = 0; // motions
 };
 
 /// Why one end of the range cannot be had, reported at its key.
@@ -178,12 +214,17 @@ StudyPerformance planResponse(StudyReader& reader)
         return {};
     };
     const std::optional<double> from = end("from", &ValueRange::lower), to = end("to", &ValueRange::upper);
-    const int steps = reader.integer("steps");
+    const std::optional<int> givenSteps = reader.integer("steps", 1, 2000);
     const std::string quantity = reader.choice("quantity");
     task.amplitude = reader.number("amplitude");
+    const double least = aboveRoundOff * ForcedSprings::roundOffOfHeight(modelOverFlatDisk(task.start));
+    if (task.amplitude < least)
+        reader.add("amplitude", "is lost in the round-off of the height of the slider: at least " +
+                                    fewDigits(least, "nm") + " is needed");
     const std::optional<double> wavelength = reader.number("wavelength", "m", "um", 1e-9, longestWave);
     const bool wrongLength = reader.has("wavelength") && !wavelength;
     task.wavelength = wavelength.value_or(0.0);
+    task.starts = reader.integer("starts");
     task.settle.mostPeriods = reader.integer("periods");
     task.settle.longestPeriod = reader.integer("longest_period");
     if (!from || !to || wrongLength) return {};
@@ -195,8 +236,11 @@ StudyPerformance planResponse(StudyReader& reader)
     task.quantity = all[static_cast<std::size_t>(std::max(0, findQuantity(all, quantity)))];
     checkEnd(reader, task, "from", *from);
     checkEnd(reader, task, "to", *to);
+    const int steps = givenSteps.value_or(defaultSteps(task.start, {*from, *to}, task.wavelength > 0.0));
+    if (task.wavelength == 0.0) task.beat = beatOf(task.start);
     for (int i = 0; i <= steps; ++i) task.frequencies.push_back(std::lerp(*from, *to, double(i) / steps));
-    return [task](int, const StudyCallback& callback) { return ResponsePerformance(task, callback).perform(); };
+    return
+        [task](int jobs, const StudyCallback& callback) { return ResponsePerformance(task, callback).perform(jobs); };
 }
 
 StudyForm responseForm(const Case& c)
@@ -212,12 +256,18 @@ StudyForm responseForm(const Case& c)
         numberKey("from", end(&ValueRange::lower), "Hz", "kHz", leastFrequency, mostFrequency,
                   "the lowest frequency, with which the study begins and ends"),
         numberKey("to", end(&ValueRange::upper), "Hz", "kHz", leastFrequency, mostFrequency, "the highest frequency"),
-        integerKey("steps", 60, 1, 2000, "from one end to the other"),
+        onlyOffered(integerKey("steps", range ? defaultSteps(c, *range, false) : fewestSteps, 1, 2000,
+                               "from one end to the other; without it 60, and with the speed held up to 400, so that "
+                               "8 are in each beat of the waves under the two air springs")),
         choiceKey("quantity", "flying_height", std::move(quantities), "whose amplitude and phase are taken"),
         numberKey("amplitude", defaultAmplitude(c), "m", "nm", leastAmplitude, mostAmplitude,
                   "of the waves, which replace the surface of the case"),
         numberKey("wavelength", std::monostate{}, "m", "um", 1e-9, longestWave,
                   "of the waves, if it is held and the speed of the disk changes instead"),
+        integerKey(
+            "starts", standardStarts, 0, 10000,
+            "spread over the frequencies, from which other motions are looked for: at rest, where contact begins, "
+            "and drawn about the static state"),
         integerKey("periods", 1000, 10, 1000000, "of the forcing within which the motion must settle"),
         integerKey("longest_period", 8, 1, 64, "in periods of the forcing, after which a motion may repeat"),
     };

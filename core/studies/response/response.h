@@ -7,10 +7,11 @@
 // the model do not depend on the speed. With the speed held, the waves under pad, front and rear spring are in phase at
 // some frequencies and opposed at others, so that the amplitude has maxima and minima besides the resonances.
 //
-// The first motion starts as the case says. Each frequency begins with the motion to which the one before has settled
-// (settled_motion.h), up to the last frequency and then down again. Where both ways settle to different motions there
-// are two states. Each range of them ends with a jump on the way up and one on the way down, which is located by
-// halving the interval of its frequency.
+// The first motion starts as the case says. It is followed up to the last frequency and down again, in steps that are
+// as short as the motion needs (followed_motion.h). Where it ends the slider jumps to another motion. The place of the
+// end does not depend on the frequencies of the study. Where both ways differ there are two states. That both agree
+// does not mean that there is one state only: other starts are spread over the range, and the motions that they
+// reach are shown beside both ways (response_sweep.h). The report says how many starts were tried.
 //
 // Beside it: amplitude and phase of small motions about the static state, as linear algebra gives them.
 #pragma once

@@ -3,6 +3,7 @@
 // The findings of a study of forced motion in sentences: jumps with two states between, the largest amplitude, contact,
 // periods, and where the motion did not settle.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/studies/response/response_report.h"
+#include "core/studies/response/response_sweep.h"
 
 namespace touchdown {
 
@@ -17,6 +19,7 @@ namespace {
 
 constexpr double touchesAll = 0.999;  // of the time [-]
 constexpr double littleChange = 0.05; // of an amplitude [-]
+constexpr std::size_t mostNamedJumps = 3;
 
 using IsSo = std::function<bool(const ForcedMotion&)>;
 
@@ -47,6 +50,7 @@ public:
     std::vector<std::string> all()
     {
         addJumps();
+        addOthers();
         addLargest();
         addPeriods();
         addContact();
@@ -59,54 +63,111 @@ private:
     std::string jumpText(const ResponseJump& jump) const
     {
         const std::string way = jump.down ? "down: " : "up: ", at = " at " + frequencyText().of(jump.frequency());
-        const double larger = std::max(jump.left, jump.reached);
-        if (std::abs(jump.reached - jump.left) > littleChange * larger)
-            return way + (jump.reached < jump.left ? "falls from " : "rises from ") + amount(jump.left) + " to " +
-                   amount(jump.reached) + at;
-        if (jump.periodAfter == 0) return way + "no longer settles" + at;
-        if (jump.periodAfter != jump.periodBefore)
-            return way + "the period changes from " + std::to_string(jump.periodBefore) + " to " +
-                   std::to_string(jump.periodAfter) + " periods of the forcing" + at;
-        return way + "the motion changes with little change of its amplitude of " + amount(jump.left) + at;
+        const double before = jump.before.amplitude(), after = jump.after.amplitude();
+        if (std::abs(after - before) > littleChange * std::max(before, after))
+            return way + (after < before ? "falls from " : "rises from ") + amount(before) + " to " + amount(after) +
+                   at;
+        if (jump.after.period != jump.before.period)
+            return way + "the motion repeats after " + counted(std::size_t(jump.before.period), "period") + " before " +
+                   frequencyText().of(jump.frequency()) + " and after " + std::to_string(jump.after.period) +
+                   " beyond it";
+        return way + "the motion changes with little change of its amplitude of " + amount(before) + at;
     }
 
     void addJumps()
     {
         const auto ranges = twoStates(result_);
+        std::vector<const ResponseJump*> named;
         for (const auto& [first, last] : ranges) {
-            const double from = task_.frequencies[first], to = task_.frequencies[last];
             std::vector<std::string> parts;
-            double lower = from, upper = to; // of the two states
-            for (const bool down : {false, true}) {
-                const auto ends = [&](const ResponseJump& jump) {
-                    return jump.down == down &&
-                           (down ? std::max(jump.before, jump.after) <= from : std::min(jump.before, jump.after) >= to);
-                };
-                // Jumps are in the order of their ranges: the nearest one belongs to this range.
-                const ResponseJump* nearest = nullptr;
-                for (const ResponseJump& jump : result_.jumps)
-                    if (ends(jump) && (nearest == nullptr || std::abs(jump.frequency() - (down ? from : to)) <
-                                                                 std::abs(nearest->frequency() - (down ? from : to))))
-                        nearest = &jump;
-                if (nearest != nullptr) parts.push_back(jumpText(*nearest));
-                if (nearest != nullptr) (down ? lower : upper) = nearest->frequency();
-            }
-            if (first == 0) parts.push_back("down: no jump above " + frequencyText().of(from));
-            findings_.push_back(capitalized(joined(parts, "; ")) + ": two states between " + frequencyText().of(lower) +
-                                " and " + frequencyText().of(upper) + ".");
+            double lower = task_.frequencies[first], upper = task_.frequencies[last]; // of the two states
+            const auto name = [&](const ResponseJump* jump, double& end) {
+                if (jump == nullptr) return;
+                named.push_back(jump);
+                parts.push_back(jumpText(*jump));
+                end = jump->frequency();
+            };
+            if (last + 1 < task_.frequencies.size()) name(jumpBetween(task_, result_, last, last + 1, false), upper);
+            if (first > 0)
+                name(jumpBetween(task_, result_, first, first - 1, true), lower);
+            else
+                parts.push_back("down: no jump above " + frequencyText().of(lower));
+            const std::string states =
+                "two states between " + frequencyText().of(lower) + " and " + frequencyText().of(upper) + ".";
+            findings_.push_back(capitalized(parts.empty() ? states : joined(parts, "; ") + ": " + states));
         }
+        std::vector<std::string> further;
+        for (const ResponseJump& jump : result_.jumps)
+            if (jump.other == 0 && std::ranges::find(named, &jump) == named.end()) further.push_back(jumpText(jump));
+        if (further.size() > mostNamedJumps) {
+            const std::string more = counted(further.size() - mostNamedJumps, "further jump");
+            further.resize(mostNamedJumps);
+            further.push_back(more + " in the table");
+        }
+        if (!further.empty()) findings_.push_back(capitalized(joined(further, "; ")) + ".");
         const auto isSettled = [](const ResponsePoint& point) { return point.motion.settled(); };
-        if (ranges.empty() && std::ranges::all_of(result_.points, isSettled))
+        if (ranges.empty() && further.empty() && std::ranges::all_of(result_.points, isSettled))
             findings_.push_back("Up and down agree at all " + std::to_string(task_.frequencies.size()) +
-                                " frequencies: no jump, one state at each.");
+                                " frequencies, without a jump.");
+    }
+
+    /// What was looked for, and what was found.
+    void addOthers()
+    {
+        if (result_.starts == 0) {
+            findings_.push_back("Other motions were not looked for.");
+            return;
+        }
+        std::array<int, 3> kinds{}; // by StartKind
+        for (int start = 0; start < result_.starts; ++start) ++kinds[std::size_t(kindOfStart(task_, start))];
+        std::string starts = counted(std::size_t(result_.starts), "other start") + " (" + std::to_string(kinds[0]) +
+                             " at rest, " + (kinds[1] > 0 ? std::to_string(kinds[1]) + " where contact begins, " : "") +
+                             std::to_string(kinds[2]) + " drawn), spread over the frequencies";
+        if (result_.unsettled > 0) starts += ", of which " + std::to_string(result_.unsettled) + " did not settle";
+        const std::size_t found = result_.others.size();
+        findings_.push_back(found == 0 ? "No other motion was found from " + starts + "."
+                                       : (found == mostOthers ? "At least " : "") + counted(found, "other motion") +
+                                             (found == 1 ? " was" : " were") + " found from " + starts + ".");
+        for (std::size_t k = 0; k < found; ++k) findings_.push_back(otherText(k));
+    }
+
+    std::string otherText(std::size_t k) const
+    {
+        const OtherMotion& other = result_.others[k];
+        double lower = other.motions.front().frequency, upper = other.motions.back().frequency;
+        for (const ResponseJump& jump : result_.jumps)
+            if (jump.other == int(k) + 1) (jump.down ? lower : upper) = jump.frequency();
+        const auto [least, most] = std::ranges::minmax(other.motions, {}, &ForcedMotion::amplitude);
+        const auto [rarest, longest] = std::ranges::minmax(other.motions, {}, &ForcedMotion::contactShare);
+        const auto fromTo = [](const std::string& from, const std::string& to) {
+            return from == to ? from : from + " to " + to;
+        };
+        std::string contact = "without contact";
+        if (longest.contactShare > 0.0)
+            contact = "in contact " +
+                      fromTo(fewDigits(rarest.contactShare, "%"), fewDigits(longest.contactShare, "%")) +
+                      " of the time";
+        return "Other motion " + std::to_string(k + 1) + ", reached from " +
+               counted(std::size_t(other.starts), "start") + ", " + text({{lower, upper}}, frequencyText()) +
+               ": repeats after " + counted(std::size_t(other.motions.front().period), "period") +
+               " of the forcing, amplitude " + fromTo(amount(least.amplitude()), amount(most.amplitude())) + ", " +
+               contact + ".";
     }
 
     void addLargest()
     {
         const ForcedMotion* largest = nullptr;
-        for (const ResponsePoint& point : result_.points)
-            if (point.motion.settled() && (largest == nullptr || point.motion.amplitude() > largest->amplitude()))
-                largest = &point.motion;
+        const auto consider = [&](const ForcedMotion& motion) {
+            if (motion.settled() && (largest == nullptr || motion.amplitude() > largest->amplitude()))
+                largest = &motion;
+        };
+        for (const ResponsePoint& point : result_.points) consider(point.motion);
+        for (const OtherMotion& other : result_.others)
+            for (const ForcedMotion& motion : other.motions) consider(motion);
+        for (const ResponseJump& jump : result_.jumps) {
+            consider(jump.before);
+            consider(jump.after);
+        }
         if (largest == nullptr) return;
         std::string sentence = "Largest amplitude of the " + readableName(task_.quantity) + ": " +
                                amount(largest->amplitude()) + " at " + frequencyText().of(largest->frequency) +

@@ -13,6 +13,8 @@ namespace touchdown {
 
 namespace {
 
+constexpr double coarse = 0.25; // step, in beats of the waves under both air springs [-]
+
 using ResponseOrdinate = std::function<double(const ForcedMotion&)>;
 
 ChartAxis frequencyAxis()
@@ -21,7 +23,10 @@ ChartAxis frequencyAxis()
     return {text.label, text.unit, text.displayUnit};
 }
 
-/// Both ways; motions that have not settled are points of their own.
+/// "other 1".
+std::string otherName(std::size_t number) { return "other " + std::to_string(number); }
+
+/// Both ways and other motions; motions that have not settled are points of their own.
 void addWays(ChartPanel& panel, const ResponseResult& result, const ResponseOrdinate& ordinate)
 {
     for (const bool down : {false, true}) {
@@ -34,6 +39,12 @@ void addWays(ChartPanel& panel, const ResponseResult& result, const ResponseOrdi
         }
         for (ChartSeries* series : {&settled, &moving})
             if (!series->points.empty()) panel.series.push_back(std::move(*series));
+    }
+    for (std::size_t k = 0; k < result.others.size(); ++k) {
+        ChartSeries series{.name = otherName(k + 1)};
+        for (const ForcedMotion& motion : result.others[k].motions)
+            series.points.push_back({.x = motion.frequency, .y = ordinate(motion)});
+        panel.series.push_back(std::move(series));
     }
 }
 
@@ -55,12 +66,12 @@ void addBands(ChartPanel& panel, const ResponseTask& task, const ResponseResult&
 {
     for (const auto& [first, last] : twoStates(result)) {
         ChartBand band{.lower = task.frequencies[first], .upper = task.frequencies[last], .label = "two states"};
-        for (const ResponseJump& jump : result.jumps) {
-            if (jump.down && first > 0 && jump.frequency() > task.frequencies[first - 1])
-                band.lower = std::min(band.lower, jump.frequency());
-            if (!jump.down && last + 1 < task.frequencies.size() && jump.frequency() < task.frequencies[last + 1])
-                band.upper = std::max(band.upper, jump.frequency());
-        }
+        if (first > 0)
+            if (const ResponseJump* jump = jumpBetween(task, result, first, first - 1, true))
+                band.lower = jump->frequency();
+        if (last + 1 < task.frequencies.size())
+            if (const ResponseJump* jump = jumpBetween(task, result, last, last + 1, false))
+                band.upper = jump->frequency();
         panel.bands.push_back(band);
     }
 }
@@ -139,17 +150,14 @@ StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
                      {"remark", "", "", "Remark"}};
     const std::size_t count = task.frequencies.size();
     const PhaseTurn turn = phaseTurnOf(result);
-    for (std::size_t i = 0; i < result.points.size(); ++i) {
-        const ResponsePoint& point = result.points[i];
-        if (!point.done) continue;
-        const ForcedMotion& motion = point.motion;
+    const auto add = [&](const std::string& way, const ForcedMotion& motion, std::size_t place, bool anew) {
         const bool valid = motion.valid();
         ForcedMotion small;
-        const std::optional<std::complex<double>>& linear = result.linear[point.down ? 2 * count - 1 - i : i];
+        const std::optional<std::complex<double>>& linear = result.linear[place];
         small.harmonic = linear.value_or(0.0);
         std::string remark = valid ? "" : motion.problem;
-        if (point.anew) remark += std::string(remark.empty() ? "" : "; ") + "began as the case says";
-        table.rows.push_back({std::string(point.down ? "down" : "up"), motion.frequency,
+        if (anew) remark += std::string(remark.empty() ? "" : "; ") + "began as the case says";
+        table.rows.push_back({way, motion.frequency,
                               std::string(!valid             ? "failed"
                                           : motion.settled() ? "yes"
                                                              : "no"),
@@ -159,7 +167,14 @@ StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
                               known(valid, motion.most), known(valid, motion.leastSpacing),
                               known(valid, motion.touchDowns), known(valid, motion.contactShare),
                               known(motion.settled(), double(motion.period)), known(motion.multiplier), remark});
+    };
+    for (std::size_t i = 0; i < result.points.size(); ++i) {
+        const ResponsePoint& point = result.points[i];
+        if (point.done) add(point.down ? "down" : "up", point.motion, point.down ? 2 * count - 1 - i : i, point.anew);
     }
+    for (std::size_t k = 0; k < result.others.size(); ++k)
+        for (std::size_t i = 0; i < result.others[k].motions.size(); ++i)
+            add(otherName(k + 1), result.others[k].motions[i], result.others[k].first + i, false);
     return table;
 }
 
@@ -169,15 +184,16 @@ StudyTable jumpTable(const ResponseTask& task, const ResponseResult& result)
     StudyTable table{.name = "jumps"};
     table.columns = {{"way", "", "", "Way"},
                      {"frequency", "Hz", "kHz", "Frequency of the jump"},
-                     {"uncertainty", "Hz", "kHz", "Half of the interval in which it lies"},
+                     {"uncertainty", "Hz", "kHz", "Uncertainty of that frequency"},
                      {"before", q.unit, q.displayUnit, "Amplitude before it"},
                      {"after", q.unit, q.displayUnit, "Amplitude after it"},
                      {"period_before", "", "", "Period before it, in periods of the forcing (0: not settled)"},
-                     {"period_after", "", "", "Period after it"}};
+                     {"period_after", "", "", "Period after it"},
+                     {"other", "", "", "Number of the other motion that ends; 0: of the way", true}};
     for (const ResponseJump& jump : result.jumps)
-        table.rows.push_back({std::string(jump.down ? "down" : "up"), jump.frequency(),
-                              0.5 * std::abs(jump.after - jump.before), jump.left, jump.reached,
-                              double(jump.periodBefore), double(jump.periodAfter)});
+        table.rows.push_back({std::string(jump.down ? "down" : "up"), jump.frequency(), jump.uncertainty(),
+                              jump.before.amplitude(), jump.after.amplitude(), double(jump.before.period),
+                              double(jump.after.period), double(jump.other)});
     return table;
 }
 
@@ -190,6 +206,12 @@ StudyReport responseReport(const ResponseTask& task, const ResponseResult& resul
     report.charts = {responseChart(task, result)};
     if (std::optional<StudyChart> contact = contactChart(result)) report.charts.push_back(std::move(*contact));
     report.tables = {pointTable(task, result), jumpTable(task, result)};
+    const double step = (task.frequencies.back() - task.frequencies.front()) / double(task.frequencies.size() - 1);
+    if (task.beat > 0.0 && step > coarse * task.beat)
+        report.warnings.push_back(
+            "The frequencies are " + fewDigits(step, "kHz") +
+            " apart. With the speed held, the waves under the two air springs are in phase each " +
+            fewDigits(task.beat, "kHz", 3) + ": maxima and minima of the amplitude between the points are not shown.");
     std::size_t failed = 0;
     const ResponsePoint* first = nullptr;
     for (const ResponsePoint& point : result.points)

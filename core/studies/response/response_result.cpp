@@ -14,21 +14,6 @@ namespace {
 constexpr double fullCircle = 2.0 * std::numbers::pi; // [rad]
 constexpr double roundOffOfTurn = 1e-12;              // [-]
 
-/// The jump on the way from one motion to its neighbour.
-ResponseJump locatedJump(const ResponseTask& task, ForcedMotion before, ForcedMotion after, bool down, int halvings)
-{
-    for (int k = 0; k < halvings; ++k) {
-        const double middle = 0.5 * (before.frequency + after.frequency);
-        ForcedMotion motion = settledMotion(task.springsAt(middle), before.end, task.settle);
-        if (task.settle.goOn && !task.settle.goOn()) break;
-        const bool stays = motion.settled() && motion.period == before.period &&
-                           std::abs(motion.harmonic - before.harmonic) < std::abs(motion.harmonic - after.harmonic);
-        (stays ? before : after) = std::move(motion);
-    }
-    return {down,          before.frequency, after.frequency, before.amplitude(), after.amplitude(),
-            before.period, after.period};
-}
-
 } // namespace
 
 const ResponsePoint& pointAt(const ResponseResult& result, std::size_t place, bool down)
@@ -52,19 +37,17 @@ std::vector<std::pair<std::size_t, std::size_t>> twoStates(const ResponseResult&
     return ranges;
 }
 
-std::vector<ResponseJump> jumpsOf(const ResponseTask& task, const ResponseResult& result, int halvings)
+const ResponseJump* jumpBetween(const ResponseTask& task, const ResponseResult& result, std::size_t place,
+                                std::size_t next, bool down)
 {
-    std::vector<ResponseJump> jumps;
-    const std::size_t count = result.points.size() / 2;
-    const auto add = [&](std::size_t from, std::size_t to, bool down) {
-        const ForcedMotion &before = pointAt(result, from, down).motion, &after = pointAt(result, to, down).motion;
-        if (after.settled()) jumps.push_back(locatedJump(task, before, after, down, halvings));
-    };
-    for (const auto& [first, last] : twoStates(result)) {
-        if (first > 0) add(first, first - 1, true);
-        if (last + 1 < count) add(last, last + 1, false);
+    const double from = task.frequencies[place], to = task.frequencies[next];
+    const ResponseJump* nearest = nullptr;
+    for (const ResponseJump& jump : result.jumps) {
+        const double at = jump.frequency();
+        if (jump.down != down || jump.other != 0 || at < std::min(from, to) || at > std::max(from, to)) continue;
+        if (nearest == nullptr || std::abs(at - from) < std::abs(nearest->frequency() - from)) nearest = &jump;
     }
-    return jumps;
+    return nearest;
 }
 
 double PhaseTurn::of(const std::complex<double>& harmonic) const
@@ -79,6 +62,8 @@ PhaseTurn phaseTurnOf(const ResponseResult& result)
     std::vector<double> phases;
     for (const ResponsePoint& point : result.points)
         if (point.done && point.motion.valid()) phases.push_back(plain.of(point.motion.harmonic));
+    for (const OtherMotion& other : result.others)
+        for (const ForcedMotion& motion : other.motions) phases.push_back(plain.of(motion.harmonic));
     for (const std::optional<std::complex<double>>& linear : result.linear)
         if (linear) phases.push_back(plain.of(*linear));
     if (phases.empty()) return plain;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What a study of forced motion has found: a motion at each frequency on the way up and on the way down, and the jumps
-// between which there are two.
+// What a study of forced motion has found: a motion at each frequency on the way up and on the way down, other motions
+// that drawn starts have reached, and the jumps at which motions end.
 #pragma once
 
+#include <cmath>
 #include <complex>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,6 +24,8 @@ struct ResponseTask {
     double amplitude = 0.0;          // of the wave [m]
     double wavelength = 0.0;         // held while the speed of the disk changes [m]; 0: the speed is held
     std::vector<double> frequencies; // in rising order [Hz]
+    double beat = 0.0;               // of the waves under both air springs, where the speed is held [Hz]; else 0
+    int starts = 0;                  // from which other motions are looked for
     SettleOptions settle;
     /// The springs at a frequency [Hz].
     ForcedSprings springsAt(double frequency) const
@@ -37,19 +41,34 @@ struct ResponsePoint {
     ForcedMotion motion;
 };
 
-/// A change of the state on one way between two neighbouring frequencies.
+/// A motion that ends, followed up or down, where the slider reaches a different one.
 struct ResponseJump {
-    bool down = false;                     // on the way down
-    double before = 0.0, after = 0.0;      // the nearest frequencies on both sides [Hz]
-    double left = 0.0, reached = 0.0;      // amplitudes there [unit of the quantity]
-    int periodBefore = 1, periodAfter = 1; // of the motions there, in periods of the forcing; 0: has not settled
-    double frequency() const { return 0.5 * (before + after); }
+    bool down = false;          // on the way down
+    int other = 0;              // of the other motion with this number; 0: of the sweep
+    ForcedMotion before, after; // at its last frequency; what is reached, there or as near as it exists
+    double beyond = 0.0;        // the nearest frequency at which the motion before was not found [Hz]
+    double frequency() const { return 0.5 * (before.frequency + beyond); }
+    double uncertainty() const { return std::abs(beyond - before.frequency); } // [Hz]
+};
+
+/// A motion that is not on either way: neighbouring points by rising frequency.
+struct OtherMotion {
+    std::size_t first = 0;             // place of the first frequency
+    std::vector<ForcedMotion> motions; // at neighbouring frequencies
+    int starts = 0;                    // that have reached it
+    /// At the frequency of this place; null where it is not.
+    const ForcedMotion* at(std::size_t place) const
+    {
+        return place >= first && place - first < motions.size() ? &motions[place - first] : nullptr;
+    }
 };
 
 struct ResponseResult {
     std::vector<ResponsePoint> points;                       // up, then down
     std::vector<std::optional<std::complex<double>>> linear; // Q of small motions at each frequency
-    std::vector<ResponseJump> jumps;                         // by rising frequency
+    std::vector<ResponseJump> jumps;
+    std::vector<OtherMotion> others;
+    int starts = 0, unsettled = 0; // starts that were followed; those that have not settled or failed
 };
 
 /// A phase against the disk under the pad is known except for full turns. This is the turn in which those of a result
@@ -68,8 +87,10 @@ const ResponsePoint& pointAt(const ResponseResult& result, std::size_t place, bo
 /// The places between which both ways have settled into different motions: the first and the last of each range.
 std::vector<std::pair<std::size_t, std::size_t>> twoStates(const ResponseResult& result);
 
-/// The jumps at the ends of these ranges. Each is halved in frequency as often as `halvings` says.
-std::vector<ResponseJump> jumpsOf(const ResponseTask& task, const ResponseResult& result, int halvings);
+/// The sweep's jump on a way between the frequencies of two neighbouring places, the nearest to the first of them; null
+/// where there is none.
+const ResponseJump* jumpBetween(const ResponseTask& task, const ResponseResult& result, std::size_t place,
+                                std::size_t next, bool down);
 
 /// "flying height" for "flying_height".
 std::string readableName(const Quantity& quantity);

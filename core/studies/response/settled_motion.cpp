@@ -14,17 +14,15 @@ namespace touchdown {
 
 namespace {
 
-constexpr int firstLook = 8; // after so many periods, then after twice as many, and so on
-constexpr int mostNewtonSteps = 12;
+constexpr int firstLook = 8;             // after so many periods, then after twice as many, and so on
 constexpr double nearlyRepeats = 0.3;    // of the size of the motion [-]
 constexpr double clearlyNearer = 0.5;    // a longer period must repeat better by that factor [-]
 constexpr double comesNearer = 0.8;      // of the distance at the look before [-]
 constexpr double closeEnough = 0.1;      // distance of the repeating motion, in its size [-]
-constexpr double furthest = 2.0;         // distance of the repeating motion, in sizes of the motion up to then [-]
 constexpr double aboveNoise = 30.0;      // residual, in errors of one step of the integrator [-]
 constexpr double repeats = 1e-8;         // of the size of the motion, for residual and last change of Newton [-]
 constexpr double repeatsByItself = 1e-9; // of the size of the motion, without Newton [-]
-constexpr double shorterRepeats = 1e-6;  // a part of n periods is the period [-]
+constexpr double shorterRepeats = 1e-3;  // a part of n periods may be the period [-]
 constexpr double sameHarmonic = 1e-3;    // [-]
 constexpr double leastSize = 0.1;        // of a motion, in amplitudes of the wave [-]
 constexpr double alreadyThere = 1e-7;    // distance from the repeating motion, of the size of the motion [-]
@@ -38,51 +36,6 @@ SpringModel::State unitsOf(const ForcedSprings& springs, const Eigen::Vector2d& 
     const double size = std::max({swing[0], arm * swing[1], leastSize * springs.waveAmplitude()});
     const double rate = std::max(2.0 * std::numbers::pi * springs.frequency(), scale[2] / scale[0]);
     return {size, size / arm, size * rate, size / arm * rate};
-}
-
-double apart(const ForcedState& a, const ForcedState& b, const SpringModel::State& units)
-{
-    return (a.y - b.y).cwiseQuotient(units).norm();
-}
-
-struct RepeatingMotion {
-    ForcedState at;
-    int period = 1;
-    double multiplier = 0.0;
-};
-
-/// The stable motion of n periods near a state, not further away than the size of the motion up to then.
-std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
-                                             const SpringModel::State& size, const std::function<bool()>& goOn)
-{
-    const ForcedRequest request{.periods = n, .derivative = true};
-    ForcedState at = start;
-    for (int k = 0; k < mostNewtonSteps; ++k) {
-        if (goOn && !goOn()) return {};
-        const ForcedPeriods way = springs.run(at, request);
-        if (!way.problem.empty()) return {};
-        const SpringModel::State units = unitsOf(springs, way.swing);
-        const double enough = std::max(repeats, aboveNoise * springs.stepError() / units[0]);
-        const Eigen::Vector4d residual = (way.end.y - at.y).cwiseQuotient(units);
-        const Eigen::Matrix4d slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
-        const Eigen::Vector4d change = (Eigen::Matrix4d::Identity() - slope).fullPivLu().solve(residual);
-        if (!change.allFinite()) return {};
-        if (residual.norm() <= enough && change.norm() <= enough) {
-            const double multiplier = spectralRadius(SmallMatrix(slope));
-            if (!(multiplier < 1.0) || !(way.end.mode == at.mode)) return {};
-            for (int part = 1; part < n; ++part) {
-                if (n % part != 0) continue;
-                const ForcedPeriods shorter = springs.run(at, {.periods = part});
-                if (shorter.problem.empty() && apart(shorter.end, at, units) <= shorterRepeats)
-                    return RepeatingMotion{at, part, std::pow(multiplier, double(part) / n)};
-            }
-            return RepeatingMotion{at, n, multiplier};
-        }
-        at.y += units.cwiseProduct(change);
-        at = springs.continued(at);
-        if (apart(at, start, size) > furthest) return {};
-    }
-    return {};
 }
 
 /// The smallest n after which the last of the states nearly repeats; 0 where there is none.
@@ -118,6 +71,60 @@ void measureFrom(const ForcedSprings& springs, const ForcedState& from, int n, F
 
 } // namespace
 
+double apart(const ForcedState& a, const ForcedState& b, const SpringModel::State& size)
+{
+    return (a.y - b.y).cwiseQuotient(size).norm();
+}
+
+std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
+                                             const SpringModel::State& size, const NewtonOptions& newton,
+                                             const std::function<bool()>& goOn)
+{
+    const ForcedRequest request{.periods = n, .derivative = true, .rough = newton.rough};
+    ForcedState at = start;
+    for (int k = 0; k < newton.mostSteps; ++k) {
+        if (goOn && !goOn()) return {};
+        const ForcedPeriods way = springs.run(at, request);
+        if (!way.problem.empty()) return {};
+        const SpringModel::State units = unitsOf(springs, way.swing);
+        const double enough = std::max(repeats, aboveNoise * springs.stepError(newton.rough) / units[0]);
+        const Eigen::Vector4d residual = (way.end.y - at.y).cwiseQuotient(units);
+        const Eigen::Matrix4d slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
+        const Eigen::Vector4d change = (Eigen::Matrix4d::Identity() - slope).fullPivLu().solve(residual);
+        if (!change.allFinite()) return {};
+        if (residual.norm() <= enough && change.norm() <= enough) {
+            const double multiplier = spectralRadius(SmallMatrix(slope));
+            if (!(multiplier < 1.0) || !(way.end.mode == at.mode)) return {};
+            for (int part = 1; part < n; ++part) {
+                if (n % part != 0) continue;
+                const ForcedPeriods shorter = springs.run(at, {.periods = part, .rough = newton.rough});
+                if (!shorter.problem.empty() || apart(shorter.end, at, units) > shorterRepeats) continue;
+                // Where the n periods hardly decay, their Newton step leaves more than the part's own does.
+                if (auto found =
+                        repeatingNear(springs, at, part, units, {.reach = shorterRepeats, .rough = newton.rough}, goOn))
+                    return found;
+            }
+            return RepeatingMotion{at, n, multiplier, units};
+        }
+        at.y += units.cwiseProduct(change);
+        at = springs.continued(at);
+        if (apart(at, start, size) > newton.reach) return {};
+    }
+    return {};
+}
+
+ForcedMotion measured(const ForcedSprings& springs, const RepeatingMotion& repeating)
+{
+    ForcedMotion motion;
+    motion.frequency = springs.frequency();
+    motion.period = repeating.period;
+    motion.multiplier = repeating.multiplier;
+    motion.size = repeating.size;
+    measureFrom(springs, repeating.at, repeating.period, motion);
+    if (!motion.valid()) motion.period = 0;
+    return motion;
+}
+
 ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& start, const SettleOptions& options)
 {
     ForcedMotion motion;
@@ -145,15 +152,19 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
         const SpringModel::State units = unitsOf(springs, way.swing),
                                  size = unitsOf(springs, way.swing.cwiseMax(0.5 * (highest - lowest)));
         if (const int n = likelyPeriod(states, options.longestPeriod, size)) {
-            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size, options.goOn);
+            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size, {.rough = true}, options.goOn);
             const bool byItself = apart(last, states[states.size() - 1 - std::size_t(n)], units) <= repeatsByItself;
             if (found && !byItself) {
                 const double distance = apart(last, found->at, units);
                 const bool nearer = distance <= comesNearer * apart(before, found->at, units);
                 if (distance > alreadyThere && !(nearer && distance <= closeEnough)) found.reset();
             }
+            if (found)
+                found =
+                    repeatingNear(springs, found->at, found->period, found->size, {.reach = closeEnough}, options.goOn);
             if (found || byItself) {
                 motion.period = found ? found->period : n;
+                motion.size = found ? found->size : units;
                 if (found) motion.multiplier = found->multiplier;
                 measureFrom(springs, found ? found->at : last, motion.period, motion);
                 if (!motion.valid()) motion.period = 0;

@@ -37,6 +37,7 @@ struct ForcedMotion {
     double touchDowns = 0.0;          // in one period of the forcing
     double contactShare = 0.0;        // of the time, 0..1
     ForcedState end;                  // at the beginning of a period
+    SpringModel::State size = SpringModel::State::Zero(); // where it has settled [m], [rad], [m/s], [rad/s]
     bool valid() const { return problem.empty(); }
     bool settled() const { return valid() && period > 0; }
     double amplitude() const { return std::abs(harmonic); }
@@ -44,6 +45,28 @@ struct ForcedMotion {
 
 /// From `start`; a stopped motion has a problem.
 ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& start, const SettleOptions& options);
+
+/// A stable motion that repeats, at the beginning of a period.
+struct RepeatingMotion {
+    ForcedState at;
+    int period = 1;          // n, in periods of the forcing
+    double multiplier = 0.0; // largest magnitude over n periods [-]
+    SpringModel::State size; // of the motion [m], [rad], [m/s], [rad/s]
+};
+struct NewtonOptions {
+    double reach = 2.0; // of the motion from the start [sizes of the motion]
+    int mostSteps = 12;
+    bool rough = false; // in a quarter of the time (ForcedRequest)
+};
+/// By Newton's method from `start`, which nearly repeats after n periods; nothing where it finds no stable motion
+/// within reach. `size` of the motion as above.
+std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
+                                             const SpringModel::State& size, const NewtonOptions& newton,
+                                             const std::function<bool()>& goOn);
+/// Distance of two states in units of `size` [-].
+double apart(const ForcedState& a, const ForcedState& b, const SpringModel::State& size);
+/// With the figures of its n periods.
+ForcedMotion measured(const ForcedSprings& springs, const RepeatingMotion& motion);
 
 /// Whether two motions at the same frequency are the same: both have settled, with the same period, and their harmonics
 /// differ by less than a thousandth.

@@ -46,6 +46,8 @@ private slots:
         QVERIFY2(ruleOf(both).contains(QStringLiteral("in 4.5 periods")), qPrintable(ruleOf(both)));
         QVERIFY(ruleOf(signal(1e-9, 50.0)).contains(QStringLiteral("in 4.5 periods")));
         QVERIFY(ruleOf(signal(0.0, 1.0, 0.0, 1e-9)).contains(QStringLiteral("in 0.5 periods")));
+        const QString one = ruleOf(signal(1e-9, 4.5)); // 1.5 of them in the last third, with two changes
+        QVERIFY2(one.contains(QStringLiteral("in 1 period,")), qPrintable(one));
     }
     /// A strongly damped swing has come to rest; the turn of a slow and large one has not.
     void whatMovesOn()

@@ -164,6 +164,35 @@ private slots:
         QCOMPARE(found, said.captured(4).toInt());
     }
 
+    /// "It swings by 3.7 nm at 0.16 nm": each amplitude and each length of the waves is run for 2 ms. The swing is that
+    /// of the last tenth, of which the sentence gives one decimal. Between two of the amplitudes a motion ends, so that
+    /// the swing doubles; until then it is 20 times the amplitude.
+    void swingsOverWaves()
+    {
+        const LessonStep& waves = demonstrationSteps().back();
+        static const QRegularExpression sentence("by ([\\d.]+) nm at ([\\d.]+) (nm|um)");
+        auto each = sentence.globalMatch(QString::fromStdString(waves.answer).simplified());
+        int amplitudes = 0, lengths = 0;
+        while (each.hasNext()) {
+            const QRegularExpressionMatch said = each.next();
+            const double value = said.captured(2).toDouble();
+            Case c = caseOf(waves.runs.front());
+            c.run.duration = 2e-3;
+            if (said.captured(3) == "nm")
+                c.diskSurface.waveAmplitudes = {1e-9 * value};
+            else
+                c.diskSurface.waveLengths = {1e-6 * value};
+            (said.captured(3) == "nm" ? amplitudes : lengths) += 1;
+            double swing = NAN; // [nm]
+            for (const auto& [quantity, tail] : run(c).tail)
+                if (quantity == "minimum_spacing") swing = (tail.max - tail.min) * 1e9;
+            QVERIFY2(std::abs(swing - said.captured(1).toDouble()) <= 0.051,
+                     qPrintable(QString("%1: %2").arg(said.captured()).arg(swing)));
+        }
+        QCOMPARE(amplitudes, 5);
+        QCOMPARE(lengths, 3);
+    }
+
     /// A film takes too long for a test: its shares and heights are those of the cards of its cases, which are checked
     /// with the study that they come from.
     void numbersOfFilms()

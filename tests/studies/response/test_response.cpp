@@ -2,12 +2,15 @@
 #include "core/studies/response/response.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/formats/units.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/impact_oscillator.h"
 #include "tests/support/study_cells.h"
@@ -41,11 +44,11 @@ bool hasSeries(const StudyReport& report, const std::string& name)
 }
 
 /// The waves of the oscillator from one frequency to another [omega_0].
-std::string overWaves(double from, double to, int steps)
+std::string overWaves(double from, double to, int steps, int starts = 0)
 {
     return "from = " + std::to_string(from * ImpactOscillator::frequency) +
            "\nto = " + std::to_string(to * ImpactOscillator::frequency) + "\nsteps = " + std::to_string(steps) +
-           "\namplitude = \"100 nm\"\nwavelength = \"125 um\"\n";
+           "\nstarts = " + std::to_string(starts) + "\namplitude = \"100 nm\"\nwavelength = \"125 um\"\n";
 }
 
 class TestResponse : public QObject {
@@ -96,9 +99,10 @@ private slots:
             const ImpactOscillator oscillator{0.03 + 0.07 * share(draw), 0.0, 0.0};
             Case c = oscillator.slider();
             c.contact = ContactKind::None;
-            const StudyReport report = performed(c, overWaves(0.5, 2.0, 30));
+            const StudyReport report = performed(c, overWaves(0.5, 2.0, 30, 20));
             QVERIFY(table(report, "jumps").rows.empty());
             QVERIFY(says(report, "Up and down agree at all 31 frequencies"));
+            QVERIFY(says(report, "No other motion was found from 20 other starts (5 at rest, 15 drawn)"));
             const StudyTable& points = table(report, "points");
             QCOMPARE(points.rows.size(), std::size_t(62));
             for (std::size_t row = 0; row < points.rows.size(); ++row) {
@@ -141,10 +145,15 @@ private slots:
         const StudyReport report = performed(c, templateText(responseForm(c)));
         QCOMPARE(report.status, StudyStatus::Completed);
         const StudyTable& jumps = table(report, "jumps");
-        QCOMPARE(jumps.rows.size(), std::size_t(2));
-        QVERIFY(number(jumps, 0, "frequency") < number(jumps, 1, "frequency"));
-        QCOMPARE(word(jumps, 0, "way"), std::string("down"));
-        QVERIFY(number(jumps, 1, "after") > number(jumps, 1, "before")); // upwards it rises
+        QVERIFY(jumps.rows.size() >= 2);
+        QCOMPARE(word(jumps, 0, "way"), std::string("up"));
+        QCOMPARE(word(jumps, 1, "way"), std::string("down"));
+        QVERIFY(number(jumps, 0, "frequency") > number(jumps, 1, "frequency"));
+        QVERIFY(number(jumps, 0, "after") > number(jumps, 0, "before")); // upwards it rises
+        double largest = 0.0;                                            // on both sides of the jumps
+        for (std::size_t row = 0; row < jumps.rows.size(); ++row)
+            largest = std::max({largest, number(jumps, row, "before"), number(jumps, row, "after")});
+        QVERIFY(says(report, "Largest amplitude of the flying height: " + fewDigits(largest, "nm", 3)));
         for (const char* name : {"up", "down", "small motions"}) QVERIFY2(hasSeries(report, name), name);
         for (const StudyTable& each : report.tables)
             for (const auto& row : each.rows) {
@@ -156,6 +165,111 @@ private slots:
         for (std::size_t row = 0; row < points.rows.size(); ++row) // a period is given only where it has settled
             QCOMPARE(std::holds_alternative<double>(points.rows[row][columnOf(points, "period")]),
                      word(points, row, "settled") == "yes");
+    }
+
+    /// Without contact, at the speed of the disk: a slow sweep by another program, with a Runge-Kutta method of fixed
+    /// steps, jumps at 243.6715 kHz upwards and at 213.489 kHz downwards, to 2 Hz. Arclength continuation has a
+    /// separate piece of branch from 205.57 to 212.48 kHz beside it. The way down must not pass to it, whatever the
+    /// step is.
+    void placesOfJumpsDoNotDependOnTheStep()
+    {
+        Case c = openCase("springs_waviness").value;
+        c.contact = ContactKind::None;
+        for (const int steps : {20, 60, 250}) {
+            const StudyReport report = performed(
+                c, "from = \"190 kHz\"\nto = \"300 kHz\"\nstarts = 0\nsteps = " + std::to_string(steps) + "\n");
+            const StudyTable& jumps = table(report, "jumps");
+            QCOMPARE(jumps.rows.size(), std::size_t(2));
+            const std::array<double, 2> folds{243.6715e3, 213.489e3};
+            for (std::size_t row = 0; row < 2; ++row) {
+                const double error = std::abs(number(jumps, row, "frequency") - folds[row]);
+                QVERIFY2(error < 2.0 + number(jumps, row, "uncertainty"), qPrintable(QString::number(error)));
+                QVERIFY(number(jumps, row, "uncertainty") < 1.0);
+            }
+        }
+    }
+
+    /// The motion without contact ends where it grazes the disk: the same place with each step.
+    void grazingDoesNotDependOnTheStep()
+    {
+        const Case c = openCase("springs_waviness").value;
+        std::vector<double> places, errors;
+        for (const int steps : {17, 34, 120}) {
+            const StudyReport report = performed(c, "from = \"190 kHz\"\nto = \"300 kHz\"\nwavelength = \"50 um\"\n"
+                                                    "starts = 0\nsteps = " +
+                                                        std::to_string(steps) + "\n");
+            const StudyTable& jumps = table(report, "jumps");
+            QCOMPARE(word(jumps, 1, "way"), std::string("down"));
+            places.push_back(number(jumps, 1, "frequency"));
+            errors.push_back(number(jumps, 1, "uncertainty"));
+        }
+        const auto [lowest, highest] = std::ranges::minmax(places);
+        QVERIFY2(highest - lowest <= 2.0 * std::ranges::max(errors), qPrintable(QString::number(highest - lowest)));
+        QVERIFY(std::abs(places.front() - 228.8e3) < 50.0); // a slow sweep outside the program: 228.81 kHz
+    }
+
+    /// From rest at 420 kHz the slider of the sample bounces with a third of that frequency; neither way comes by.
+    void otherStartsFindOtherMotions()
+    {
+        const StudyPlan plan = openStudy("response", "response_period_doubling", {}, {"from=380 kHz", "steps=20"});
+        QVERIFY(plan.valid());
+        const StudyReport one = plan.perform(1, {}), two = plan.perform(2, {});
+        const StudyTable& points = table(one, "points");
+        double lowest = 1e9, highest = 0.0, amplitude = 0.0;
+        for (std::size_t row = 0; row < points.rows.size(); ++row) {
+            if (!word(points, row, "way").starts_with("other") || number(points, row, "period") != 3.0) continue;
+            lowest = std::min(lowest, number(points, row, "frequency"));
+            if (number(points, row, "frequency") > highest) {
+                highest = number(points, row, "frequency");
+                amplitude = 0.5 * (number(points, row, "most") - number(points, row, "least"));
+            }
+        }
+        QCOMPARE(highest, 420e3);
+        QVERIFY2(std::abs(lowest - 390e3) < 2.1e3, qPrintable(QString::number(lowest)));
+        // Half of the swing of a run from rest.
+        QVERIFY2(std::abs(amplitude - 6.9e-9) < 0.1e-9, qPrintable(QString::number(amplitude)));
+        QVERIFY(two.tables.front().rows == points.rows); // on any number of threads
+    }
+
+    /// A case without contact is linear over low waves, down to the smallest amplitude that is allowed.
+    void lowWavesHaveOneLinearMotion()
+    {
+        Case c = openCase("springs_waviness").value;
+        c.contact = ContactKind::None;
+        for (const char* amplitude : {"1e-6 nm", "1e-5 nm", "1e-3 nm"}) {
+            const StudyReport report =
+                performed(c, "from = \"100 kHz\"\nto = \"380 kHz\"\nsteps = 60\nstarts = 40\namplitude = \"" +
+                                 std::string(amplitude) + "\"\n");
+            QVERIFY(table(report, "jumps").rows.empty());
+            const StudyTable& points = table(report, "points");
+            QCOMPARE(points.rows.size(), std::size_t(122));
+            for (std::size_t row = 0; row < points.rows.size(); ++row) {
+                QCOMPARE(number(points, row, "period"), 1.0);
+                const double error =
+                    std::abs(number(points, row, "amplitude") / number(points, row, "linear_amplitude") - 1.0);
+                QVERIFY2(error < 1e-3, qPrintable(QString::number(error)));
+            }
+        }
+        // Under a height of 10 mm such a wave is lost: 4 epsilon 10 mm = 9e-9 nm.
+        const StudyPlan plan = planOf(ImpactOscillator{}.slider(), "amplitude = \"1e-6 nm\"\n");
+        QVERIFY(!plan.valid());
+        QCOMPARE(plan.problems.front().key, std::string("amplitude"));
+    }
+
+    /// With the speed held, the waves under both air springs are in phase each v/(d_f + d_r), 11.9 kHz.
+    void stepsResolveTheBeat()
+    {
+        const Case c = openCase("springs_waviness").value;
+        const StudyForm form = responseForm(c);
+        const auto row = std::ranges::find(form.keys, "steps", &StudyKey::key);
+        QVERIFY(row != form.keys.end());
+        const double beat = 2.0 * std::numbers::pi * 90.0 * 0.023 / 1.095e-3; // 5400 rpm at 23 mm
+        const double range = 410e3 - 45e3;
+        QVERIFY(range / std::get<int>(row->standard) <= beat / 8.0);
+        const std::string part = "from = \"250 kHz\"\nto = \"310 kHz\"\nstarts = 0\n";
+        QVERIFY(performed(c, part).warnings.empty());
+        QVERIFY(!performed(c, part + "steps = 10\n").warnings.empty());
+        QCOMPARE(table(performed(c, part + "wavelength = \"50 um\"\n"), "points").rows.size(), std::size_t(2 * 61));
     }
 
     void repeatsItself()
