@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QFile>
@@ -100,7 +101,7 @@ private slots:
     /// Of rms and of steps, when the case is read, changed and run.
     void roughnessOfAnotherUnitIsAWarning()
     {
-        put("measured/track.txt", QByteArray(profile).replace("[nm]\n0 0", "[um]\n0 90"));
+        put("measured/track.txt", "# x [mm]  h [um]\n0 90\n0.5 1\n1 0\n1.5 -1\n2 0\n2.5 1\n3 0\n3.5 -1\n");
         CaseDocument document = readCaseFile(path("case.toml"));
         QVERIFY(document.valid());
         QCOMPARE(document.warnings.size(), std::size_t{1});
@@ -114,6 +115,28 @@ private slots:
         put("measured/track.txt", profile);
         applySettings(document, {});
         QVERIFY(document.warnings.empty());
+    }
+    /// A slope above 1 is a problem; one above 0.1, and a surface that was turned, are warnings.
+    void slopesAndSigns()
+    {
+        put("measured/track.txt", QByteArray(profile).replace("[um]", "[nm]").replace("h [nm]", "h [um]"));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QVERIFY(document.problems.front().message.find("slope") != std::string::npos);
+        put("measured/track.txt", QByteArray(profile).replace("[um]", "[nm]").replace("h [nm]", "h [A]"));
+        applySettings(document, {});
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        put("measured/track.txt", QByteArray(profile).replace("h [nm]", "depth [nm]"));
+        applySettings(document, {});
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        QCOMPARE(document.warnings.front().line, 1);
+        const DiskTopography surface = diskTopography(document.value);
+        QVERIFY(std::abs(surface.height(3e-6, 0.0) - surface.height(1e-6, 0.0) - 2e-9) < 1e-15);
+        const Summary summary = run(document.value);
+        QVERIFY(std::ranges::any_of(summary.warnings,
+                                    [](const std::string& each) { return each.find("turned") != std::string::npos; }));
     }
     void missing()
     {
