@@ -53,7 +53,7 @@ constexpr FieldNames fieldNames[] = {
     {HeaderField::Bit2nm, "bit2nm"},
     {HeaderField::Scale, "scale factor,z scale,zscale,scale z,z factor,height scale,height factor,height scale factor,"
                          "multiplier,z multiplier,height multiplier,factor,z scale factor,scaling factor,z calibration,"
-                         "height conversion factor,z scaling,data scale,value scale"},
+                         "height conversion factor,z scaling,data scale,scale data,value scale"},
     {HeaderField::Missing, "nodata value,nodata,no data,no data value,missing value,missing,fill value,void value,bad "
                            "value,invalid value"},
     {HeaderField::Channel,
@@ -123,6 +123,7 @@ std::optional<NamedValue> valueIn(std::string_view piece, int line)
         const std::string_view rest = text.substr(comma + 1);
         const std::size_t next = std::min(rest.find(text[comma]), rest.size()); // "500","nm/pixel"
         auto found = fieldOf(text.substr(0, comma), rest.substr(0, next), line);
+        if (found && found->field == HeaderField::Channel && text != piece) return std::nullopt; // "# profile, here"
         if (!found || found->field == HeaderField::Channel) return found;
         const std::string_view unit = trimmed(rest.substr(std::min(next + 1, rest.size())), " \t\",;");
         if (found->value.unit.empty()) found->value.unit = unit;
@@ -173,6 +174,47 @@ std::string perPoint(const std::string& unit)
     for (const char* each : {"pixel", "pixels", "px", "pix", "point", "points", "pt", "sample"})
         if (point == each) return std::string(trimmed(std::string_view(unit).substr(0, slash)));
     return unit;
+}
+
+/// A length along x (axis 0) or y, whose unit may stand beside it, in another line or in the case [m].
+double lengthOf(const HeaderValues& values, const HeaderValue& given, const std::string& name, std::size_t axis,
+                const ColumnUnits& key)
+{
+    const auto parts = numberAndUnit(given.value);
+    const std::string unit = perPoint(parts && !parts->unit.empty() ? parts->unit : given.unit);
+    if (!parts || !(parts->number > 0.0) || (!parts->unit.empty() && !spelledLength(unit)))
+        throw CmlError(given.line,
+                       name + " must be a length above 0 with its unit, as \"10 um\", not " + inQuotes(given.value));
+    if (!unit.empty() && !spelledLength(unit))
+        throw CmlError(given.line, name + " must have a unit of length, as \"nm\", not " + inQuotes(unit));
+    auto metres = !unit.empty() ? spelledLength(unit) : axis == 1 ? unitOfY(values) : std::nullopt;
+    if (!metres) metres = lateralUnit(values);
+    if (!metres && values.has(HeaderField::Bit2nm)) metres = nanometre;
+    const double byKey = key.empty() ? 0.0 : key[axis];
+    if (!metres && byKey <= 0.0)
+        throw CmlError(given.line, name + " has no unit of length, as \"um\"; it needs one here, or the case gives "
+                                          "all, as disk.surface.unit = \"um, nm\" for x, y and the heights");
+    if (metres && byKey > 0.0 && std::abs(*metres - byKey) > 1e-9 * byKey) refuseOtherThanKey(given.line);
+    return parts->number * metres.value_or(byKey);
+}
+
+/// The distance of the points, given or by the size of the map. Where both are given they must agree; the size may be
+/// that from the first point to the last.
+double stepOf(const HeaderValues& values, HeaderField step, HeaderField size, std::size_t points, std::size_t axis,
+              const ColumnUnits& key)
+{
+    const auto& own = values.of(step);
+    const auto& given = own ? own : values.of(HeaderField::Step);
+    const auto& whole = values.of(size);
+    const double count = static_cast<double>(points);
+    const double length = whole ? lengthOf(values, *whole, axis == 0 ? "Width" : "Height", axis, key) : 0.0;
+    if (!given) return length / count;
+    const double distance = lengthOf(values, *given, "the distance of the points", axis, key);
+    const bool differ = std::abs(length - (count - 0.5) * distance) > 0.6 * distance;
+    if (whole && differ)
+        throw CmlError(given->line,
+                       "gives another distance of the points than the size in line " + std::to_string(whole->line));
+    return distance;
 }
 
 } // namespace
@@ -243,32 +285,9 @@ PointSteps pointSteps(const MapTable& table, const HeaderValues& values, const C
     count(HeaderField::PointsX, alone ? table.rows() : table.columns, " points in a line");
     if (!alone) count(HeaderField::PointsY, table.rows(), " lines");
 
-    const auto side = [&](HeaderField step, HeaderField size, std::size_t axis, std::size_t points) {
-        const auto& own = values.of(step);
-        const auto& both = values.of(HeaderField::Step);
-        const HeaderValue& given = own ? *own : both ? *both : *values.of(size);
-        const std::string name = own || both ? "the distance of the points" : axis == 0 ? "Width" : "Height";
-        const auto parts = numberAndUnit(given.value);
-        const std::string unit = perPoint(parts && !parts->unit.empty() ? parts->unit : given.unit);
-        if (!parts || !(parts->number > 0.0) || (!parts->unit.empty() && !spelledLength(unit)))
-            throw CmlError(given.line, name + " must be a length above 0 with its unit, as \"10 um\", not " +
-                                           inQuotes(given.value));
-        if (!unit.empty() && !spelledLength(unit))
-            throw CmlError(given.line, name + " must have a unit of length, as \"nm\", not " + inQuotes(unit));
-        auto metres = !unit.empty() ? spelledLength(unit) : axis == 1 ? unitOfY(values) : std::nullopt;
-        if (!metres) metres = lateralUnit(values);
-        if (!metres && values.of(HeaderField::Bit2nm)) metres = nanometre;
-        const double byKey = key.empty() ? 0.0 : key[axis];
-        if (!metres && byKey <= 0.0)
-            throw CmlError(given.line, name + " has no unit of length, as \"um\"; it needs one here, or the case gives "
-                                              "all, as disk.surface.unit = \"um, nm\" for x, y and the heights");
-        if (metres && byKey > 0.0 && std::abs(*metres - byKey) > 1e-9 * byKey) refuseOtherThanKey(given.line);
-        const double length = parts->number * metres.value_or(byKey);
-        return own || both ? length : length / static_cast<double>(points);
-    };
     PointSteps steps;
-    steps.x = side(HeaderField::StepX, HeaderField::SizeX, 0, table.columns);
-    if (!one) steps.y = side(HeaderField::StepY, HeaderField::SizeY, 1, table.rows());
+    steps.x = stepOf(values, HeaderField::StepX, HeaderField::SizeX, alone ? table.rows() : table.columns, 0, key);
+    if (!one) steps.y = stepOf(values, HeaderField::StepY, HeaderField::SizeY, table.rows(), 1, key);
     return steps;
 }
 

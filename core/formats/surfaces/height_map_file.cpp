@@ -163,6 +163,32 @@ HeightMap mapOfWaveDefinition(const MapTable& table, const ColumnUnits& key)
     return builtMap(x, y, std::move(heights));
 }
 
+/// Throws where the first row or column of a matrix holds places: it ascends in equal steps, and no other does.
+void refusePlaces(const MapTable& table)
+{
+    const auto equal = [&](std::size_t count, const auto& at) {
+        const double step = at(1) - at(0);
+        bool same = count > 3 && step != 0.0;
+        for (std::size_t i = 2; same && i < count; ++i)
+            same = std::abs(at(i) - at(0) - static_cast<double>(i) * step) <= 1e-3 * std::abs(step);
+        return same;
+    };
+    const auto column = [&](std::size_t j) {
+        return equal(table.rows(), [&, j](std::size_t i) { return table.at(i, j); });
+    };
+    const auto row = [&](std::size_t i) {
+        return equal(table.columns, [&, i](std::size_t j) { return table.at(i, j); });
+    };
+    const auto alone = [](const auto& isEqual, std::size_t count) {
+        std::size_t next = 1;
+        while (next < count && !isEqual(next)) ++next;
+        return count > 1 && isEqual(0) && next == count;
+    };
+    if (alone(column, table.columns) || alone(row, table.rows()))
+        throw CmlError(table.lines.front(),
+                       "the first row or column ascends in equal steps: it holds places or counts, no heights");
+}
+
 /// Rows of heights, or one height in each line.
 HeightMap mapOfHeights(const MapTable& table, const PointSteps& steps, double unit)
 {
@@ -224,6 +250,7 @@ HeightMap mapOf(MapTable table, const std::string& name, const ColumnUnits& key,
     HeightMap map;
     if (matrix) {
         const ColumnUnits units = unitsOfKey(key, 3);
+        refusePlaces(table);
         const PointSteps steps = pointSteps(table, values, units);
         map = mapOfHeights(table, steps, matrixUnit(table, values, units));
     } else {

@@ -232,7 +232,8 @@ ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, c
             refuseUnits(each);
     }
     if (const auto units = unitsOfValues(values, table.columns))
-        agree(*units, table.headings.empty() ? 0 : table.headings.back().line);
+        agree(*units, values.has(HeaderField::HeightUnit) ? values.of(HeaderField::HeightUnit)->line
+                                                          : table.headings.back().line);
     if (found.units.empty())
         throw CmlError(table.headings.empty() ? table.lines.front() : table.headings.back().line,
                        std::string("no unit is named: ") + asKey);

@@ -36,14 +36,32 @@ constexpr std::string_view otherUnits[] = {
     "nN",  "Pa",  "kPa",  "MPa",  "GPa",  "K",   "volt", "volts", "degree", "degrees", "sec",    "seconds", "M",
     "MM",  "Mm",  "mM",   "uM",   "nM",   "Nm",  "pM",   "PM",    "CM",     "KM",      "Um",     "nm/s"};
 
-constexpr std::pair<std::string_view, std::string_view> plainLetters[] = {
-    {"\xC2\xB5", "u"},  {"\xCE\xBC", "u"},      {"&micro;", "u"},       {"&mu;", "u"},
-    {"\\textmu ", "u"}, {"\\textmu", "u"},      {"\\mu ", "u"},         {"\\mu", "u"},
-    {"$", ""},          {"\xE3\x8E\x9B", "um"}, {"\xE3\x8E\x9A", "nm"}, {"\xE3\x8E\x9C", "mm"},
-    {"\xC3\x85", "A"},  {"\xE2\x84\xAB", "A"},  {"A\xCC\x8A", "A"},     {"&Aring;", "A"},
-    {"\xC3\xA5", "a"},  {"\xC3\xB6", "o"},      {"o\xCC\x88", "o"},     {"\xC2\xA0", " "}};
+constexpr std::pair<std::string_view, std::string_view> plainLetters[] = {{"\xC2\xB5", "u"},
+                                                                          {"\xCE\xBC", "u"},
+                                                                          {"&micro;", "u"},
+                                                                          {"&mu;", "u"},
+                                                                          {"\\textmu ", "u"},
+                                                                          {"\\textmu", "u"},
+                                                                          {"\\mu ", "u"},
+                                                                          {"\\mu", "u"},
+                                                                          {"$", ""},
+                                                                          {"\xE3\x8E\x9B", "um"},
+                                                                          {"\xE3\x8E\x9A", "nm"},
+                                                                          {"\xE3\x8E\x9C", "mm"},
+                                                                          {"\xC3\x85ngstr", "angstr"},
+                                                                          {"A\xCC\x8A"
+                                                                           "ngstr",
+                                                                           "angstr"},
+                                                                          {"\xC3\x85", "angstrom"},
+                                                                          {"\xE2\x84\xAB", "angstrom"},
+                                                                          {"A\xCC\x8A", "angstrom"},
+                                                                          {"&Aring;", "angstrom"},
+                                                                          {"\xC3\xA5", "a"},
+                                                                          {"\xC3\xB6", "o"},
+                                                                          {"o\xCC\x88", "o"},
+                                                                          {"\xC2\xA0", " "}};
 constexpr std::pair<std::string_view, std::string_view> plainLatin1[] = {
-    {"\xB5", "u"}, {"\xC5", "A"}, {"\xE5", "a"}, {"\xF6", "o"}, {"\xA0", " "}};
+    {"\xB5", "u"}, {"\xC5ngstr", "angstr"}, {"\xC5", "angstrom"}, {"\xE5", "a"}, {"\xF6", "o"}, {"\xA0", " "}};
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to)
 {

@@ -78,6 +78,7 @@ private slots:
         QTest::newRow("# x-pixels: 5\n# Width: 1 um\n# Height: 1 um\n# unit: nm\n") << 1;
         QTest::newRow("# Width: 1 um\n# Height: 1 um\n# unit: V\n") << 3;
         QTest::newRow("# Width: 1 um\n# Height: 0 um\n# unit: nm\n") << 2;
+        QTest::newRow("# Width: 4 um\n# Height: 2 um\n# pixel size: 2 um\n# unit: nm\n") << 3;
         QTest::newRow("# pixel size: 1 um/s\n# unit: nm\n") << 1;
         QTest::newRow("# pixel size: 1 um\n# unit: nm\n# z scale: 0.1\n") << 3;
         QTest::newRow("# pixel size: 1 um\n# unit: nm\n# Channel: Phase\n") << 3;

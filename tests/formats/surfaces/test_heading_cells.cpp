@@ -39,6 +39,7 @@ private slots:
         row("track position [um]   surface height [nm]", ' ', "track position=um|surface height=nm");
         row("x_um;h_nm", ';', "x=um|h=nm");
         row("height_in_um h..nm.", ' ', "height=um|h=nm");
+        row("x \xC2\xB5m, mean height \xC3\x85", ',', "x=um|mean height=angstrom");
         row("x/um\th / nm", ' ', "x=um|h=nm");
         row("x: um, h: nm", ' ', "x=um|h=nm");
         row("x, um;h, nm", ';', "x=um|h=nm");

@@ -223,6 +223,15 @@ private slots:
                 }
     }
 
+    // Places beside the heights of a matrix: a first row or column in equal steps.
+    void placesInAMatrixAreRefused()
+    {
+        const std::string size = "# Width: 8 um\n# Height: 6 um\n# unit: nm\n";
+        QVERIFY(read(size + "1 2 5 3\n2 7 1 4\n4 1 2 3\n3 5 1 2\n").valid());
+        QVERIFY(!read(size + "0 2 5 3\n.5 7 1 4\n1 1 2 3\n1.5 5 1 2\n").valid());
+        QVERIFY(!read(size + "0 2 4 6\n2 7 1 4\n4 1 2 3\n3 5 1 2\n").valid());
+    }
+
     // A line of a million words or commas is looked at once.
     void longHeadings()
     {
