@@ -295,6 +295,9 @@ std::vector<HeadingLine> doubtfulText(const MapTable& table)
     constexpr std::string_view words[] = {"depth",      "depths",     "inverted",    "flipped", "negated", "downward",
                                           "downwards",  "logarithm",  "logarithmic", "log10",   "squared", "normalized",
                                           "normalised", "multiplied", "divided",     "scaled"};
+    constexpr std::string_view keys[] = {"type",    "data",    "data type", "column", "column 2", "column 3", "value",
+                                         "values",  "content", "variable",  "z",      "z axis",   "y axis",   "y label",
+                                         "z label", "ylabel",  "zlabel",    "height", "heights",  "parameter"};
     std::vector<HeadingLine> doubtful;
     for (const HeadingLine& line : table.headings) {
         if (const auto heading = headingOf(line, table)) {
@@ -311,10 +314,12 @@ std::vector<HeadingLine> doubtfulText(const MapTable& table)
         const auto word = std::ranges::find_if(words, stands);
         if (word != std::end(words)) {
             doubtful.push_back({std::string(*word), line.line, line.comment});
-        } else if (const auto sign = lower.find_first_of(":="); sign != std::string::npos && !isValue(line.text)) {
-            const std::string_view value = trimmed(std::string_view(line.text).substr(sign + 1)); // "type: gap"
+        } else if (const auto sign = lower.find_first_of(":="); sign != std::string::npos) { // "type: gap"
+            const std::string_view key = trimmed(withoutMark(std::string_view(lower).substr(0, sign)));
+            const std::string_view value = trimmed(std::string_view(line.text).substr(sign + 1));
             const ColumnName name = columnName(value);
-            if (name.known && (name.turned || !name.word.empty()))
+            const bool tells = name.role == ColumnRole::None || (name.role == ColumnRole::Height && name.turned);
+            if (!isValue(line.text) && std::ranges::find(keys, key) != std::end(keys) && name.known && tells)
                 doubtful.push_back({std::string(value), line.line, line.comment});
         }
     }

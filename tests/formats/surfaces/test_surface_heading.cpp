@@ -115,6 +115,7 @@ private slots:
         QCOMPARE(words("# z axis points downwards\nx [um],z [nm]\n0,1\n"), std::string("downwards;"));
         QCOMPARE(words("# type: gap\nx [um],z [nm]\n0,1\n"), std::string("gap;"));
         QCOMPARE(words("x [um],etched height [nm]\n0,1\n"), std::string("etched height;"));
+        QCOMPARE(words("# direction: down\n# mode: phase\n# height: 12.5 um\nx [um],z [nm]\n0,1\n"), std::string());
         QCOMPARE(words("# scan rate: 1 Hz\n# operator: Ann\nx [um],depth [nm]\n0,1\n"), std::string());
     }
     void anIndexIsTakenOut()
