@@ -88,11 +88,12 @@ DiskFileCheck checkDiskFile(const Case& c)
 {
     if (!readsFile(c) || c.diskSurface.file.empty()) return {};
     const ReadMap document = readMap(c);
-    DiskFileCheck check{document->problems, {}};
-    for (InputProblem& problem : check.problems) {
-        problem.kind = ProblemKind::MeasuredDisk;
-        if (problem.key.empty()) problem.key = "disk.surface.file";
-    }
+    DiskFileCheck check{document->problems, document->warnings};
+    for (std::vector<InputProblem>* list : {&check.problems, &check.warnings})
+        for (InputProblem& problem : *list) {
+            problem.kind = ProblemKind::MeasuredDisk;
+            if (problem.key.empty()) problem.key = "disk.surface.file";
+        }
     if (document->valid())
         for (const DiskSurfaceProblem& each : heightMapWarnings(document->map))
             check.warnings.push_back(

@@ -84,8 +84,9 @@ std::vector<Parameter> diskSurfaceParameters()
                at(&Case::diskSurface, &DiskSurface::trackWidth), withTrack,
                "Width across the motion after which the surface repeats.", ours),
         text("disk.surface.file", "file", at(&Case::diskSurface, &DiskSurface::file), withFile,
-             "File of a measured surface, relative to the folder of the case: columns of text with a profile or a map, "
-             "a wave.def, or HDF5; empty = none. A file outside that folder is read only if allowed (--allow-paths). "
+             "File of a measured surface, relative to the folder of the case: columns or a matrix of text, "
+             "a wave.def, GSF, SDF, or HDF5; empty = none. A file outside that folder is read only if allowed "
+             "(--allow-paths). "
              "Its lengths have units, in the file or in disk.surface.unit.",
              none),
         text(

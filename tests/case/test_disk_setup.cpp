@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -103,7 +104,7 @@ private slots:
     /// Of rms and of steps, when the case is read, changed and run.
     void roughnessOfAnotherUnitIsAWarning()
     {
-        put("measured/track.txt", QByteArray(profile).replace("[nm]\n0 0", "[um]\n0 90"));
+        put("measured/track.txt", "# x [mm]  h [um]\n0 90\n0.5 1\n1 0\n1.5 -1\n2 0\n2.5 1\n3 0\n3.5 -1\n");
         CaseDocument document = readCaseFile(path("case.toml"));
         QVERIFY(document.valid());
         QCOMPARE(document.warnings.size(), std::size_t{1});
@@ -151,13 +152,35 @@ private slots:
         QVERIFY(!checkDiskFile(document.value).problems.empty()); // has no unit
         applySettings(document, {"disk.surface.unit=um, nm"});
         QVERIFY(std::abs(rise(document) - 2e-9) < 1e-15);
-        applySettings(document, {"disk.surface.unit=um, um"});
-        QVERIFY(std::abs(rise(document) - 2e-6) < 1e-15);
+        applySettings(document, {"disk.surface.unit=um, pm"});
+        QVERIFY(std::abs(rise(document) - 2e-12) < 1e-17);
         put("measured/other.txt", "0 0\n1 2\n2 0\n3 -2\n4 0\n5 2\n6 0\n7 -2\n");
         applySettings(document, {"disk.surface.file=measured/other.txt"});
-        QVERIFY(std::abs(rise(document) - 4e-6) < 1e-15);
+        QVERIFY(std::abs(rise(document) - 4e-12) < 1e-17);
         QVERIFY(QFile::remove(folder_->filePath("measured/other.txt")));
         QVERIFY(!checkDiskFile(document.value).problems.empty());
+    }
+    /// A slope above 1 is a problem; one above 0.1, and a surface that was turned, are warnings.
+    void slopesAndSigns()
+    {
+        put("measured/track.txt", QByteArray(profile).replace("[um]", "[nm]").replace("h [nm]", "h [um]"));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QVERIFY(document.problems.front().message.find("slope") != std::string::npos);
+        put("measured/track.txt", "# x [nm]  h [A]\n0 0\n1 5\n2 0\n3 -5\n4 0\n5 5\n6 0\n7 -5\n"); // 0.5
+        applySettings(document, {});
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        put("measured/track.txt", QByteArray(profile).replace("h [nm]", "depth [nm]"));
+        applySettings(document, {});
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{1});
+        QCOMPARE(document.warnings.front().line, 1);
+        const DiskTopography surface = diskTopography(document.value);
+        QVERIFY(std::abs(surface.height(3e-6, 0.0) - surface.height(1e-6, 0.0) - 2e-9) < 1e-15);
+        const Summary summary = run(document.value);
+        QVERIFY(std::ranges::any_of(summary.warnings,
+                                    [](const std::string& each) { return each.find("turned") != std::string::npos; }));
     }
     void missing()
     {

@@ -104,7 +104,7 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
         return trueMinus(locale.toString(std::abs(value) < 5e-4 ? 0.0 : value, 'f', 3));
     };
     const auto slope = [&locale](double value) { return locale.toString(value, 'g', 3); };
-    const UniformGrid period = preview.topography.period();
+    const UniformGrid period = preview.topography.period(), measured = preview.topography.measured();
     std::vector<QStringList> rows{
         {tr("RMS height"), nanometres(s.rms), rough ? nanometres(asked.rms) : QString()},
         {tr("Skewness"), shape(s.skewness), rough ? QStringLiteral("0") : QString()},
@@ -117,7 +117,7 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
         {tr("Lowest point"), nanometres(s.minimum), {}},
         {tr("Track"), length(period.nx * period.dx), {}},
         {tr("Points"),
-         period.ny > 1 ? QStringLiteral("%1 × %2").arg(period.nx).arg(period.ny) : QString::number(period.nx),
+         period.ny > 1 ? QStringLiteral("%1 × %2").arg(measured.nx).arg(measured.ny) : QString::number(measured.nx),
          {}},
     };
     if (period.ny == 1) rows.erase(rows.begin() + 4); // a profile has no slope across

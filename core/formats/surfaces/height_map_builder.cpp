@@ -7,6 +7,7 @@
 
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
+#include "core/formats/surfaces/surface_units.h"
 #include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
@@ -30,18 +31,18 @@ bool alike(const std::vector<double>& heights, std::size_t a, std::size_t b, std
 
 bool MapAxis::holds(std::size_t i, double place) const { return std::abs(place - at(i)) <= printedDigits * step; }
 
-MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, const std::string& name)
+MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, const std::string& name, double unit)
 {
     const auto line = [&](std::size_t i) { return lines.empty() ? 0 : lines[i]; };
     const std::size_t n = places.size();
     if (n < 2) throw CmlError(n == 0 ? 0 : line(0), "there must be two or more different " + name);
     for (std::size_t i = 1; i < n; ++i)
         if (!(places[i] > places[i - 1]))
-            throw CmlError(line(i),
-                           name + " must ascend: " + inMetres(places[i]) + " comes after " + inMetres(places[i - 1]));
+            throw CmlError(line(i), name + " must ascend: " + inUnit(places[i], unit) + " comes after " +
+                                        inUnit(places[i - 1], unit));
     const auto refuse = [&](std::size_t i, double needed) {
-        throw CmlError(line(i), name + " must ascend in equal steps, without gaps: " + inMetres(places[i]) +
-                                    " stands where " + inMetres(needed) + " is needed");
+        throw CmlError(line(i), name + " must ascend in equal steps, without gaps: " + inUnit(places[i], unit) +
+                                    " stands where " + inUnit(needed, unit) + " is needed");
     };
     // Compared with the first step, a gap is found where it is, not where its share of the mean step adds up.
     const double begun = places[1] - places[0];
@@ -83,6 +84,6 @@ HeightMap builtMap(const MapAxis& x, const MapAxis& y, std::vector<double> heigh
     return map;
 }
 
-std::string inMetres(double length) { return decimalText(length, 0, 6) + " m"; }
+std::string inUnit(double length, double unit) { return decimalText(length / unit, 0, 6) + " " + lengthSymbol(unit); }
 
 } // namespace touchdown

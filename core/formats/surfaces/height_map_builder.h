@@ -24,13 +24,15 @@ struct MapAxis {
     bool holds(std::size_t i, double place) const;
 };
 
-/// The axis of these places [m]; `lines` are their lines in the file, or empty. `name` is "x" or "y".
-MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, const std::string& name);
+/// The axis of these places [m]; `lines` are their lines in the file, or empty. `name` is "x" or "y", `unit` that of
+/// the file [m], for its refusals.
+MapAxis equalSteps(std::span<const double> places, std::span<const int> lines, const std::string& name,
+                   double unit = 1.0);
 
 /// Heights [m] row by row, x fastest, all finite; y.points 1 for a profile.
 HeightMap builtMap(const MapAxis& x, const MapAxis& y, std::vector<double> heights);
 
-/// As a person reads it: "2.5e-07 m".
-std::string inMetres(double length);
+/// A length [m] in the unit of the file: "0.25 um".
+std::string inUnit(double length, double unit);
 
 } // namespace touchdown

@@ -5,20 +5,24 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <variant>
 
 #include "core/formats/cml_text.h"
 #include "core/formats/quotation.h"
 #include "core/formats/reader_process.h"
+#include "core/formats/surfaces/header_values.h"
 #include "core/formats/surfaces/height_map_builder.h"
 #include "core/formats/surfaces/height_map_hdf5.h"
 #include "core/formats/surfaces/map_holes.h"
 #include "core/formats/surfaces/map_table.h"
+#include "core/formats/surfaces/surface_fields.h"
 #include "core/formats/surfaces/surface_heading.h"
 #include "core/formats/text_encoding.h"
 #include "core/formats/text_file.h"
 #include "core/formats/words.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 
@@ -51,7 +55,7 @@ MapAxis axisOf(const MapTable& table, std::size_t column, double unit, std::size
         places.push_back(table.at(k * stride, column) * unit);
         lines.push_back(table.lines[k * stride]);
     }
-    return equalSteps(places, lines, name);
+    return equalSteps(places, lines, name, unit);
 }
 
 /// With its rows in another order.
@@ -66,9 +70,8 @@ MapTable reordered(const MapTable& table, const std::vector<std::size_t>& order)
     return sorted;
 }
 
-HeightMap profileOf(MapTable table, const ColumnUnits& key)
+HeightMap profileOf(MapTable table, const ColumnUnits& units)
 {
-    const auto units = columnUnits(table, key);
     for (std::size_t row = 2; row < table.rows(); ++row)
         if (table.at(row, 0) == table.at(0, 0))
             throw CmlError(table.lines[row],
@@ -100,9 +103,8 @@ MapTable inOrder(const MapTable& table)
 }
 
 /// Points in any order.
-HeightMap mapOfPoints(const MapTable& unsorted, const ColumnUnits& key)
+HeightMap mapOfPoints(const MapTable& unsorted, const ColumnUnits& units)
 {
-    const auto units = columnUnits(unsorted, key);
     refuseMarks(unsorted, 2);
     std::size_t ascending = 1;
     while (ascending < unsorted.rows() && unsorted.at(ascending, 0) > unsorted.at(ascending - 1, 0)) ++ascending;
@@ -123,8 +125,9 @@ HeightMap mapOfPoints(const MapTable& unsorted, const ColumnUnits& key)
     const MapAxis y = axisOf(table, 1, units[1], (rows + length - 1) / length, length, "y");
     for (std::size_t k = 0; k < rows; ++k)
         if (!x.holds(k % length, table.at(k, 0) * units[0]) || !y.holds(k / length, table.at(k, 1) * units[1]))
-            throw CmlError(table.lines[k], "a map has no holes: the point x = " + inMetres(x.at(k % length)) +
-                                               ", y = " + inMetres(y.at(k / length)) + " is missing before this one");
+            throw CmlError(table.lines[k], "a map has no holes: the point x = " + inUnit(x.at(k % length), units[0]) +
+                                               ", y = " + inUnit(y.at(k / length), units[1]) +
+                                               " is missing before this one");
     if (rows % length != 0)
         throw CmlError(table.lines.back(), "a map has no holes: its last line ends after " +
                                                std::to_string(rows % length) + " of " + std::to_string(length) +
@@ -160,32 +163,107 @@ HeightMap mapOfWaveDefinition(const MapTable& table, const ColumnUnits& key)
     return builtMap(x, y, std::move(heights));
 }
 
-HeightMap mapOfMatrix(const MapTable& table, const MatrixHeading& heading, const ColumnUnits& key)
+/// Throws where the first row or column of a matrix holds places: it ascends in equal steps, and no other does.
+void refusePlaces(const MapTable& table)
 {
-    const MatrixSize size = matrixSize(table, heading, key);
-    refuseMarks(table, 0);
-    std::vector<double> heights(table.numbers);
-    for (double& h : heights) h *= size.valueUnit;
-    return builtMap({table.columns, 0.0, size.width / static_cast<double>(table.columns)},
-                    {table.rows(), 0.0, size.height / static_cast<double>(table.rows())}, std::move(heights));
+    const auto equal = [&](std::size_t count, const auto& at) {
+        const double step = at(1) - at(0);
+        bool same = count > 3 && step != 0.0;
+        for (std::size_t i = 2; same && i < count; ++i)
+            same = std::abs(at(i) - at(0) - static_cast<double>(i) * step) <= 1e-3 * std::abs(step);
+        return same;
+    };
+    const auto column = [&](std::size_t j) {
+        return equal(table.rows(), [&, j](std::size_t i) { return table.at(i, j); });
+    };
+    const auto row = [&](std::size_t i) {
+        return equal(table.columns, [&, i](std::size_t j) { return table.at(i, j); });
+    };
+    const auto alone = [](const auto& isEqual, std::size_t count) {
+        std::size_t next = 1;
+        while (next < count && !isEqual(next)) ++next;
+        return count > 1 && isEqual(0) && next == count;
+    };
+    if (alone(column, table.columns) || alone(row, table.rows()))
+        throw CmlError(table.lines.front(),
+                       "the first row or column ascends in equal steps: it holds places or counts, no heights");
 }
 
-HeightMap mapOf(MapTable table, const std::string& name, const ColumnUnits& key)
+/// Rows of heights, or one height in each line.
+HeightMap mapOfHeights(const MapTable& table, const PointSteps& steps, double unit)
+{
+    refuseMarks(table, 0);
+    std::vector<double> heights(table.numbers);
+    for (double& h : heights) h *= unit;
+    if (table.columns == 1) return builtMap({table.rows(), 0.0, steps.x}, {1, 0.0, steps.x}, std::move(heights));
+    return builtMap({table.columns, 0.0, steps.x}, {table.rows(), 0.0, steps.y}, std::move(heights));
+}
+
+/// The unit of the heights of a matrix, by the file or by the case.
+double matrixUnit(const MapTable& table, const HeaderValues& values, const ColumnUnits& key)
+{
+    const auto unit = heightUnit(values);
+    const double byKey = key.empty() ? 0.0 : key.back();
+    if (!unit && byKey <= 0.0)
+        throw CmlError(table.lines.front(),
+                       "the heights have no unit; \"# Value units: nm\" gives it, or the case "
+                       "gives all, as disk.surface.unit = \"um, nm\" for the sides and the heights");
+    if (unit && byKey > 0.0 && std::abs(*unit - byKey) > 1e-9 * byKey)
+        refuseOtherThanKey(values.has(HeaderField::HeightUnit) ? values.of(HeaderField::HeightUnit)->line : 0);
+    return unit ? *unit : byKey;
+}
+
+/// "which are x and height ..." of a table that is none of them.
+[[noreturn]] void refuseColumns(const MapTable& table)
+{
+    throw CmlError(table.lines.front(),
+                   "has " + counted(table.columns, "number") +
+                       "; a profile has two columns, x and height, a map three, x, y and height, and a matrix of "
+                       "heights needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it; heights alone "
+                       "need \"# Spacing: 0.5 um\"");
+}
+
+void turn(HeightMap& map, const HeadingLine& line, const std::string& name, std::vector<InputProblem>& warnings)
+{
+    for (double& h : map.heights) h = -h;
+    warnings.push_back({name, line.line, "", "counts heights downwards; the surface was turned: high values are pits"});
+}
+
+HeightMap mapOf(MapTable table, const std::string& name, const ColumnUnits& key, std::vector<InputProblem>& warnings)
 {
     if (endingOf(name) == ".def") return mapOfWaveDefinition(table, key);
-    const MatrixHeading heading = matrixHeading(table);
-    const bool matrix = heading.width && heading.height && table.columns > 3;
+    const HeaderValues values(table);
+    const bool matrix = values.sizesMatrix() && table.columns > 3;
+    const bool alone = table.columns == 1 && (values.has(HeaderField::StepX) || values.has(HeaderField::Step));
     refuseSecondChannel(table, matrix);
     refuseShortRow(table);
-    if (matrix) return mapOfMatrix(table, heading, key);
-    takeOutIndex(table);
-    if (table.columns == 2) return profileOf(std::move(table), key);
-    if (table.columns == 3) return mapOfPoints(table, key);
-    throw CmlError(
-        table.lines.front(),
-        "has " + counted(table.columns, "number") +
-            "; a profile has two columns, x and height, a map three, x, y and height, and a matrix of heights "
-            "needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
+    if (!matrix) takeOutIndex(table);
+    if (!matrix && !alone && table.columns != 2 && table.columns != 3) refuseColumns(table);
+    const bool turnedChannel = channelIsTurned(table, values, matrix ? 0 : table.columns - 1);
+    std::optional<HeadingLine> turned;
+    if (turnedChannel) turned = HeadingLine{{}, values.of(HeaderField::Channel)->line, true};
+    for (const HeadingLine& each : doubtfulText(table))
+        warnings.push_back({name, each.line, "",
+                            "says " + inQuotes(each.text) +
+                                ", which changes nothing: the numbers are read as heights, "
+                                "upwards and in a unit of length"});
+    HeightMap map;
+    if (matrix) {
+        const ColumnUnits units = unitsOfKey(key, 3);
+        refusePlaces(table);
+        const PointSteps steps = pointSteps(table, values, units);
+        map = mapOfHeights(table, steps, matrixUnit(table, values, units));
+    } else {
+        const ColumnUnits units = unitsOfKey(key, alone ? 2 : table.columns);
+        const ColumnUnits ofHeights = alone && !units.empty() ? ColumnUnits{units.back()} : units;
+        const ColumnHeading heading = columnHeading(table, values, ofHeights);
+        if (heading.turned) turned = heading.turned;
+        map = alone                ? mapOfHeights(table, pointSteps(table, values, units), heading.units[0])
+              : table.columns == 2 ? profileOf(std::move(table), heading.units)
+                                   : mapOfPoints(table, heading.units);
+    }
+    if (turned) turn(map, *turned, name, warnings);
+    return map;
 }
 
 bool isMap(const HeightMap& map)
@@ -213,7 +291,7 @@ HeightMap mapByReader(const fs::path& file, const std::string& unit)
 }
 
 HeightMapDocument readBy(const std::string& name, const std::string& unit,
-                         const std::function<HeightMap(const ColumnUnits&)>& read)
+                         const std::function<HeightMap(const ColumnUnits&, std::vector<InputProblem>&)>& read)
 {
     HeightMapDocument document;
     const auto key = unitsOfKey(unit);
@@ -224,7 +302,9 @@ HeightMapDocument readBy(const std::string& name, const std::string& unit,
         return document;
     }
     try {
-        document.map = read(*key);
+        document.map = read(*key, document.warnings);
+        for (const DiskSurfaceProblem& each : heightMapProblems(document.map))
+            document.problems.push_back({name, 0, "", each.sentence});
     } catch (const CmlError& error) {
         document.problems.push_back({name, error.line(), "", error.what()});
     }
@@ -235,9 +315,10 @@ HeightMapDocument readBy(const std::string& name, const std::string& unit,
 
 HeightMapDocument readHeightMapText(std::string text, const std::string& name, const std::string& unit)
 {
-    return readBy(name, unit, [&](const ColumnUnits& key) {
+    return readBy(name, unit, [&](const ColumnUnits& key, std::vector<InputProblem>& warnings) {
+        if (isSimpleField(text)) return mapOf(readSimpleField(text), name, key, warnings);
         const std::string utf8 = asUtf8(std::move(text));
-        return mapOf(readMapTable(utf8), name, key);
+        return mapOf(isSdf(utf8) ? readSdf(utf8) : readMapTable(utf8), name, key, warnings);
     });
 }
 
@@ -245,9 +326,9 @@ HeightMapDocument readHeightMap(const fs::path& file, const std::string& name, c
 {
     const std::string ending = endingOf(file.string());
     if (ending == ".h5" || ending == ".hdf5")
-        return readBy(name, unit, [&](const ColumnUnits&) { return mapByReader(file, unit); });
+        return readBy(name, unit, [&](const auto&...) { return mapByReader(file, unit); });
     HeightMapDocument document;
-    auto text = readTextFile(file, largestFile, FileContent::Text);
+    auto text = readTextFile(file, largestFile, ending == ".gsf" ? FileContent::Any : FileContent::Text);
     if (const auto* problem = std::get_if<FileProblem>(&text)) {
         document.problems.push_back({name, 0, "", problem->message});
         return document;

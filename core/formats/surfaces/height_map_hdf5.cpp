@@ -12,6 +12,7 @@
 #include "core/formats/hdf5_file.h"
 #include "core/formats/hdf5_inspection.h"
 #include "core/formats/quotation.h"
+#include "core/formats/surfaces/column_name.h"
 #include "core/formats/surfaces/height_map_builder.h"
 #include "core/formats/surfaces/map_holes.h"
 #include "core/formats/surfaces/surface_units.h"
@@ -24,6 +25,7 @@ namespace {
 struct Dataset {
     std::vector<hsize_t> shape;
     std::vector<double> values; // [m]
+    double unit = 1.0;          // [m]
 };
 
 std::string shapeText(const std::vector<hsize_t>& shape)
@@ -70,10 +72,26 @@ void refuseMarks(const Hdf5Dataset& dataset, const std::string& name, const std:
             const auto same = [&](double v) { return v == mark || static_cast<float>(v) == static_cast<float>(mark); };
             if (const auto hole = std::ranges::find_if(values, same); hole != values.end())
                 refuse(static_cast<std::size_t>(hole - values.begin()),
-                       "a map has no holes: " + decimalText(*hole) + " is its " + attribute);
+                       "a surface has no holes: " + decimalText(*hole) + " is its " + attribute);
         }
     if (name == "height")
         if (const auto hole = findHole(values)) refuse(*hole, holeText(values[*hole]));
+}
+
+/// Attributes of netCDF that say that heights count downwards or are no heights.
+void refuseQuantity(const Hdf5Dataset& dataset, const std::string& name)
+{
+    if (name != "height") return;
+    for (const char* attribute : {"long_name", "standard_name", "positive"}) {
+        const std::string text = dataset.attribute(attribute);
+        const ColumnName quantity = columnName(text);
+        if (quantity.turned)
+            throw CmlError(0, "dataset \"height\" counts downwards: its " + std::string(attribute) + " is " +
+                                  inQuotes(text) + "; heights count away from the disk");
+        if (quantity.role == ColumnRole::None)
+            throw CmlError(0,
+                           "dataset \"height\" is no height: its " + std::string(attribute) + " is " + inQuotes(text));
+    }
 }
 
 double numberOr(const Hdf5Dataset& dataset, const char* attribute, double otherwise)
@@ -94,21 +112,21 @@ Dataset readDataset(const Hdf5Group& file, const std::string& name, double byKey
     const Hdf5Handle type(H5Dget_type(dataset), H5Tclose);
     if (const auto kind = H5Tget_class(type); kind != H5T_FLOAT && kind != H5T_INTEGER)
         throw CmlError(0, "dataset \"" + name + "\" must hold numbers");
-    Dataset data{dataset.shape(), {}};
+    Dataset data{dataset.shape(), {}, unitOf(dataset, name, byKey)};
     double points = 1.0;
     for (const hsize_t n : data.shape) points *= static_cast<double>(n);
     if (points > mostMapPoints)
         throw CmlError(0, "dataset \"" + name + "\" is " + shapeText(data.shape) + "; at most 64 million points fit");
-    const double unit = unitOf(dataset, name, byKey);
+    refuseQuantity(dataset, name);
     data.values = dataset.numbers();
     const auto hole = std::ranges::find_if(data.values, [](double v) { return !std::isfinite(v); });
     if (hole != data.values.end())
         throw CmlError(0, "dataset \"" + name + "\" holds no number at entry " +
                               std::to_string(hole - data.values.begin() + 1) +
-                              "; a map has no holes: all must be finite");
+                              "; a surface has no holes: all must be finite");
     refuseMarks(dataset, name, data.values);
     const double scale = numberOr(dataset, "scale_factor", 1.0), offset = numberOr(dataset, "add_offset", 0.0);
-    for (double& v : data.values) v = (v * scale + offset) * unit;
+    for (double& v : data.values) v = (v * scale + offset) * data.unit;
     return data;
 }
 
@@ -124,7 +142,7 @@ Direction axisOf(Dataset data, const std::string& name)
         throw CmlError(0, "dataset \"" + name + "\" must be a list, not " + shapeText(data.shape));
     const bool descends = !data.values.empty() && data.values.back() < data.values.front();
     if (descends) std::ranges::reverse(data.values);
-    return {equalSteps(data.values, {}, name), descends};
+    return {equalSteps(data.values, {}, name, data.unit), descends};
 }
 
 } // namespace

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "core/formats/passed_values.h"
-#include "core/formats/surfaces/surface_heading.h"
+#include "core/formats/surfaces/surface_units.h"
 #include "core/physics/disk/height_map.h"
 
 namespace touchdown {

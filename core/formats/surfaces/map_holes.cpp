@@ -66,7 +66,8 @@ std::optional<std::size_t> findHole(std::span<const double> heights)
 
 std::string holeText(double height)
 {
-    return "a map has no holes: " + decimalText(height) + " is far from the other heights and marks a missing point";
+    return "a surface has no holes: " + decimalText(height) +
+           " is far from the other heights and marks a missing point";
 }
 
 } // namespace touchdown

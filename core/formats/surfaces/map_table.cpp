@@ -197,9 +197,9 @@ double readCell(std::string_view cell, const NumberFormat& format, int line)
         value = readCmlNumber(cell);
     }
     if (value) return *value;
-    if (cell.empty()) throw CmlError(line, "a map has no holes: a number is missing between two separators");
+    if (cell.empty()) throw CmlError(line, "a surface has no holes: a number is missing between two separators");
     if (standsForHole(cell))
-        throw CmlError(line, "a map has no holes: every height must be a number, not " + inQuotes(cell));
+        throw CmlError(line, "a surface has no holes: every height must be a number, not " + inQuotes(cell));
     throw CmlError(line, "a line of numbers is needed, not " + inQuotes(cell));
 }
 
@@ -264,15 +264,25 @@ void refuseShortRow(const MapTable& table)
     if (table.shortLine == 0) return;
     throw CmlError(table.shortLine, "has " + counted(table.shortRow.size(), "number") + ", the lines before it " +
                                         std::to_string(table.columns) +
-                                        "; a map has no holes: every line must be complete");
+                                        "; a surface has no holes: every line must be complete");
 }
 
-MapTable readMapTable(std::string_view text)
+MapTable readMapTable(std::string_view written)
 {
+    constexpr std::string_view longMinus = "\xE2\x88\x92";
+    std::string plain; // only where there is one
+    for (std::size_t at = written.find(longMinus), begin = 0; begin < written.size();) {
+        if (at == std::string_view::npos && plain.empty()) break;
+        plain.append(written.substr(begin, at - begin)).append(at == std::string_view::npos ? "" : "-");
+        begin = std::min(at, written.size() - longMinus.size()) + longMinus.size();
+        at = written.find(longMinus, begin);
+    }
+    const std::string_view text = plain.empty() ? written : plain;
     MapTable table;
     const std::vector<Row> rows = findRows(text, table);
     const FormatOfRows commas(rows);
     const NumberFormat format = commas.format();
+    table.separator = format.separator;
     bool pairs = commas.commaBetweenDigits() && format.separator == ',' && !format.point && !format.decimalComma;
     std::vector<std::string_view> cells;
     std::vector<double> row;

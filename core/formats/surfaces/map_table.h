@@ -4,7 +4,8 @@
 //
 // Numbers are separated by semicolons, commas or blanks and tabs, each perhaps in quotation marks. A comma is a decimal
 // comma where blanks, tabs or semicolons separate the numbers and no number has a point: "2,7000<tab>3,2740",
-// "0,25;2,5". What can be read in two ways is refused: "1,5,2,5", "1,234;2,500".
+// "0,25;2,5". The minus sign of typography, U+2212, is a minus. What can be read in two ways is refused: "1,5,2,5",
+// "1,234;2,500".
 #pragma once
 
 #include <cstddef>
@@ -29,6 +30,8 @@ struct TableBreak {
 
 struct MapTable {
     std::size_t columns = 0;
+    bool indexed = false; // a column before them was taken out
+    char separator = ' '; // of the numbers; a blank: blanks and tabs
     std::vector<double> numbers;
     std::vector<int> lines;       // of the file, one for each row
     std::vector<double> shortRow; // a last line with other than `columns` numbers

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <ranges>
+#include <string>
+#include <utility>
 
 #include "core/formats/cml_text.h"
 #include "core/formats/quotation.h"
-#include "core/formats/surfaces/surface_units.h"
+#include "core/formats/surfaces/column_name.h"
+#include "core/formats/surfaces/heading_cells.h"
 #include "core/formats/words.h"
 
 namespace touchdown {
@@ -17,255 +20,230 @@ namespace {
 constexpr const char* asKey =
     "each column needs a unit of length, as \"x [um]  h [nm]\" in a heading, or the case gives them all, as "
     "disk.surface.unit = \"um, nm\"";
-constexpr const char* oneChannel = "; one profile or one channel is read from a file";
-constexpr std::string_view marks = "#%!/ \t\"'";
 
-constexpr std::string_view indexNames[] = {"index", "idx", "no", "nr",    "n",      "i", "id",        "#",
-                                           "num",   "row", "pt", "point", "number", "",  "unnamed: 0"};
+constexpr std::string_view indexNames[] = {"index", "idx",   "no",     "nr", "n",          "i",    "id",
+                                           "#",     "num",   "row",    "pt", "point",      "line", "number",
+                                           "",      "zeile", "sample", "nr", "unnamed: 0", "pos.", "count"};
 
-constexpr std::string_view widthNames[] = {"width",  "image width", "scan width", "x size",  "x-size",     "xsize",
-                                           "size x", "x range",     "x length",   "x-range", "x scan size"};
-constexpr std::string_view heightNames[] = {"height", "image height", "scan height", "y size",  "y-size",     "ysize",
-                                            "size y", "y range",      "y length",    "y-range", "y scan size"};
-constexpr std::string_view valueNames[] = {"value units", "value unit", "values unit", "z units",    "z unit",
-                                           "z-unit",      "z-units",    "height unit", "data units", "height units",
-                                           "data unit",   "units",      "unit",        "value-units"};
-constexpr std::string_view channelNames[] = {"channel", "channel name", "data channel", "profile"};
-
-bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
 bool same(const ColumnUnits& a, const ColumnUnits& b)
 {
-    return std::ranges::equal(a, b, [](double x, double y) { return same(x, y); });
-}
-bool contains(const ColumnUnits& units, double unit)
-{
-    return std::ranges::any_of(units, [&](double each) { return same(each, unit); });
-}
-
-/// "name: 16", "name = 16": a value with its name, no heading of columns.
-bool isValue(std::string_view text)
-{
-    constexpr std::string_view index = "Unnamed: 0"; // as pandas writes it
-    if (text.starts_with(index)) text.remove_prefix(index.size());
-    for (std::size_t at = text.find_first_of(":="); at != std::string_view::npos;
-         at = text.find_first_of(":=", at + 1)) {
-        const std::size_t next = text.find_first_not_of(" \t+-.", at + 1);
-        if (next != std::string_view::npos && text[next] >= '0' && text[next] <= '9') return true;
-    }
-    return false;
-}
-
-std::string_view withoutMarks(std::string_view text)
-{
-    return text.substr(std::min(text.find_first_not_of(marks), text.size()));
+    return std::ranges::equal(a, b, [](double x, double y) { return std::abs(x - y) <= 1e-9 * std::abs(y); });
 }
 
 /// Whether the first cell of a heading is the name of an index, or empty.
 bool namesIndex(const HeadingLine& heading)
 {
-    std::string_view text = heading.text;
-    if (text.starts_with('#') && text.find_first_of(",;\t") != 1) text = withoutMarks(text);
+    const std::string_view text = withoutMark(heading.text);
     const std::string_view cell = text.substr(0, text.find_first_of(",;\t"));
     const auto named = [](std::string_view name) {
         name = trimmed(name.substr(0, name.find_first_of("[(")), " \t\"'.");
         return std::ranges::find(indexNames, lowerCase(name)) != std::end(indexNames);
     };
     if (cell.size() < text.size()) return named(cell);
-    const std::string_view word = text.substr(0, text.find(' '));
+    const std::string_view word = trimmed(text).substr(0, trimmed(text).find(' '));
     return !word.empty() && named(word);
 }
 
-/// What a heading says of units.
-struct Named {
-    const HeadingLine* heading = nullptr;
-    std::vector<UnitMention> mentions;
-    bool lengths = false; // all
-    ColumnUnits units;
+/// A line with one cell for each column.
+struct Heading {
+    const HeadingLine* line = nullptr;
+    HeadingCells cells;
+    std::vector<ColumnName> names;
+
+    bool hasUnits() const
+    {
+        return std::ranges::any_of(cells, [](const HeadingCell& each) { return !each.unit.empty(); });
+    }
+    bool complete() const
+    {
+        return std::ranges::all_of(cells, [](const HeadingCell& each) { return each.metres.has_value(); });
+    }
+    bool unitsAlone() const
+    {
+        return std::ranges::all_of(cells, [](const HeadingCell& each) { return each.name.empty(); });
+    }
+    bool known() const
+    {
+        return std::ranges::all_of(names, [](const ColumnName& each) { return each.known; });
+    }
+    bool holdsNone() const
+    {
+        return std::ranges::any_of(names, [](const ColumnName& each) { return each.role == ColumnRole::None; });
+    }
+    /// Whether a name may stand above column i.
+    bool fits(std::size_t i) const
+    {
+        const bool first = i == 0 && cells.size() > 1, last = i + 1 == cells.size();
+        switch (names[i].role) {
+        case ColumnRole::X: return first;
+        case ColumnRole::Y: return i == 1 || (first && cells.size() == 2);
+        case ColumnRole::Height: return last;
+        case ColumnRole::Any: return true;
+        default: return false;
+        }
+    }
+    bool fits() const
+    {
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            if (!fits(i)) return false;
+        return true;
+    }
+    /// "Height profile" and other titles, which fall into as many words as there are columns.
+    bool isTitle() const
+    {
+        const auto role = [&](ColumnRole r) { return std::ranges::count(names, r, &ColumnName::role); };
+        const auto roles = role(ColumnRole::X) + role(ColumnRole::Y) + role(ColumnRole::Height);
+        return !hasUnits() && !fits() && names.back().role != ColumnRole::None && roles < (holdsNone() ? 1 : 2);
+    }
+    ColumnUnits units() const
+    {
+        ColumnUnits all;
+        for (const HeadingCell& cell : cells) all.push_back(cell.metres.value_or(0.0));
+        return all;
+    }
 };
 
-std::vector<Named> namedUnits(const MapTable& table)
+/// Whether a line begins with a cell that is above no column: "Units<tab>um<tab>nm".
+bool hasLabel(std::string_view line)
 {
-    std::vector<Named> all;
-    for (const HeadingLine& heading : table.headings) {
-        if (isValue(heading.text)) continue;
-        Named named{&heading, unitMentions(withoutMarks(heading.text)), true, {}};
-        if (named.mentions.size() == table.columns + 1 && !named.mentions.front().metres && namesIndex(heading))
-            named.mentions.erase(named.mentions.begin()); // "no [1]" of a column that was taken out
-        for (const UnitMention& mention : named.mentions) {
-            named.lengths = named.lengths && mention.metres;
-            named.units.push_back(mention.metres.value_or(0.0));
-        }
-        if (!named.mentions.empty()) all.push_back(std::move(named));
-    }
-    return all;
+    const std::string lower = lowerCase(withoutMark(line));
+    const std::string_view cell = std::string_view(lower).substr(0, lower.find_first_of("\t,;"));
+    return cell == "units" || cell == "unit" || cell == "long name" || cell == "name";
 }
 
-[[noreturn]] void refuseUnits(const Named& named, std::size_t columns)
+std::optional<Heading> headingOf(const HeadingLine& line, const MapTable& table)
 {
-    for (const UnitMention& mention : named.mentions)
-        if (!mention.metres)
-            throw CmlError(named.heading->line, inQuotes(mention.text) +
-                                                    " is not clearly a unit of length, such as m, mm, um, nm or A; " +
-                                                    asKey);
-    throw CmlError(named.heading->line, "names " + counted(named.units.size(), "unit") + " for " +
-                                            counted(columns, "column") + " of numbers; " + asKey);
-}
-
-/// Columns are x, height or x, y, height; a heading that names them in another order is refused.
-void refuseOtherOrder(const HeadingLine& heading, std::size_t columns)
-{
-    const std::string lower = lowerCase(heading.text);
-    const auto place = [&](std::initializer_list<std::string_view> names) {
-        constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz\xC2\xC3\xB5";
-        for (std::size_t at = lower.find_first_of(letters); at != std::string::npos;
-             at = lower.find_first_of(letters, at)) {
-            const std::size_t end = std::min(lower.find_first_not_of(letters, at), lower.size());
-            if (std::ranges::find(names, std::string_view(lower).substr(at, end - at)) != names.end()) return at;
-            at = end;
-        }
-        return std::string::npos;
+    if (isValue(line.text)) return std::nullopt;
+    auto cells = headingCells(line.text, table.separator, table.columns + 1);
+    if (cells && (table.indexed || hasLabel(line.text)))
+        cells->erase(cells->begin());
+    else
+        cells = headingCells(line.text, table.separator, table.columns);
+    if (!cells) return std::nullopt;
+    const auto isNumber = [](const HeadingCell& each) { // "Scan length","60 um"
+        return each.unit.empty() && !each.name.empty() && each.name[0] >= '0' && each.name[0] <= '9';
     };
-    const std::size_t x = place({"x"}), y = place({"y"}), letter = place({"h", "z"});
-    const std::size_t h = letter != std::string::npos ? letter : place({"height"});
-    const bool after = x != std::string::npos && (y < x || h < x);
-    if (after || (columns == 3 && y != std::string::npos && h < y))
-        throw CmlError(heading.line, "names the columns in another order; a profile has x and height, a map x, y and "
-                                     "height");
+    if (std::ranges::any_of(*cells, isNumber)) return std::nullopt;
+    Heading heading{&line, *cells, {}};
+    for (const HeadingCell& cell : *cells) heading.names.push_back(columnName(cell.name));
+    // A comment is a heading if each word is known: "x (um), gap (nm)", not "spot size (mm), wavelength (um)"; and if
+    // it names a place or a height: not "left (nm), right (um)".
+    const bool order = heading.fits() || (heading.holdsNone() && heading.fits(0));
+    const auto tells = [](const ColumnName& each) { return each.role != ColumnRole::Any; };
+    const auto unnamed = [](const HeadingCell& each) { return each.name.empty(); }; // "units: um; nm"
+    const bool list = heading.cells.size() > 1 && std::ranges::all_of(heading.cells | std::views::drop(1), unnamed);
+    const bool meant = heading.unitsAlone() || list || std::ranges::any_of(heading.names, tells);
+    if (line.comment && !(heading.known() && order && meant)) return std::nullopt;
+    if (line.comment && heading.holdsNone() && !heading.hasUnits() && &line != &table.headings.back())
+        return std::nullopt; // "# scan speed"
+    return heading;
 }
 
-[[noreturn]] void refuseOtherThanKey(int line)
+[[noreturn]] void refuseNone(const Heading& heading, std::size_t i)
 {
-    throw CmlError(line, "names other units than disk.surface.unit; they must be the same, or one of them left out");
+    const std::string& name = heading.cells[i].name;
+    const bool height = i + 1 == heading.cells.size();
+    throw CmlError(heading.line->line,
+                   "names column " + std::to_string(i + 1) + " " + inQuotes(name) + ", which is no " +
+                       (height ? "height" : "place on the disk") +
+                       (heading.names[i].word == name ? "" : ": " + inQuotes(heading.names[i].word)));
 }
 
-std::optional<HeadingValue> valueIn(std::string_view piece, std::span<const std::string_view> names, int line)
+/// Throws where the names do not fit the columns; unknown ones fit where the case gives the units.
+void checkNames(const Heading& heading, bool byKey)
 {
-    const std::string_view text = withoutMarks(piece);
-    const std::string lower = lowerCase(text);
-    for (const std::string_view name : names) {
-        if (!lower.starts_with(name)) continue;
-        std::string_view rest = trimmed(text.substr(name.size()), blanks);
-        HeadingValue value{{}, {}, line};
-        if (rest.starts_with('[') || rest.starts_with('(')) {
-            const std::size_t close = std::min(rest.find_first_of("])"), rest.size());
-            value.unit = trimmed(rest.substr(1, close - 1));
-            rest = trimmed(rest.substr(std::min(close + 1, rest.size())), blanks);
-        }
-        if (!rest.starts_with(':') && !rest.starts_with('=')) continue;
-        value.value = trimmed(rest.substr(1), " \t\"'=");
-        return value;
+    for (std::size_t i = 0; i < heading.cells.size(); ++i)
+        if (heading.names[i].role == ColumnRole::None) refuseNone(heading, i);
+    for (std::size_t i = 0; i < heading.cells.size(); ++i) {
+        if (heading.fits(i)) continue;
+        if (heading.names[i].role != ColumnRole::Unknown)
+            throw CmlError(heading.line->line,
+                           "names the columns in another order; a profile has x and height, a map x, y and height");
+        if (!byKey)
+            throw CmlError(heading.line->line,
+                           "names column " + std::to_string(i + 1) + " " + inQuotes(heading.cells[i].name) +
+                               ", which is not known as a " + (i + 1 < heading.cells.size() ? "place" : "height") +
+                               "; call the columns x and height, or x, y and height, or give disk.surface.unit");
     }
-    return std::nullopt;
 }
 
-/// "Width: 16 um, Height: 8 um" to its two parts.
-std::vector<std::string_view> pieces(std::string_view text)
+[[noreturn]] void refuseUnits(const Heading& heading)
 {
-    std::vector<std::string_view> parts;
-    std::size_t begin = 0;
-    for (std::size_t at = text.find_first_of(",;"); at != std::string_view::npos;
-         at = text.find_first_of(",;", at + 1)) {
-        const std::size_t next = text.find_first_not_of(" \t", at + 1);
-        const std::size_t colon = text.find_first_of(":=", at);
-        const bool name = next != std::string_view::npos && colon != std::string_view::npos && next < colon &&
-                          !(text[next] >= '0' && text[next] <= '9');
-        if (!name) continue;
-        parts.push_back(text.substr(begin, at - begin));
-        begin = at + 1;
+    std::size_t count = 0;
+    for (const HeadingCell& cell : heading.cells) {
+        if (!cell.unit.empty() && !cell.metres)
+            throw CmlError(heading.line->line, inQuotes(cell.unit) +
+                                                   " is not clearly a unit of length, such as m, mm, um, nm or A; " +
+                                                   asKey);
+        count += cell.unit.empty() ? 0 : 1;
     }
-    parts.push_back(text.substr(begin));
-    return parts;
+    throw CmlError(heading.line->line, "names " + counted(count, "unit") + " for " +
+                                           counted(heading.cells.size(), "column") + " of numbers; " + asKey);
 }
 
-std::optional<HeadingValue> headingValue(const MapTable& table, std::span<const std::string_view> names)
+/// By "lateral_unit: um" and "height_unit: nm".
+std::optional<ColumnUnits> unitsOfValues(const HeaderValues& values, std::size_t columns)
 {
-    std::optional<HeadingValue> found;
-    for (const HeadingLine& heading : table.headings)
-        for (const std::string_view piece : pieces(heading.text)) {
-            auto value = valueIn(piece, names, heading.line);
-            if (!value) continue;
-            if (found && (found->value != value->value || found->unit != value->unit))
-                throw CmlError(heading.line, "gives " + inQuotes(value->value) + " after " + inQuotes(found->value) +
-                                                 " in line " + std::to_string(found->line) + oneChannel);
-            found = std::move(value);
-        }
-    return found;
-}
-
-/// The unit of a matrix, in the file or by the key.
-double unitOf(const std::string& unit, double byKey, int line, const std::string& name)
-{
-    if (unit.empty()) {
-        if (byKey > 0.0) return byKey;
-        throw CmlError(line, name + " has no unit of length, as \"um\"; it needs one here, or the case gives all, as " +
-                                 "disk.surface.unit = \"um, nm\" for the sides and the heights");
-    }
-    const auto metres = spelledLength(unit);
-    if (!metres) throw CmlError(line, name + " must be a unit of length, as \"nm\", not " + inQuotes(unit));
-    if (byKey > 0.0 && !same(*metres, byKey)) refuseOtherThanKey(line);
-    return *metres;
+    const auto x = lateralUnit(values), y = unitOfY(values);
+    auto h = heightUnit(values);
+    if (!h && columns == 2) h = y;
+    if (!h || (columns > 1 && !x)) return std::nullopt;
+    if (columns == 1) return ColumnUnits{*h};
+    return columns == 2 ? ColumnUnits{*x, *h} : ColumnUnits{*x, y.value_or(*x), *h};
 }
 
 } // namespace
 
-std::optional<ColumnUnits> unitsOfKey(std::string_view text)
+ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, const ColumnUnits& key)
 {
-    ColumnUnits units;
-    if (trimmed(text).empty()) return units;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find_first_of(",;", begin), text.size());
-        const auto metres = spelledLength(trimmed(text.substr(begin, end - begin)));
-        if (!metres) return std::nullopt;
-        units.push_back(*metres);
-        begin = end + 1;
-    }
-    return units;
-}
-
-ColumnUnits unitsOfKey(const ColumnUnits& key, std::size_t columns)
-{
-    if (key.empty() || key.size() == columns) return key;
-    if (key.size() == 1) return ColumnUnits(columns, key.front());
-    if (key.size() == 2 && columns == 3) return {key[0], key[0], key[1]};
-    throw CmlError(0, "has " + counted(columns, "column") + ", and disk.surface.unit gives " +
-                          counted(key.size(), "unit") + "; one for each column is needed, or one for all");
-}
-
-ColumnUnits columnUnits(const MapTable& table, const ColumnUnits& key)
-{
-    const ColumnUnits wanted = unitsOfKey(key, table.columns);
-    const std::vector<Named> all = namedUnits(table);
-    const auto complete = [&](const Named& each) { return each.lengths && each.units.size() == table.columns; };
-    const auto first = std::ranges::find_if(all, complete);
-    const ColumnUnits found = !wanted.empty() ? wanted : first != all.end() ? first->units : ColumnUnits{};
-    for (const Named& each : all) {
-        const bool heading = !each.heading->comment || &each == &all.back() || found.empty();
-        if (complete(each)) {
-            refuseOtherOrder(*each.heading, table.columns);
-            if (same(each.units, found)) continue;
-            if (!wanted.empty()) refuseOtherThanKey(each.heading->line);
-            throw CmlError(each.heading->line, "names other units than line " + std::to_string(first->heading->line));
+    std::vector<Heading> all;
+    for (const HeadingLine& line : table.headings)
+        if (auto heading = headingOf(line, table); heading && !heading->isTitle()) all.push_back(std::move(*heading));
+    ColumnHeading found{key, {}};
+    int from = 0; // the line of the units
+    const auto agree = [&](const ColumnUnits& units, int line) {
+        if (found.units.empty()) {
+            found.units = units;
+            from = line;
+        } else if (!same(units, found.units) && from == 0) {
+            refuseOtherThanKey(line);
+        } else if (!same(units, found.units)) {
+            throw CmlError(line, "names other units than line " + std::to_string(from));
         }
-        if (!heading || (each.heading->comment && first != all.end() && each.units.size() < table.columns)) continue;
-        const bool part = each.lengths && each.units.size() < table.columns && !found.empty();
-        if (!part) refuseUnits(each, table.columns);
-        for (const double unit : each.units)
-            if (!contains(found, unit)) {
-                if (!wanted.empty()) refuseOtherThanKey(each.heading->line);
-                refuseUnits(each, table.columns);
+    };
+    // The names of the columns stand nearest to the numbers.
+    const auto named = std::find_if(all.rbegin(), all.rend(), [](const Heading& each) { return !each.unitsAlone(); });
+    if (named != all.rend()) {
+        checkNames(*named, !key.empty());
+        if (named->hasUnits() && !named->complete()) {
+            for (std::size_t i = 0; i < table.columns; ++i) {
+                const HeadingCell& cell = named->cells[i];
+                if (key.empty() || (!cell.unit.empty() && !cell.metres)) refuseUnits(*named);
+                if (cell.metres && !same({*cell.metres}, {key[i]})) refuseOtherThanKey(named->line->line);
             }
+        }
     }
-    if (!table.headings.empty() && !table.headings.back().comment)
-        refuseOtherOrder(table.headings.back(), table.columns);
-    if (!found.empty()) return found;
-    throw CmlError(table.headings.empty() ? table.lines.front() : table.headings.back().line,
-                   std::string("no unit is named: ") + asKey);
+    for (const Heading& each : all) {
+        if (each.holdsNone()) checkNames(each, true);
+        if (each.names.back().turned) found.turned = *each.line;
+        if (each.complete() && each.fits())
+            agree(each.units(), each.line->line);
+        else if (each.unitsAlone() && each.hasUnits())
+            refuseUnits(each);
+    }
+    if (const auto units = unitsOfValues(values, table.columns))
+        agree(*units, values.has(HeaderField::HeightUnit) ? values.of(HeaderField::HeightUnit)->line
+                                                          : table.headings.back().line);
+    if (found.units.empty())
+        throw CmlError(table.headings.empty() ? table.lines.front() : table.headings.back().line,
+                       std::string("no unit is named: ") + asKey);
+    return found;
 }
 
 void takeOutIndex(MapTable& table)
 {
     const double first = table.at(0, 0);
-    if (table.rows() < 3 || (first != 0.0 && first != 1.0)) return;
+    if (table.columns < 2 || table.rows() < 3 || (first != 0.0 && first != 1.0)) return;
     for (std::size_t row = 0; row < table.rows(); ++row)
         if (table.at(row, 0) != first + static_cast<double>(row)) return;
     const auto heading = std::ranges::find_if(
@@ -274,11 +252,11 @@ void takeOutIndex(MapTable& table)
         if (table.columns == 2) return;
         throw CmlError(table.lines.front(),
                        "the first column counts the rows; it is left out only where its heading is \"index\", \"#\", "
-                       "\"no\" or empty");
+                       "\"no\", \"line\" or empty");
     }
     if (table.columns == 2) {
-        const auto mentions = unitMentions(withoutMarks(heading->text));
-        if (mentions.size() == 2 && mentions.front().metres) return; // "i [um], h [nm]"
+        const auto cells = headingCells(heading->text, table.separator, 2);
+        if (cells && cells->front().metres) return; // "i [um], h [nm]"
         throw CmlError(heading->line, "the first column is an index; a profile needs the lengths x, too");
     }
     std::vector<double> numbers;
@@ -287,43 +265,22 @@ void takeOutIndex(MapTable& table)
         for (std::size_t column = 1; column < table.columns; ++column) numbers.push_back(table.at(row, column));
     table.numbers = std::move(numbers);
     --table.columns;
-}
-
-MatrixHeading matrixHeading(const MapTable& table)
-{
-    return {headingValue(table, widthNames), headingValue(table, heightNames), headingValue(table, valueNames)};
-}
-
-MatrixSize matrixSize(const MapTable& table, const MatrixHeading& heading, const ColumnUnits& key)
-{
-    const ColumnUnits units = key.empty() ? ColumnUnits(3, 0.0) : unitsOfKey(key, 3);
-    const auto side = [](const HeadingValue& given, double byKey, const std::string& name) {
-        const auto parts = numberAndUnit(given.value);
-        const bool plain = parts && parts->number > 0.0 && (parts->unit.empty() || spelledLength(parts->unit));
-        if (!plain)
-            throw CmlError(given.line, name + " must be a length above 0 with its unit, as \"10 um\", not " +
-                                           inQuotes(given.value));
-        return parts->number * unitOf(parts->unit.empty() ? given.unit : parts->unit, byKey, given.line, name);
-    };
-    const HeadingValue none{{}, {}, table.lines.front()};
-    const HeadingValue& value = heading.valueUnits ? *heading.valueUnits : none;
-    const std::string unit(trimmed(value.value, " \t[](){}\"'"));
-    return {side(*heading.width, units[0], "Width"), side(*heading.height, units[1], "Height"),
-            unitOf(unit, units[2], value.line, "Value units")};
+    table.indexed = true;
 }
 
 void refuseSecondChannel(const MapTable& table, bool matrix)
 {
-    const std::span<const std::string_view> all[] = {widthNames, heightNames, valueNames, channelNames};
     const auto refuse = [](const HeadingLine& line, const char* what) {
-        throw CmlError(line.line, what + std::string(oneChannel));
+        throw CmlError(line.line, what + std::string("; one profile or one channel is read from a file"));
     };
     std::size_t gaps = 0, inside = 0;
     for (const TableBreak& each : table.breaks) {
-        const bool names = std::ranges::any_of(
-            all, [&](const auto& list) { return valueIn(each.line.text, list, each.line.line).has_value(); });
-        const bool units = !isValue(each.line.text) && !unitMentions(withoutMarks(each.line.text)).empty();
-        if (names || units) refuse(each.line, "a second channel or profile begins here");
+        const auto cells = isValue(each.line.text) || matrix
+                               ? std::nullopt
+                               : headingCells(each.line.text, table.separator, table.columns);
+        const bool units =
+            cells && std::ranges::any_of(*cells, [](const HeadingCell& cell) { return !cell.unit.empty(); });
+        if (beginsChannel(each.line.text) || units) refuse(each.line, "a second channel or profile begins here");
         if (each.row >= table.rows()) continue;
         ++inside;
         if (each.line.text.empty()) ++gaps;
@@ -331,6 +288,42 @@ void refuseSecondChannel(const MapTable& table, bool matrix)
     }
     const bool everyRow = gaps + 1 == table.rows() && table.rows() > 2; // lines that end twice
     if (matrix && inside > 0 && !everyRow) refuse(table.breaks.front().line, "an empty line divides the matrix here");
+}
+
+std::vector<HeadingLine> doubtfulText(const MapTable& table)
+{
+    constexpr std::string_view words[] = {"depth",      "depths",     "inverted",    "flipped", "negated", "downward",
+                                          "downwards",  "logarithm",  "logarithmic", "log10",   "squared", "normalized",
+                                          "normalised", "multiplied", "divided",     "scaled"};
+    constexpr std::string_view keys[] = {"type",    "data",    "data type", "column", "column 2", "column 3", "value",
+                                         "values",  "content", "variable",  "z",      "z axis",   "y axis",   "y label",
+                                         "z label", "ylabel",  "zlabel",    "height", "heights",  "parameter"};
+    std::vector<HeadingLine> doubtful;
+    for (const HeadingLine& line : table.headings) {
+        if (const auto heading = headingOf(line, table)) {
+            if (!heading->names.back().known && !heading->isTitle())
+                doubtful.push_back({heading->cells.back().name, line.line, line.comment});
+            continue;
+        }
+        const std::string lower = lowerCase(line.text);
+        const auto stands = [&](std::string_view word) {
+            const auto letter = [&](std::size_t i) { return i < lower.size() && lower[i] >= 'a' && lower[i] <= 'z'; };
+            const std::size_t at = lower.find(word);
+            return at != std::string::npos && !letter(at - 1) && !letter(at + word.size());
+        };
+        const auto word = std::ranges::find_if(words, stands);
+        if (word != std::end(words)) {
+            doubtful.push_back({std::string(*word), line.line, line.comment});
+        } else if (const auto sign = lower.find_first_of(":="); sign != std::string::npos) { // "type: gap"
+            const std::string_view key = trimmed(withoutMark(std::string_view(lower).substr(0, sign)));
+            const std::string_view value = trimmed(std::string_view(line.text).substr(sign + 1));
+            const ColumnName name = columnName(value);
+            const bool tells = name.role == ColumnRole::None || (name.role == ColumnRole::Height && name.turned);
+            if (!isValue(line.text) && std::ranges::find(keys, key) != std::end(keys) && name.known && tells)
+                doubtful.push_back({std::string(value), line.line, line.comment});
+        }
+    }
+    return doubtful;
 }
 
 } // namespace touchdown

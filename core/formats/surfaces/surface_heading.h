@@ -1,54 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the headings and comments of a surface file say: units of its columns, an index column, size and unit of a
-// matrix.
+// What the headings and comments of a surface file say of its columns: their units, an index column, heights that count
+// downwards, quantities that are no height.
+//
+// A heading counts if it falls into one cell for each column (core/formats/surfaces/heading_cells.h) and its names fit
+// the columns (core/formats/surfaces/column_name.h). In a comment each word must be known. All other text is prose,
+// which gives no unit to a column. Two lines of values, "lateral_unit: um" and "height_unit: nm", are as good.
 #pragma once
 
-#include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "core/formats/surfaces/header_values.h"
 #include "core/formats/surfaces/map_table.h"
+#include "core/formats/surfaces/surface_units.h"
 
 namespace touchdown {
 
-/// Units of length of the columns [m]; empty where none are given.
-using ColumnUnits = std::vector<double>;
+/// What the text before the numbers says of the columns.
+struct ColumnHeading {
+    ColumnUnits units;
+    std::optional<HeadingLine> turned; // the line that says that heights count downwards
+};
+/// `columns` of heights alone, of x and height, or of x, y and height. The units must be those of the key where both
+/// are given. Throws CmlError where there are none, fewer or more than columns, units that are no length, or where a
+/// name is no place or no height.
+ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, const ColumnUnits& key);
 
-/// The value of disk.surface.unit: "um, nm". Nothing if it holds another word.
-std::optional<ColumnUnits> unitsOfKey(std::string_view text);
-/// One unit for each of `columns`: one for all, one for each, or one for x and y and one for heights.
-ColumnUnits unitsOfKey(const ColumnUnits& key, std::size_t columns);
-
-/// The units that the headings name, which must be those of the key where both are given. Throws CmlError where there
-/// are none, fewer or more than columns, or units that are no length.
-ColumnUnits columnUnits(const MapTable& table, const ColumnUnits& key);
-
-/// Takes out a first column that counts the rows from 0 or 1 where a heading says so: "index", "#", "no", or nothing as
-/// in ",x [um],h [nm]". Throws CmlError where no heading says so.
+/// Takes out a first column that counts the rows from 0 or 1 where a heading says so: "index", "#", "line", or nothing
+/// as in ",x [um],h [nm]". Throws CmlError where no heading says so.
 void takeOutIndex(MapTable& table);
-
-/// "# Width: 10 um", "width [um] = 10".
-struct HeadingValue {
-    std::string value;
-    std::string unit; // in brackets beside the name
-    int line = 0;
-};
-struct MatrixHeading {
-    std::optional<HeadingValue> width, height, valueUnits;
-};
-/// Throws CmlError where a value is given twice and differs.
-MatrixHeading matrixHeading(const MapTable& table);
-
-/// The sides and the unit of the heights of a matrix [m].
-struct MatrixSize {
-    double width = 0.0, height = 0.0, valueUnit = 0.0;
-};
-MatrixSize matrixSize(const MapTable& table, const MatrixHeading& heading, const ColumnUnits& key);
 
 /// Throws CmlError where a heading or comment between the rows begins a second channel or profile.
 void refuseSecondChannel(const MapTable& table, bool matrix);
+
+/// Words that may concern the heights and are not understood, with their lines: "downwards" of "z axis points
+/// downwards", a column "etched height".
+std::vector<HeadingLine> doubtfulText(const MapTable& table);
 
 } // namespace touchdown

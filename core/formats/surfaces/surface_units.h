@@ -10,6 +10,7 @@
 // M, MM, Mm, mM, nM, Nm and other spellings that may be another unit are not read.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,11 @@ namespace touchdown {
 
 /// The length in metres of one "um"; empty for other words.
 std::optional<double> spelledLength(std::string_view unit);
+/// "V", "px", "counts": a unit that is no length.
+bool spellsOtherUnit(std::string_view word);
+/// "um" for 1e-6; every length that is read has a symbol.
+std::string lengthSymbol(double metres);
+
 /// "10 um", "10,5 [um]": its number and its unit, which may be empty; nothing if it does not begin with a number.
 struct NumberAndUnit {
     double number = 0.0;
@@ -26,14 +32,16 @@ struct NumberAndUnit {
 };
 std::optional<NumberAndUnit> numberAndUnit(std::string_view quantity);
 
-/// A word that stands in the place of a unit.
-struct UnitMention {
-    std::string text;
-    std::optional<double> metres; // empty: no length, or not clearly one
-};
+/// Units of length of the columns [m]; empty where none are given.
+using ColumnUnits = std::vector<double>;
 
-/// The units of a heading: "x [um]  h (nm)", "x in um, h in nm", "x_um h_nm", "x/um", "um;nm". A number before the unit
-/// makes it a value, which is no mention.
-std::vector<UnitMention> unitMentions(std::string_view line);
+/// The value of disk.surface.unit: "um, nm". Nothing if it holds another word.
+std::optional<ColumnUnits> unitsOfKey(std::string_view text);
+/// One unit for each of `columns`: one for all, one for each, or one for x and y and one for heights. Throws CmlError
+/// where the counts do not fit.
+ColumnUnits unitsOfKey(const ColumnUnits& key, std::size_t columns);
+
+/// Micro signs to u, letters with rings and dots to plain ones.
+std::string withPlainLetters(std::string_view line);
 
 } // namespace touchdown

@@ -14,6 +14,7 @@ namespace {
 /// In shorter periods the heights at both ends are correlated.
 constexpr double correlationLengthsInPeriod = 8.0;
 constexpr double roughestDisk = 10e-6, farthestPoints = 1e-3; // [m]
+constexpr double steepestDisk = 0.1, steepestRead = 1.0;      // rms slope [-]
 /// A multiple of the cell as people write it, "1 mm" of "0.25 um", is off by rounding only.
 constexpr double wholeness = 1e-6;
 
@@ -22,6 +23,14 @@ std::string micrometres(double length)
     char text[40];
     std::snprintf(text, sizeof text, "%.6g um", length * 1e6);
     return text;
+}
+
+std::string slopeText(double slope)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.3g", slope);
+    return std::string("has an rms slope of ") + text +
+           ", and a disk has less than 0.1: the units of x and height are swapped or wrong";
 }
 
 class Check {
@@ -190,9 +199,32 @@ std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface)
     return check.problems;
 }
 
+double rmsSlope(const HeightMap& map)
+{
+    const auto nx = static_cast<std::size_t>(map.nx), ny = static_cast<std::size_t>(map.ny);
+    const auto mean = [&](std::size_t columns, std::size_t rows, std::size_t next, double step) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < rows; ++j)
+            for (std::size_t i = 0; i < columns; ++i) {
+                const double rise = (map.heights[j * nx + i + next] - map.heights[j * nx + i]) / step;
+                sum += rise * rise;
+            }
+        return columns * rows > 0 ? std::sqrt(sum / static_cast<double>(columns * rows)) : 0.0;
+    };
+    const double along = mean(nx - 1, ny, 1, map.dx);
+    return ny > 1 ? std::max(along, mean(nx, ny - 1, nx, map.dy)) : along;
+}
+
+std::vector<DiskSurfaceProblem> heightMapProblems(const HeightMap& map)
+{
+    if (const double slope = rmsSlope(map); slope > steepestRead) return {{"file", slopeText(slope)}};
+    return {};
+}
+
 std::vector<DiskSurfaceProblem> heightMapWarnings(const HeightMap& map)
 {
     std::vector<DiskSurfaceProblem> warnings;
+    if (const double slope = rmsSlope(map); slope > steepestDisk) warnings.push_back({"file", slopeText(slope)});
     if (const double rms = momentsOf(map.heights).deviation; rms > roughestDisk)
         warnings.push_back({"file", "has heights with an rms of " + micrometres(rms) +
                                         ", more than a disk has; check the units of the file"});

@@ -24,8 +24,13 @@ struct DiskSurfaceProblem {
 /// Of the parts that the kind uses; empty for a surface that DiskTopography accepts.
 std::vector<DiskSurfaceProblem> diskSurfaceProblems(const DiskSurface& surface);
 
-/// Of a measured surface that may have been read in a wrong unit: an rms above 10 um, points more than 1 mm apart.
+/// Of a measured surface that was read in a wrong unit: an rms slope above 1. A disk has less than 0.1; swapped units
+/// of um and nm give a million times its slope.
+std::vector<DiskSurfaceProblem> heightMapProblems(const HeightMap& map);
+/// Of one that may have been: an rms slope above 0.1, an rms above 10 um, points more than 1 mm apart.
 std::vector<DiskSurfaceProblem> heightMapWarnings(const HeightMap& map);
+/// The larger of the rms slopes along x and y, between neighbouring points [-].
+double rmsSlope(const HeightMap& map);
 
 /// The parts of a surface; `combined` has all that are given.
 bool hasWaves(const DiskSurface& surface);

@@ -68,7 +68,14 @@ DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightM
     period_ = askedTrack(hasWaves(surface) || hasBumps(surface) ? surface : DiskSurface{});
     if (hasWaves(surface)) waves_ = Waves(surface);
     if (hasBumps(surface)) bumps_ = Bumps(surface);
-    if (hasFile(surface) && file) maps_.push_back(splineOf(*file));
+    if (hasFile(surface) && file) {
+        maps_.push_back(splineOf(*file));
+        measured_ = gridOf(maps_.back());
+        measured_.nx = file->nx;
+        measured_.ny = file->ny;
+        measuredRepeats_ = file->closedX && (file->closedY || file->ny == 1);
+    }
+    const bool fileAlone = !maps_.empty() && waves_.empty() && bumps_.empty() && !hasRoughness(surface);
     file.reset();
     if (hasRoughness(surface)) {
         std::vector<double> heights = generateRoughness(surface, goOn);
@@ -86,6 +93,10 @@ DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightM
     if (finest != maps_.end()) period_ = gridOf(*finest);
     // Bumps repeat with the generated map; with a measured one only by chance.
     repeats_ = waves_.empty() && maps_.size() < 2 && (bumps_.empty() || !hasFile(surface));
+    if (!fileAlone) {
+        measured_ = period_;
+        measuredRepeats_ = repeats_;
+    }
 }
 
 bool DiskTopography::flat() const { return waves_.empty() && maps_.empty() && bumps_.empty(); }

@@ -65,6 +65,11 @@ public:
     UniformGrid period() const { return period_; }
     /// Whether all of it repeats with period(): waves do not in general.
     bool repeats() const { return repeats_; }
+    /// What statistics are taken of: period(), but only the points of the file, without their mirror image, where the
+    /// surface is a measured one alone.
+    UniformGrid measured() const { return measured_; }
+    /// Whether the surface repeats with measured().
+    bool measuredRepeats() const { return measuredRepeats_; }
 
 private:
     Waves waves_;
@@ -73,6 +78,8 @@ private:
     double highest_ = 0.0, lowest_ = 0.0; // [m]
     UniformGrid period_;
     bool repeats_ = true;
+    UniformGrid measured_;
+    bool measuredRepeats_ = true;
 };
 
 } // namespace touchdown

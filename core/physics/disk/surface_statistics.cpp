@@ -178,14 +178,14 @@ SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const dou
 
 SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn)
 {
-    const UniformGrid grid = surface.period();
+    const UniformGrid grid = surface.measured();
     return statisticsOf(
         grid,
         [&](int j, std::span<double> row) {
             const UniformGrid line{grid.nx, 1, grid.dx, grid.dy, grid.x0, grid.y0 + j * grid.dy};
             surface.heights(line, 0.0, 0.0, row);
         },
-        surface.repeats(), goOn);
+        surface.measuredRepeats(), goOn);
 }
 
 ProfilePsd averaged(const ProfilePsd& psd, int perDecade)

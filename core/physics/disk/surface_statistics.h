@@ -34,7 +34,8 @@ struct SurfaceStatistics {
 /// Hann window. Skewness, kurtosis, correlation length and density are 0 or empty where all heights are equal.
 SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const double> heights, bool periodic);
 
-/// Of one period of a surface. If `goOn`, asked at each row, returns false the statistics are invalid.
+/// Of one period of a surface; of a measured one alone, those of the points of its file. If `goOn`, asked at each row,
+/// returns false the statistics are invalid.
 SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn = {});
 
 /// For plots: the density averaged over bins of equal ratio, at most `perDecade` in each decade.

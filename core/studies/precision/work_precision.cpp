@@ -19,7 +19,7 @@ namespace touchdown {
 namespace {
 
 constexpr double secondsBetweenReports = 0.5;
-constexpr double knownShare = 0.02; // of the ensembles that tells their pace
+constexpr double knownEnsembles = 0.02; // of the ensembles that tells their pace
 
 class PrecisionStudy {
 public:
@@ -93,7 +93,7 @@ private:
         const auto poll = [&](std::size_t done, double share) {
             const Ensemble& now =
                 ensembles_[std::min(done / static_cast<std::size_t>(task_.ensemble.starts), ensembles_.size() - 1)];
-            const double all = share > knownShare ? (wallClock() - begin) / share : expected;
+            const double all = share > knownEnsembles ? (wallClock() - begin) / share : expected;
             return tell((1.0 - share) * all, "ensemble: " + now.method + ", " + now.setting);
         };
         return runEnsembles(ensembles_, task_.ensemble, jobs_, poll);

@@ -47,6 +47,11 @@ private slots:
         QCOMPARE(refusal([&] { equalSteps(places, lines, "y"); }),
                  std::string("12: y must ascend in equal steps, without gaps: 3 m stands where 2 m is needed"));
         QCOMPARE(refusal([&] { equalSteps(places, {}, "y"); }).substr(0, 2), std::string("0:"));
+        // In the unit of the file.
+        std::vector<double> inMicrometres(places);
+        for (double& place : inMicrometres) place *= 1e-6;
+        QCOMPARE(refusal([&] { equalSteps(inMicrometres, lines, "y", 1e-6); }),
+                 std::string("12: y must ascend in equal steps, without gaps: 3 um stands where 2 um is needed"));
     }
 
     void mapsThatCloseLoseTheirLastPoints()

@@ -137,16 +137,16 @@ private slots:
         row("nothing", "", empty);
         row("words alone", "this is\nno map\n", empty);
         row("a hole", "0 1\n1 NaN\n2 3\n3 4\n",
-            "map.txt:2: a map has no holes: every height must be a number, not \"NaN\"");
+            "map.txt:2: a surface has no holes: every height must be a number, not \"NaN\"");
         row("a hole in the first line", "nan 1\n1 2\n",
-            "map.txt:1: a map has no holes: every height must be a number, not \"nan\"");
+            "map.txt:1: a surface has no holes: every height must be a number, not \"nan\"");
         row("a hole of a matrix", "# Width: 1 um\n# Height: 1 um\n1 2 3 4\n1 -- 3 4\n",
-            "map.txt:4: a map has no holes: every height must be a number, not \"--\"");
+            "map.txt:4: a surface has no holes: every height must be a number, not \"--\"");
         row("a word among numbers", "0 1\n1 two\n", "map.txt:2: a line of numbers is needed, not \"two\"");
         row("a missing number", "0 1\n1\n2 3\n3 4\n",
-            "map.txt:2: has 1 number, the lines before it 2; a map has no holes: every line must be complete");
+            "map.txt:2: has 1 number, the lines before it 2; a surface has no holes: every line must be complete");
         row("a missing number at the end", "0 1\n1 2\n2 3\n3\n",
-            "map.txt:4: has 1 number, the lines before it 2; a map has no holes: every line must be complete");
+            "map.txt:4: has 1 number, the lines before it 2; a surface has no holes: every line must be complete");
         row("a missing point of a profile", "0 1\n1 2\n2 3\n3 4\n5 5\n6 6\n",
             "map.txt:5: x must ascend in equal steps, without gaps: 5 m stands where 4 m is needed");
         row("steps that grow", "0 1\n1 2\n2.1 3\n3.3 4\n4.6 5\n",
@@ -162,11 +162,12 @@ private slots:
         row("columns without sense", "1 2 3 4\n5 6 7 8\n",
             "map.txt:1: has 4 numbers; a profile has two columns, x and height, a map three, x, y and height, and a "
             "matrix of "
-            "heights needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it");
+            "heights needs the comments \"# Width: 10 um\" and \"# Height: 5 um\" before it; heights alone "
+            "need \"# Spacing: 0.5 um\"");
         row("a matrix of no size", "# Width: 0 um\n# Height: 1 um\n1 2 3 4\n",
             "map.txt:1: Width must be a length above 0 with its unit, as \"10 um\", not \"0 um\"");
         row("a matrix of seconds", "# Width: 3 um\n# Height: 1 um\n# Value units: s\n1 2 3 4\n",
-            "map.txt:3: Value units must be a unit of length, as \"nm\", not \"s\"");
+            "map.txt:3: names the unit \"s\", which is not clearly one of length, as \"nm\"");
         row("no y in wave.def", "0 1 5\n1e-6 2 6\n2e-6 3 7\n",
             "wave.def:3: the last line must hold only the y [m] of each profile, 2 numbers", "wave.def");
         row("too few y in wave.def", "0 1 5 6\n1e-6 2 6 7\n2e-6 3 7 8\n0 1e-6\n",
@@ -220,6 +221,27 @@ private slots:
                     QCOMPARE(map.heights.size(), static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny));
                     for (const double h : map.heights) QVERIFY(std::isfinite(h));
                 }
+    }
+
+    // Places beside the heights of a matrix: a first row or column in equal steps.
+    void placesInAMatrixAreRefused()
+    {
+        const std::string size = "# Width: 8 um\n# Height: 6 um\n# unit: nm\n";
+        QVERIFY(read(size + "1 2 5 3\n2 7 1 4\n4 1 2 3\n3 5 1 2\n").valid());
+        QVERIFY(!read(size + "0 2 5 3\n.5 7 1 4\n1 1 2 3\n1.5 5 1 2\n").valid());
+        QVERIFY(!read(size + "0 2 4 6\n2 7 1 4\n4 1 2 3\n3 5 1 2\n").valid());
+    }
+
+    // A line of a million words or commas is looked at once.
+    void longHeadings()
+    {
+        std::string words, commas;
+        for (int i = 0; i < 1'000'000; ++i) {
+            words += "x [um] ";
+            commas += "a,b;";
+        }
+        const std::string text = words + "\n# " + words + "\n" + commas + "\nx [um] h [nm]\n0 1\n1 2\n2 .5\n3 -1\n";
+        QVERIFY(near(read(text).map.heights, fourHeights));
     }
 
     // Of 1 GiB, the first 64 KiB tell that it is no text.

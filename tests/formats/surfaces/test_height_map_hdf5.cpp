@@ -151,11 +151,15 @@ private slots:
         };
         row("another unit", profile, set("units", "um"), "different units");
         row("counts", profile, set("units", "counts"), "must be a length");
-        row("a fill value", profile, set("_FillValue", 3.0), "entry 3: a map has no holes: 3 is its _FillValue");
+        row("depths", profile, set("positive", "down"), "counts downwards");
+        row("depths by name", profile, set("long_name", "depth of the track"), "counts downwards");
+        row("another quantity", profile, set("long_name", "height error"), "no height");
+        row("a fill value", profile, set("_FillValue", 3.0), "entry 3: a surface has no holes: 3 is its _FillValue");
         row("a missing value", profile, set("missing_value", std::int64_t{5}),
-            "entry 4: a map has no holes: 5 is its miss");
+            "entry 4: a surface has no holes: 5 is its miss");
         row(
-            "a mark", {1.0, -32768.0, 2.0, 1.5}, [](const Hdf5Group&) {}, "entry 2: a map has no holes: -32768 is far");
+            "a mark", {1.0, -32768.0, 2.0, 1.5}, [](const Hdf5Group&) {},
+            "entry 2: a surface has no holes: -32768 is far");
     }
     void marksAndContradictionsAreRefused()
     {
@@ -206,7 +210,7 @@ private slots:
                 writeList(f, "x", x);
                 writeList(f, "height", {1.0, 2.0, std::numeric_limits<double>::quiet_NaN(), 4.0});
             },
-            "dataset \"height\" holds no number at entry 3; a map has no holes: all must be finite");
+            "dataset \"height\" holds no number at entry 3; a surface has no holes: all must be finite");
         row(
             "x that jumps",
             [](const Hdf5Group& f) {

@@ -36,6 +36,10 @@ private slots:
         row("0,250 1,000\n", 2, {0.25, 1});
         row("-1,2,-3,4\n", 4, {-1, 2, -3, 4});
         row("1, 2, 3, 4\n", 4, {1, 2, 3, 4});
+        row("0 \xE2\x88\x92"
+            "1\n\xE2\x88\x92"
+            "2.5 3\n",
+            2, {0, -1, -2.5, 3}); // the minus sign of typography
         row("nano 1 2\n2024-01-05\n1 2\n", 2, {1, 2});
     }
     void numbersAreRead()

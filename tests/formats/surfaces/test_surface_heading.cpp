@@ -22,41 +22,106 @@ int refusedLine(const std::function<void()>& action)
     return -1;
 }
 
+ColumnUnits unitsOf(const std::string& text, const ColumnUnits& key = {})
+{
+    const MapTable table = readMapTable(text);
+    return columnHeading(table, HeaderValues(table), key).units;
+}
+
 class TestSurfaceHeading : public QObject {
     Q_OBJECT
 
 private slots:
-    void theKeyHoldsUnits()
-    {
-        QCOMPARE(unitsOfKey(""), std::optional(ColumnUnits{}));
-        QCOMPARE(unitsOfKey("um, nm"), std::optional(ColumnUnits{1e-6, 1e-9}));
-        QCOMPARE(unitsOfKey("um;um;nm"), std::optional(ColumnUnits{1e-6, 1e-6, 1e-9}));
-        QVERIFY(!unitsOfKey("um, V"));
-        QVERIFY(!unitsOfKey("um,"));
-        QCOMPARE(unitsOfKey(ColumnUnits{1e-6}, 3), (ColumnUnits{1e-6, 1e-6, 1e-6}));
-        QCOMPARE(unitsOfKey(ColumnUnits{1e-6, 1e-9}, 3), (ColumnUnits{1e-6, 1e-6, 1e-9}));
-        QCOMPARE(refusedLine([] { unitsOfKey(ColumnUnits{1, 1, 1}, 2); }), 0);
-    }
     void columns()
     {
-        const MapTable table = readMapTable("# tip [V]\nname\nx [um] h [nm]\n0 1\n1 2\n");
-        QCOMPARE(columnUnits(table, {}), (ColumnUnits{1e-6, 1e-9}));
-        QCOMPARE(columnUnits(table, {1e-6, 1e-9}), (ColumnUnits{1e-6, 1e-9}));
-        QCOMPARE(refusedLine([&] { columnUnits(table, {1e-6}); }), 3);
-        QCOMPARE(refusedLine([] { columnUnits(readMapTable("a\nx h [nm]\n0 1\n"), {}); }), 2);
-        QCOMPARE(refusedLine([] { columnUnits(readMapTable("0 1\n"), {}); }), 1);
+        const char* text = "# tip [V]\nname\nx [um] h [nm]\n0 1\n1 2\n";
+        QCOMPARE(unitsOf(text), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf(text, {1e-6, 1e-9}), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(refusedLine([&] { unitsOf(text, {1e-6, 1e-6}); }), 3);
+        QCOMPARE(refusedLine([] { unitsOf("a\nx h [nm]\n0 1\n"); }), 2);
+        QCOMPARE(refusedLine([] { unitsOf("0 1\n"); }), 1);
+        QCOMPARE(unitsOf("# lateral_unit: um\n# height_unit: nm\nx,z\n0,1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("# x-unit: um\n# y-unit: mm\n# z-unit: nm\n0 0 1\n"), (ColumnUnits{1e-6, 1e-3, 1e-9}));
+        QCOMPARE(unitsOf("# x: um, z: nm\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("height [nm]\n1\n2\n"), (ColumnUnits{1e-9}));
+        QCOMPARE(unitsOf("Long Name\tPosition\tHeight\nUnits\tum\tnm\n0\t1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("x [um],z [nm]\nScan length,60um\n0,1\n"), (ColumnUnits{1e-6, 1e-9}));
+    }
+    // Only a heading with one cell for each column gives units; in a comment all of its words must be known.
+    void proseGivesNoUnits_data()
+    {
+        QTest::addColumn<int>("line");
+        const auto row = [](const char* text, int line) { QTest::newRow(text) << line; };
+        row("Height data, in nanometers, versus distance in micrometers\n0,1\n", 1);
+        row("Roughness height (nm) as a function of track position (um)\nx,z\n0,1\n", 2);
+        row("Roughness height (nm) as a function of track position (um)\n0 1\n", 1);
+        row("# spot size (mm), wavelength (um)\nx,z\n0,1\n", 2);
+        row("# tip height (um), tip radius (nm)\n0,1\n", 1);
+        row("# left (nm), right (um)\nx,z\n0,1\n", 2);
+        row("# heights in nm\nx z\n0 1\n", 2);
+        row("# x in um and z in nm\n0 1\n", 1);
+        row("x micro m, z nm\n0 1\n", 1);
+        row("# unit: nm\n0 1\n", 1);
+    }
+    void proseGivesNoUnits()
+    {
+        QFETCH(int, line);
+        const std::string text = QTest::currentDataTag();
+        QCOMPARE(refusedLine([&] { unitsOf(text); }), line);
+        // Beside a heading it does no harm.
+        const std::size_t numbers = text.rfind('\n', text.size() - 2) + 1;
+        QCOMPARE(unitsOf(text.substr(0, text.find('\n') + 1) + "x [um],z [nm]\n" + text.substr(numbers)),
+                 (ColumnUnits{1e-6, 1e-9}));
     }
     void columnsInAnotherOrder()
     {
-        QCOMPARE(refusedLine([] { columnUnits(readMapTable("h [nm] x [um]\n0 1\n"), {}); }), 1);
-        QCOMPARE(refusedLine([] { columnUnits(readMapTable("y [um] x [um] z [nm]\n0 1 2\n"), {}); }), 1);
-        QCOMPARE(refusedLine([] { columnUnits(readMapTable("z y\n0 1 2\n"), {1.0}); }), 1);
-        QCOMPARE(columnUnits(readMapTable("x [um] y [nm]\n0 1\n"), {}), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(refusedLine([] { unitsOf("h [nm] x [um]\n0 1\n"); }), 1);
+        QCOMPARE(refusedLine([] { unitsOf("y [um] x [um] z [nm]\n0 1 2\n"); }), 1);
+        QCOMPARE(refusedLine([] { unitsOf("z y x\n0 1 2\n", {1.0, 1.0, 1.0}); }), 1);
+        QCOMPARE(unitsOf("x [um] y [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("Height profile\nx [um] h [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9})); // a title
+    }
+    // A quantity that is no height is refused whatever the case gives; an unknown name is read with units of the case.
+    void whatIsNoHeight()
+    {
+        for (const char* name : {"gap", "log10 z", "z^2", "std of z", "slope", "PSD", "counts", "z error"}) {
+            const std::string heading = std::string("x (um),") + name + " (nm)\n0,1\n";
+            QCOMPARE(refusedLine([&] { unitsOf(heading, {1e-6, 1e-9}); }), 1);
+            QCOMPARE(refusedLine([&] { unitsOf("# " + heading); }), 1);
+        }
+        QCOMPARE(refusedLine([&] { unitsOf("x [um],etch [nm]\n0,1\n"); }), 1);
+        QCOMPARE(unitsOf("x,etch\n0,1\n", {1e-6, 1e-9}), (ColumnUnits{1e-6, 1e-9}));
+    }
+    void heightsThatCountDownwards()
+    {
+        const auto turnedBy = [](const char* heading) {
+            const MapTable table = readMapTable(std::string(heading) + "\n0,1\n");
+            const auto line = columnHeading(table, HeaderValues(table), {1e-6, 1e-9}).turned;
+            return line ? line->line : 0;
+        };
+        QCOMPARE(turnedBy("x [um],depth [nm]"), 1);
+        QCOMPARE(turnedBy("# x (um), -z (nm)\nDisk A"), 1);
+        QCOMPARE(turnedBy("um,nm\nx,inverted z"), 2);
+        QCOMPARE(turnedBy("x [um],z [nm]"), 0);
+        QCOMPARE(turnedBy("x [um],-depth [nm]"), 0);
+    }
+    void remarksThatMayConcernTheHeights()
+    {
+        const auto words = [](const char* text) {
+            std::string all;
+            for (const HeadingLine& each : doubtfulText(readMapTable(text))) all += each.text + ";";
+            return all;
+        };
+        QCOMPARE(words("# z axis points downwards\nx [um],z [nm]\n0,1\n"), std::string("downwards;"));
+        QCOMPARE(words("# type: gap\nx [um],z [nm]\n0,1\n"), std::string("gap;"));
+        QCOMPARE(words("x [um],etched height [nm]\n0,1\n"), std::string("etched height;"));
+        QCOMPARE(words("# direction: down\n# mode: phase\n# height: 12.5 um\nx [um],z [nm]\n0,1\n"), std::string());
+        QCOMPARE(words("# scan rate: 1 Hz\n# operator: Ann\nx [um],depth [nm]\n0,1\n"), std::string());
     }
     void anIndexIsTakenOut()
     {
         for (const char* heading :
-             {"index x h", "#;x;h", ";x;h", "\"\",x,h", "Unnamed: 0,x,h", "No.\tx\th", "# i x h"}) {
+             {"index x h", "Line x h", "#;x;h", ";x;h", "\"\",x,h", "Unnamed: 0,x,h", "No.\tx\th", "# i x h"}) {
             MapTable table = readMapTable(std::string(heading) + "\n0 5 7\n1 6 8\n2 7 9\n");
             takeOutIndex(table);
             QCOMPARE(table.columns, std::size_t{2});
@@ -67,14 +132,6 @@ private slots:
         table = readMapTable("index x h\n0 5 7\n2 6 8\n3 7 9\n"); // no index
         takeOutIndex(table);
         QCOMPARE(table.columns, std::size_t{3});
-    }
-    void sizesOfAMatrix()
-    {
-        const MapTable table = readMapTable("# Height = 6 um\n# Width [mm]: 0,012\n# Value units: nm\n1 2 3 4\n");
-        const MatrixSize size = matrixSize(table, matrixHeading(table), {});
-        QVERIFY(qFuzzyCompare(size.width, 12e-6) && qFuzzyCompare(size.height, 6e-6));
-        QCOMPARE(size.valueUnit, 1e-9);
-        QCOMPARE(refusedLine([] { matrixHeading(readMapTable("# Width: 1 um\n# Width: 2 um\n1 2 3 4\n")); }), 2);
     }
     void aSecondChannel()
     {

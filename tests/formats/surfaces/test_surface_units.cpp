@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/formats/cml_text.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -44,35 +45,27 @@ private slots:
         QVERIFY(!numberAndUnit("1,250 um")); // a thousand, or one
         QCOMPARE(numberAndUnit("12")->unit, std::string());
     }
-    void mentions_data()
+    void otherUnits()
     {
-        QTest::addColumn<QByteArray>("line");
-        QTest::addColumn<QByteArray>("texts"); // no lengths with a question mark
-        const auto row = [](const char* line, const char* texts) {
-            QTest::newRow(line) << QByteArray(line) << QByteArray(texts);
-        };
-        row("x [um] h [nm]", "um nm");
-        row("x in um, h (in nm)", "um nm");
-        row("x_um h/nm", "um nm");
-        row("x [um, nm]", "um nm");
-        row("A profile of 10 nm", "");
-        row("speed 5 um/s, size 16 [um]", "");
-        row("x (forward) [um]", "um");
-        row("t [ms] h [foo]", "ms? foo?");
-        row("t (ms) h (foo)", "ms?");
-        row("h [nm] x 10", "nm 10?");
-        row("h [nm] x [um]", "nm um");
-        row("A;nm", "A nm");
-        row("x;s", "");
+        for (const char* text : {"V", "px", "counts", "deg", "ms", "Nm", "%"}) QVERIFY2(spellsOtherUnit(text), text);
+        for (const char* text : {"um", "x", "height", ""}) QVERIFY2(!spellsOtherUnit(text), text);
     }
-    void mentions()
+    void everyLengthHasASymbol()
     {
-        QFETCH(QByteArray, line);
-        QFETCH(QByteArray, texts);
-        QByteArrayList found;
-        for (const UnitMention& each : unitMentions(line.toStdString()))
-            found << QByteArray::fromStdString(each.text) + (each.metres ? "" : "?");
-        QCOMPARE(found.join(' '), texts);
+        for (const char* text : {"m", "cm", "mm", "um", "nm", "pm", "A", "in", "uin"})
+            QCOMPARE(lengthSymbol(*spelledLength(text)), std::string(text));
+        QCOMPARE(lengthSymbol(*spelledLength("microns")), std::string("um"));
+    }
+    void theKeyHoldsUnits()
+    {
+        QCOMPARE(unitsOfKey(""), std::optional(ColumnUnits{}));
+        QCOMPARE(unitsOfKey("um, nm"), std::optional(ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOfKey("um;um;nm"), std::optional(ColumnUnits{1e-6, 1e-6, 1e-9}));
+        QVERIFY(!unitsOfKey("um, V"));
+        QVERIFY(!unitsOfKey("um,"));
+        QCOMPARE(unitsOfKey(ColumnUnits{1e-6}, 3), (ColumnUnits{1e-6, 1e-6, 1e-6}));
+        QCOMPARE(unitsOfKey(ColumnUnits{1e-6, 1e-9}, 3), (ColumnUnits{1e-6, 1e-6, 1e-9}));
+        QVERIFY_EXCEPTION_THROWN(unitsOfKey(ColumnUnits{1, 1, 1}, 2), CmlError);
     }
 };
 

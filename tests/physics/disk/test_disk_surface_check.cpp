@@ -259,6 +259,41 @@ private slots:
         QCOMPARE(diskSurfaceProblems(s).size(), std::size_t(3));
     }
 
+    /// The rms of the rises over their step: of 1, 1, 2 along x sqrt(6/3), of 3 across 3; a profile has no slope
+    /// across.
+    void theSlopeOfAMeasuredSurface()
+    {
+        const HeightMap profile{4, 1, 2.0, 0.0, {0.0, 1.0, 2.0, 4.0}, false, false};
+        QVERIFY(std::abs(rmsSlope(profile) - std::sqrt(2.0) / 2.0) < 1e-15);
+        const HeightMap map{4, 2, 2.0, 2.0, {0.0, 1.0, 2.0, 4.0, 3.0, 4.0, 5.0, 7.0}, false, false};
+        QVERIFY(std::abs(rmsSlope(map) - 1.5) < 1e-15);
+    }
+
+    /// Heights of +-h at steps dx have a slope of 2 h/dx. Swapped units of um and nm give 1e6 times the slope.
+    void aSteepSurfaceIsRefused_data()
+    {
+        QTest::addColumn<double>("slope");
+        QTest::addColumn<int>("problems");
+        QTest::addColumn<int>("warnings");
+        QTest::newRow("of a disk") << 0.0005 << 0 << 0;
+        QTest::newRow("rough") << 0.099 << 0 << 0;
+        QTest::newRow("steep") << 0.101 << 0 << 1;
+        QTest::newRow("very steep") << 0.99 << 0 << 1;
+        QTest::newRow("too steep") << 1.01 << 1 << 1;
+        QTest::newRow("swapped units") << 500.0 << 1 << 1;
+    }
+    void aSteepSurfaceIsRefused()
+    {
+        QFETCH(double, slope);
+        QFETCH(int, problems);
+        QFETCH(int, warnings);
+        const double h = 0.5e-6 * slope;
+        HeightMap map{4, 1, 1e-6, 0.0, {h, -h, h, -h}, false, false};
+        if (slope > 10.0) map.heights = {1e-6 * h, -1e-6 * h, 1e-6 * h, -1e-6 * h}, map.dx *= 1e-6;
+        QCOMPARE(heightMapProblems(map).size(), static_cast<std::size_t>(problems));
+        QCOMPARE(heightMapWarnings(map).size(), static_cast<std::size_t>(warnings));
+    }
+
     /// Heights of +-h have an rms of h.
     void measuredSurfacesInAnotherUnitAreWarnedOf()
     {
@@ -267,13 +302,13 @@ private slots:
             for (int k = 0; k < 4 * ny; ++k) map.heights.push_back(k % 2 == 0 ? h : -h);
             return heightMapWarnings(map).size();
         };
-        QCOMPARE(warnings(9.9e-6, 1e-6, 1e-6, 2), std::size_t{0});
-        QCOMPARE(warnings(10.1e-6, 1e-6, 1e-6, 2), std::size_t{1});
+        QCOMPARE(warnings(9.9e-6, 1e-3, 1e-6, 2), std::size_t{0});
+        QCOMPARE(warnings(10.1e-6, 1e-3, 1e-6, 2), std::size_t{1});
         QCOMPARE(warnings(1e-9, 0.9e-3, 1e-6, 2), std::size_t{0});
         QCOMPARE(warnings(1e-9, 1.1e-3, 1e-6, 2), std::size_t{1});
         QCOMPARE(warnings(1e-9, 1e-6, 1.1e-3, 2), std::size_t{1});
         QCOMPARE(warnings(1e-9, 1e-6, 1.0, 1), std::size_t{0}); // a profile has no dy
-        QCOMPARE(warnings(1.0, 1.0, 1.0, 2), std::size_t{2});
+        QCOMPARE(warnings(1.0, 1.0, 1.0, 2), std::size_t{3});
     }
 };
 

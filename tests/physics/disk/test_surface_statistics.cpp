@@ -160,6 +160,34 @@ private slots:
         QCOMPARE(rows.psd.density.size(), all.psd.density.size());
     }
 
+    /// The heights 0 to n-1 nm have an rms of sqrt((n^2-1)/12) nm. The surface goes on with their mirror image, whose
+    /// statistics are others; a closed file is its own period.
+    void aMeasuredSurfaceHasTheStatisticsOfItsFile()
+    {
+        DiskSurface surface;
+        surface.kind = DiskSurfaceKind::File;
+        surface.file = "map.txt";
+        for (const int rows : {1, 3})
+            for (const bool closed : {false, true}) {
+                HeightMap map{10, rows, 1e-6, 2e-6, {}, closed, closed && rows > 1};
+                for (int k = 0; k < 10 * rows; ++k) map.heights.push_back(1e-9 * (k % 10));
+                const SurfaceStatistics s = surfaceStatistics(DiskTopography(surface, map));
+                QVERIFY(std::abs(s.rms - 1e-9 * std::sqrt(99.0 / 12.0)) < 1e-18);
+                QVERIFY(std::abs(s.maximum - s.minimum - 9e-9) < 1e-18);
+                // Nine rises of 1 nm in 1 um, and a fall of 9 nm where the file closes.
+                const double slope = closed ? 1e-3 * std::sqrt((9.0 + 81.0) / 10.0) : 1e-3;
+                QVERIFY(std::abs(s.slopeX / slope - 1.0) < 1e-9);
+            }
+        // Together with waves it is no more the surface of the file.
+        surface.kind = DiskSurfaceKind::Combined;
+        surface.waveAmplitudes = {1e-9};
+        surface.waveLengths = {5e-6};
+        HeightMap map{10, 1, 1e-6, 0.0, std::vector<double>(10), false, false};
+        map.heights[3] = 1e-9;
+        const DiskTopography both(surface, map);
+        QCOMPARE(both.measured(), both.period());
+    }
+
     void binsKeepTheIntegral()
     {
         ProfilePsd psd;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a column or a channel of a surface file holds, by the words of its name.
+//
+//   x       "x", "distance", "track position"
+//   y       "y", "across"
+//   height  "z", "h", "surface height", "elevation"; counted downwards: "depth", "-z", "inverted z"
+//   none    "gap", "log10 z", "z^2", "std of z", "slope", "PSD", "counts" and other quantities that are no height, also
+//           where another word stands beside: "height error"
+//
+// Words of no meaning of their own, as "raw" or "sample", and single letters may stand for any column.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace touchdown {
+
+enum class ColumnRole : std::uint8_t { Unknown, Any, X, Y, Height, None };
+
+struct ColumnName {
+    ColumnRole role = ColumnRole::Unknown;
+    bool known = true;   // each of its words
+    bool turned = false; // counts downwards
+    std::string word;    // that says what the column holds, where it is no place and no height
+};
+
+ColumnName columnName(std::string_view name);
+
+} // namespace touchdown
