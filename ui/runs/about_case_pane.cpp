@@ -159,6 +159,8 @@ QString resultText(const RunRecord& run)
         add("pull_off_force", AboutCasePane::tr("pull-off force %1"));
         add("snap_in_separation", AboutCasePane::tr("snap-in at %1"));
         text += QLatin1Char('.');
+    } else if (summary.status == RunStatus::Completed && lasts(summary.verdict.motion)) {
+        text = sentence(endText(run).toStdString()) + QLatin1Char(' ') + motionText(summary.verdict);
     } else if (summary.status == RunStatus::Completed) {
         QStringList ends;
         if (const std::optional<EndHeight> end = endHeight(run))
