@@ -121,7 +121,7 @@ private slots:
         symmetric.degreesOfFreedom = 2;
         symmetric.disk.skew = 0.0;
         symmetric.disk.field = VelocityField::Uniform;
-        QCOMPARE(steady(symmetric).message, std::string());
+        QCOMPARE(QString::fromStdString(steady(symmetric).message), QString());
     }
     void theLastStateInWords()
     {
