@@ -116,8 +116,7 @@ double endSwing(const Summary& summary)
 QString endText(const RunRecord& run)
 {
     const Summary& summary = *run.summary;
-    if (lasts(summary.verdict.motion))
-        return tr("swings by %1 from peak to peak").arg(lengthText(endSwing(summary), 3));
+    if (lasts(summary.verdict.motion)) return tr("swings by %1").arg(lengthText(endSwing(summary), 3));
     const std::optional<EndHeight> end = endHeight(run);
     if (!end) return {};
     // A guide shows the first part of a run while its slider is moved.

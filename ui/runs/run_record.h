@@ -93,7 +93,7 @@ std::optional<EndHeight> endHeight(const RunRecord& run);
 /// The minimum spacing over the last tenth of a run, peak to peak [m]; 0: not known.
 double endSwing(const Summary& summary);
 /// How the height of a finished run ends, in the words that the list of runs, the message and the panes share: "ends at
-/// 7.000 nm"; of a motion that lasts, whose last sample is anywhere, "swings by 8.08 nm from peak to peak"; "at 7.000
+/// 7.000 nm"; of a motion that lasts, whose last sample is anywhere, "swings by 8.08 nm", peak to peak; "at 7.000
 /// nm" where the motion goes on or may. Empty for a pad.
 QString endText(const RunRecord& run);
 

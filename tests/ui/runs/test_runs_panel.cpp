@@ -277,7 +277,7 @@ void TestRunsPanel::endsOfMotions_data()
 {
     QTest::addColumn<int>("motion");
     QTest::addColumn<QString>("text");
-    const QString swings = QStringLiteral("swings by 8.08\u00a0nm from peak to peak");
+    const QString swings = QStringLiteral("swings by 8.08\u00a0nm");
     QTest::newRow("at rest") << static_cast<int>(Motion::AtRest) << "ends at 3.200\u00a0nm";
     QTest::newRow("settles") << static_cast<int>(Motion::Settles) << "ends at 3.200\u00a0nm";
     QTest::newRow("swings") << static_cast<int>(Motion::Swings) << swings;
