@@ -85,6 +85,7 @@ void FilmWindow::open(const Case& c)
     forgetPreviews();
     restTimer_.stop();
     before_ = -1;
+    beforeOf_.clear();
     edited_ = c;
     view_->open(c);
     view_->shape()->open(c);

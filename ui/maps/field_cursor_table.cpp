@@ -34,8 +34,7 @@ std::optional<double> valueOf(const OtherField& field, const SurfacePoint& point
 {
     const int i = cellIndex(field.grid.x, point.x), j = cellIndex(field.grid.y, point.y);
     if (i < 0 || j < 0) return std::nullopt;
-    if (field.points.value) return field.points.value(point);
-    return field.values[static_cast<std::size_t>(j * field.grid.nx() + i)];
+    return field.points.at(point).value_or(field.values[static_cast<std::size_t>(j * field.grid.nx() + i)]);
 }
 
 std::optional<double> difference(std::optional<double> from, std::optional<double> to)

@@ -40,6 +40,13 @@ QString fieldNumber(double value, const FieldLook& look)
     return typeset(shown, decimals);
 }
 
+std::optional<double> FieldAtPoints::at(const SurfacePoint& point) const
+{
+    constexpr double same = 1e-9; // [m]
+    if (least && std::hypot(point.x - least->at.x, point.y - least->at.y) < same) return least->value;
+    return value ? std::optional(value(point)) : std::nullopt;
+}
+
 void FieldMap::setField(const CellGrid& grid, std::vector<double> values, FieldAtPoints points)
 {
     values_ = std::move(values);
@@ -75,7 +82,7 @@ std::optional<double> FieldMap::valueAt(const SurfacePoint& point) const
 {
     const auto cell = cellAt(point);
     if (!cell) return std::nullopt;
-    return points_.value ? points_.value(point) : value(*cell);
+    return points_.at(point).value_or(value(*cell));
 }
 
 SurfacePoint FieldMap::centre(std::size_t cell) const

@@ -33,6 +33,10 @@ struct FieldAtPoints {
     };
     std::optional<Least> least{}; // the smallest value; nothing: that of the cells
     double error = 0.0;           // see FieldLook
+
+    /// Nothing: what the cell has. At the place of the smallest value it is that value: the place is on the border of a
+    /// rail, and by rounding beside it.
+    std::optional<double> at(const SurfacePoint& point) const;
 };
 
 class FieldMap : public SliderPlan {

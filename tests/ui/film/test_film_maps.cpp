@@ -9,6 +9,7 @@
 #include <QTest>
 
 #include "core/simulation/static_state/steady.h"
+#include "tests/support/random_slider.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
@@ -35,6 +36,7 @@ private slots:
     void showsPressureAboveAmbient();
     void aPressureHasOneNumber();
     void theLeastGapHasOneNumber();
+    void theLeastGapOfAnyRails();
     void showsGapAndRecess();
     void sectionsAreTheCellsOfARowAndAColumn();
     void sectionsAreSteps();
@@ -145,6 +147,35 @@ void TestFilmMaps::theLeastGapHasOneNumber()
         }
         film_->setPage(Page::Recess);
         QVERIFY(std::abs(*map.valueAt({0.05e-3, 0.4e-3}) - (150e-9 - 4.0 * 10e-9 * 0.05 * 0.95 - 3e-9)) < 1e-15);
+        film_->setPage(Page::Pressure);
+    }
+}
+
+/// Also on rails with slanted edges and with walls, where the point is the corner of a rail inside a cell, or beside
+/// its rail by rounding. Drawn sliders, held where they fly about.
+void TestFilmMaps::theLeastGapOfAnyRails()
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Case c = test::RandomSlider(seed).shape();
+        c.film.nodes = {33, 33};
+        c.steady.fixedAttitude = true;
+        c.initial.nominalTrailingEdgeHeight = 30e-9;
+        c.initial.pitch = 140e-6;
+        c.initial.roll = (seed % 5 - 2.0) * 2e-6;
+        const SteadyResult state = steady(c);
+        QVERIFY2(state.status == SteadyStatus::Converged, state.message.c_str());
+        film_->setResult(c, state);
+        film_->setPage(Page::Gap);
+        const FieldMap& map = *view_->map();
+        const QString number = roundedToError(state.minimumSpacing, 0.0, "nm");
+        QCOMPARE(map.marks().front(), number);
+        QCOMPARE(view_->cursors()->findChild<QTableWidget*>()->item(0, 4)->text(), number.chopped(3));
+        // Nowhere is the gap less: the numbers under the pointer are not below the mark.
+        for (int i = 0; i <= 200; ++i)
+            for (int j = 0; j <= 40; ++j) {
+                const SurfacePoint p{c.slider.length * i / 200.0, c.slider.width * j / 40.0};
+                QVERIFY(*map.valueAt(p) >= state.minimumSpacing - 1e-15);
+            }
         film_->setPage(Page::Pressure);
     }
 }

@@ -263,6 +263,9 @@ private slots:
         QCOMPARE(solves_, 4);
         solve(); // once more: the former edits are no part of it
         QVERIFY(!shape->flightText().contains(QStringLiteral("  +")));
+        film_->open(edits[1].first); // as it is saved
+        QVERIFY(shape->flightText().contains(QStringLiteral("<b>13.00</b>")));
+        QVERIFY(!shape->flightText().contains(QStringLiteral("  +")));
     }
 
     /// Undo of a shape that did not fly shows the one before as it was; redo shows the failure, without another
