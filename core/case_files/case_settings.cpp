@@ -3,11 +3,13 @@
 
 #include "core/case/case_key.h"
 #include "core/case/disk_setup.h"
+#include "core/case/model_defaults.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/outside_path.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
+#include "core/formats/toml_document.h"
 #include "core/formats/words.h"
 #include "core/physics/slider/surface_check.h"
 
@@ -67,6 +69,17 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting,
     return problem(key, std::move(outside));
 }
 
+/// Where a setting chose another model: values that neither the text nor a setting states are its defaults.
+void followModel(CaseDocument& document, ModelKind before, const std::vector<std::string>& settings)
+{
+    if (document.value.model == before) return;
+    const std::vector<TomlEntry> entries = readToml(document.text).entries;
+    takeModelDefaults(document.value, before, [&](const Parameter& parameter) {
+        return std::ranges::find(entries, parameter.key, &TomlEntry::key) != entries.end() ||
+               std::ranges::find(settings, parameter.key, keyOf) != settings.end();
+    });
+}
+
 /// Where settings changed the surface or the slider's size.
 void renewSurfaceWarnings(CaseDocument& document, const std::vector<std::string>& settings)
 {
@@ -120,9 +133,11 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (std::ranges::find(settings, surfaceFileKey, keyOf) != settings.end() && !document.outsideFiles.empty())
         std::erase_if(document.problems, [](const InputProblem& problem) { return problem.key == surfaceFileKey; });
     const bool readable = document.valid();
+    const ModelKind before = document.value.model;
     for (const std::string& setting : settings)
         if (auto problem = applySetting(document.value, setting, outside))
             document.problems.push_back(std::move(*problem));
+    followModel(document, before, settings);
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
         document.problems.push_back(problem.in(document.name));

@@ -32,6 +32,17 @@ bool fits(const StoredRun& run)
            std::ranges::all_of(run.recorded, hasCells) && std::ranges::all_of(run.fields, isSnapshot);
 }
 
+/// How the motion ends. Files of runs that were interrupted do not say.
+void readMotion(const Hdf5Group& file, StoredRun& run)
+{
+    const std::string motion = "summary/motion", tail = "summary/tail/minimum_spacing";
+    if (!file.has("summary") || !file.has(motion)) return;
+    run.motion = file.get(motion).text();
+    if (!file.has("summary/tail") || !file.has(tail) || !file.has(tail + "/min") || !file.has(tail + "/max")) return;
+    const std::vector<double> least = file.get(tail + "/min").numbers(), most = file.get(tail + "/max").numbers();
+    if (least.size() == 1 && most.size() == 1) run.swing = most.front() - least.front();
+}
+
 } // namespace
 
 StoredRun readResults(const fs::path& path) { return readByProcess<StoredRun>("run", path, fits); }
@@ -63,6 +74,7 @@ StoredRun readResultsDirectly(const fs::path& path)
         run.samples = std::move(stored.samples);
         run.recorded = std::move(stored.sets);
         run.fields = std::move(stored.snapshots);
+        readMotion(file, run);
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());
     } catch (const std::bad_alloc&) {

@@ -23,6 +23,8 @@ struct StoredRun {
     SampleBatch samples;
     std::vector<RecordedFields> recorded; // sets of which there are snapshots
     std::vector<FieldSnapshot> fields;    // in the order of time
+    std::string motion;                   // how it ends, as Motion is named; "" where the file does not say
+    double swing = 0.0;                   // of the minimum spacing over the last tenth, peak to peak [m]; 0: not known
     std::string problem;                  // "" when it was read; else one sentence, and nothing else is set
 };
 StoredRun readResults(const std::filesystem::path& file);

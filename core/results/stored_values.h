@@ -34,7 +34,7 @@ void pass(auto& stream, Passed<SampleBatch> auto& samples) { stream(samples.time
 void pass(auto& stream, Passed<StoredRun> auto& run)
 {
     stream(run.problem, run.title, run.status, run.message, run.caseText, run.softwareVersion, run.date, run.quantities,
-           run.samples, run.recorded, run.fields);
+           run.samples, run.recorded, run.fields, run.motion, run.swing);
 }
 
 void pass(auto& stream, Passed<Sensitivity> auto& each)

@@ -104,6 +104,28 @@ private slots:
         QVERIFY(document.warnings.empty());
     }
 
+    /// A film has three degrees of freedom and no contact law, unless the text or a setting states them. In springs,
+    /// which have two, the values of the other model are not kept either.
+    void aModelBringsItsDefaults()
+    {
+        const auto with = [](const std::string& text, const std::vector<std::string>& settings) {
+            CaseDocument document = parseCase(text, "a.toml");
+            applySettings(document, settings);
+            const CaseDocument again = parseCase(document.text, "again");
+            if (!(again.value == document.value)) qFatal("the text is of another case");
+            return document.value;
+        };
+        const Case film = with("model = 'springs'\n", {"model=film"});
+        QCOMPARE(film.degreesOfFreedom, 3);
+        QCOMPARE(film.contact, ContactKind::None);
+        QVERIFY(film == defaultsOf(ModelKind::Film));
+        QVERIFY(with("model = 'film'\n", {"model=springs"}) == defaultsOf(ModelKind::Springs));
+        QCOMPARE(with("", {"degrees_of_freedom=2", "model=film"}).degreesOfFreedom, 2);
+        QCOMPARE(with("", {"model=film", "degrees_of_freedom=2"}).degreesOfFreedom, 2);
+        QCOMPARE(with("degrees_of_freedom = 2\n", {"model=film"}).degreesOfFreedom, 2);
+        QCOMPARE(with("contact = 'ono-yamane'\n", {"model=film"}).contact, ContactKind::OnoYamane);
+    }
+
     /// A springs case has no rails.
     void notOfThisModel()
     {

@@ -115,4 +115,10 @@ void ProgressStrip::conclude(std::string_view status, const QString& text)
     text_->setText(text);
 }
 
+void ProgressStrip::clear()
+{
+    state_->setText(tr("Ready"));
+    text_->clear();
+}
+
 } // namespace touchdown

@@ -21,6 +21,8 @@ public:
     QString text() const { return text_->text(); }
     /// Shows how a calculation ended; `status` as the core names it.
     void conclude(std::string_view status, const QString& text);
+    /// Nothing has ended that matters still.
+    void clear();
     /// The time left is estimated anew: the rate has changed.
     void restartEstimate() { timeLeft_.restart(); }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/case/model_defaults.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 
@@ -53,7 +54,7 @@ void CaseEdits::enter(const Parameter& parameter, const QString& typed)
         emit edited();
         return;
     }
-    push(tr("change %1").arg(QString::fromStdString(parameter.label)), std::move(after));
+    pushChange(parameter, tr("change %1").arg(QString::fromStdString(parameter.label)), std::move(after));
 }
 
 void CaseEdits::reset(const Parameter& parameter)
@@ -61,7 +62,7 @@ void CaseEdits::reset(const Parameter& parameter)
     State after = state_;
     after.bad.erase(parameter.key);
     parameter.set(after.value, parameter.get(opened_));
-    push(tr("reset %1").arg(QString::fromStdString(parameter.label)), std::move(after));
+    pushChange(parameter, tr("reset %1").arg(QString::fromStdString(parameter.label)), std::move(after));
 }
 
 void CaseEdits::resetAll()
@@ -108,6 +109,17 @@ QString CaseEdits::reasonNotToRun() const
 void CaseEdits::push(const QString& text, State after, int merge)
 {
     undo_.push(new Edit(*this, text, std::move(after), merge));
+}
+
+void CaseEdits::pushChange(const Parameter& parameter, const QString& text, State after)
+{
+    const Case entered = after.value;
+    const bool followed = parameter.key == "model" &&
+                          takeModelDefaults(after.value, state_.value.model,
+                                            [&after](const Parameter& other) { return after.bad.contains(other.key); });
+    const QStringList changes = followed ? caseDifference(entered, after.value) : QStringList();
+    push(text, std::move(after));
+    if (followed) emit modelFollowed(changes);
 }
 
 void CaseEdits::apply(const State& state)

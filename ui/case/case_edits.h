@@ -62,6 +62,9 @@ public:
 
 signals:
     void edited();
+    /// Another model was entered, and values that were defaults are those of the new model: "Contact Ono & Yamane →
+    /// none".
+    void modelFollowed(const QStringList& changes);
 
 private:
     struct State {
@@ -71,6 +74,8 @@ private:
     class Edit;
 
     void push(const QString& text, State after, int merge = 0);
+    /// As `push`, of one parameter; with the model its defaults are taken.
+    void pushChange(const Parameter& parameter, const QString& text, State after);
     void apply(const State& state);
 
     Case opened_;

@@ -28,7 +28,22 @@ struct ComparedNumber {
     std::string unit; // shown
     std::function<double(const SteadyResult&, const Case&)> value;
     std::function<double(const SteadyResult&)> error = [](const SteadyResult&) { return noNumber; };
+    bool ofAnySize = false; // four digits of small numbers, too, as of stiffnesses
 };
+
+QString valueText(const ComparedNumber& number, double value, double error, const QLocale& locale)
+{
+    if (!number.ofAnySize) return withError(value, error, number.unit, locale);
+    return fourDigits(value / unitFactor(number.unit), locale) + QChar(0x00A0) + unitText(number.unit);
+}
+
+QString differenceText(const ComparedNumber& number, double difference, double value, double error,
+                       const QLocale& locale)
+{
+    if (!number.ofAnySize) return changeText(difference, value, error, number.unit, locale);
+    const QString text = fourDigits(difference / unitFactor(number.unit), locale);
+    return difference > 0.0 ? QLatin1Char('+') + text : text;
+}
 
 std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionRecord*>& solutions)
 {
@@ -36,7 +51,7 @@ std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionReco
     std::vector<ComparedNumber> numbers{
         {tr("Minimum spacing"), "nm", [](Result r, const Case&) { return r.minimumSpacing; },
          [](Result r) { return r.discretisationError.minimumSpacing; }},
-        {tr("Trailing edge height"), "nm", [](Result r, const Case&) { return r.attitude.height; }},
+        {tr("Nominal trailing edge height"), "nm", [](Result r, const Case&) { return r.attitude.height; }},
         {tr("Pitch"), "urad", [](Result r, const Case&) { return r.attitude.pitch; },
          [](Result r) { return r.discretisationError.pitch; }},
         {tr("Roll"), "urad", [](Result r, const Case&) { return r.attitude.roll; },
@@ -63,23 +78,14 @@ std::vector<ComparedNumber> comparedNumbers(const std::vector<const SolutionReco
     const auto diagonal = [&numbers](const QString& name, const char* unit, int i) {
         numbers.push_back(
             {name, unit, [i](Result r, const Case&) { return r.stiffness ? (*r.stiffness)(i, i) : noNumber; }});
+        numbers.back().ofAnySize = true;
     };
     if (stiffness) {
-        diagonal(tr("Vertical stiffness"), "N/m", 0);
+        diagonal(tr("Vertical stiffness"), "mN/nm", 0);
         diagonal(tr("Pitch stiffness"), "N m/rad", 1);
         diagonal(tr("Roll stiffness"), "N m/rad", 2);
     }
     return numbers;
-}
-
-/// "+0.31", with as many decimals as the value with its error has.
-QString differenceText(double difference, double value, double error, const std::string& unit, const QLocale& locale)
-{
-    const QString text = withError(value, error, unit, locale);
-    const QString number = text.left(text.indexOf(QChar(0x00A0)));
-    const qsizetype point = number.indexOf(locale.decimalPoint());
-    const int decimals = point < 0 ? 0 : static_cast<int>(number.size() - point - 1);
-    return typesetChange(difference / unitFactor(unit), decimals, locale);
 }
 
 QString cell(const QString& text, const QString& style)
@@ -100,6 +106,7 @@ SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& soluti
     const SolutionRecord& base = *solutions[static_cast<std::size_t>(all.base)];
     for (const SolutionRecord* each : solutions) {
         all.columns << QStringLiteral("%1  %2").arg(each->number).arg(each->name);
+        all.states << notFoundText(each->result);
         all.changes.push_back(caseDifference(base.value, each->value));
     }
     for (const ComparedNumber& number : comparedNumbers(solutions)) {
@@ -108,11 +115,11 @@ SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& soluti
         for (const SolutionRecord* each : solutions) {
             const double value = number.value(each->result, each->value);
             const bool known = std::isfinite(value);
-            row.values << (known ? withError(value, number.error(each->result), number.unit, locale) : QString());
+            const double error = number.error(each->result);
+            row.values << (known ? valueText(number, value, error, locale) : QString());
             row.differences << (each == &base || !known || !std::isfinite(reference)
                                     ? QString()
-                                    : differenceText(value - reference, value, number.error(each->result), number.unit,
-                                                     locale));
+                                    : differenceText(number, value - reference, value, error, locale));
         }
         all.rows.push_back(std::move(row));
     }
@@ -144,6 +151,8 @@ QString ComparePage::plainText() const
     const SolutionComparison& all = comparison_;
     if (all.columns.isEmpty()) return {};
     QStringList lines{QStringList(QStringList{QString()} + all.columns).join(QLatin1Char('\t'))};
+    if (!all.states.join(QString()).isEmpty())
+        lines << QStringList(QStringList{tr("State")} + all.states).join(QLatin1Char('\t'));
     for (const ComparedRow& row : all.rows) {
         lines << QStringList(QStringList{row.name} + row.values).join(QLatin1Char('\t'));
         if (!row.differences.join(QString()).isEmpty())
@@ -166,6 +175,9 @@ QString ComparePage::html() const
     QString html = QStringLiteral("<table cellspacing='0'><tr><td></td>");
     for (qsizetype i = 0; i < all.columns.size(); ++i)
         html += cell(QStringLiteral("<b>%1</b>").arg(all.columns[i].toHtmlEscaped()) +
+                         (all.states[i].isEmpty() ? QString()
+                                                  : QStringLiteral("<br><span style='color:%1'>%2</span>")
+                                                        .arg(colours.failure.name(), all.states[i].toHtmlEscaped())) +
                          (i == all.base && all.columns.size() > 1
                               ? QStringLiteral("<br><span style='%1'>%2</span>").arg(muted, tr("compared with"))
                               : QString()),
@@ -187,7 +199,16 @@ QString ComparePage::html() const
     for (const QStringList& each : all.changes)
         html += cell(each.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")),
                      QStringLiteral("vertical-align:top; ") + muted);
-    return html + QStringLiteral("</tr></table>");
+    html += QStringLiteral("</tr></table>");
+    if (!all.states.join(QString()).isEmpty())
+        html += QStringLiteral("<p style='color:%1'>%2</p>")
+                    .arg(colours.failure.name(),
+                         tr("A search that did not converge found no state: its numbers are those of its last step."));
+    return html +
+           QStringLiteral("<p style='%1'>%2</p>")
+               .arg(muted, tr("Of the solutions whose boxes you leave alone, the last %1 are side by side. Check "
+                              "the boxes of others in the list.")
+                               .arg(SolutionsModel::mostByItself));
 }
 
 } // namespace touchdown

@@ -21,6 +21,7 @@ struct ComparedRow {
 };
 struct SolutionComparison {
     QStringList columns; // "3  rail 2 moved by 1, 0 µm"
+    QStringList states;  // of each column: "not converged", empty where a state was found
     qsizetype base = 0;  // the column that the others are compared with
     std::vector<ComparedRow> rows;
     std::vector<QStringList> changes; // of each column's case from that of the base

@@ -2,12 +2,14 @@
 #include "ui/film/film_view.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/physics/slider/recess.h"
 #include "core/simulation/static_state/field_difference.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "ui/film/compare_page.h"
@@ -18,18 +20,49 @@
 #include "ui/maps/field_map.h"
 #include "ui/maps/fields_view.h"
 #include "ui/maps/map_kinds.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
 
-/// The middle of the cell with the smallest gap: the point of minimum spacing itself lies on the border of a rail.
+/// The point of minimum spacing. It lies on the border of a rail in most cases, and there on the side of the rail: a
+/// millionth of a cell inside, so that the sections pass through the rail's cells.
 std::optional<SurfacePoint> nearestTheDisk(const SteadyResult& result)
 {
     if (result.gap.empty()) return std::nullopt;
-    const auto cell = static_cast<int>(std::ranges::min_element(result.gap) - result.gap.begin());
-    return SurfacePoint{result.grid.centreX(cell % result.grid.nx()), result.grid.centreY(cell / result.grid.nx())};
+    constexpr double inside = 1e-6; // of the way to the centre of the cell
+    const SurfacePoint at = result.minimumAt;
+    const CellGrid& grid = result.grid;
+    const auto touching = [](const std::vector<double>& lines, double place) {
+        const int cell = std::max(cellIndex(lines, place), 0);
+        std::vector<int> cells{cell};
+        if (cell > 0 && place == lines[static_cast<std::size_t>(cell)]) cells.push_back(cell - 1);
+        return cells;
+    };
+    double least = std::numeric_limits<double>::infinity();
+    SurfacePoint chosen = at;
+    for (const int j : touching(grid.y, at.y))
+        for (const int i : touching(grid.x, at.x))
+            if (const double gap = result.gap[static_cast<std::size_t>(j * grid.nx() + i)]; gap < least) {
+                least = gap;
+                chosen = {at.x + inside * (grid.centreX(i) - at.x), at.y + inside * (grid.centreY(j) - at.y)};
+            }
+    return chosen;
+}
+
+/// Gap and recess at each point, where the map has means over cells; in the order of the fields.
+std::vector<FieldAtPoints> shownPoints(const Case& c, const SteadyResult& result)
+{
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    const double length = c.slider.length, middle = 0.5 * c.slider.width;
+    FieldAtPoints gap{[=, a = result.attitude](const SurfacePoint& p) { // core/physics/slider/attitude.h
+                          return recess.at(p.x, p.y) + a.height + a.pitch * (length - p.x) - a.roll * (p.y - middle);
+                      },
+                      FieldAtPoints::Least{result.minimumAt, result.minimumSpacing}};
+    if (const double error = result.discretisationError.minimumSpacing; error > 0.0) gap.error = error;
+    return {{}, std::move(gap), {[recess](const SurfacePoint& p) { return recess.at(p.x, p.y); }}};
 }
 
 constexpr int fieldCount = 3;       // pressure, gap, recess
@@ -54,9 +87,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       tabs_(new QTabBar(this)),
       gridShown_(new QCheckBox(tr("&Grid"), this)),
       difference_(new QCheckBox(this)),
-      note_(new QLabel(tr("The parameters have changed since this was solved: Use, in the list of solutions, brings "
-                          "back those of this solution."),
-                       this)),
+      note_(new QLabel(this)),
       pages_(new QStackedWidget(this)),
       shape_(new SurfacePage(this)),
       maps_(new FieldsView(this)),
@@ -201,19 +232,23 @@ void FilmView::compare(const SolutionRecord* shown, const std::vector<const Solu
 {
     compare_->setSolutions(compared, baseline);
     base_.reset();
-    const auto title = [](const SolutionRecord& each) { return QString::number(each.number); };
+    QString base;
+    const auto title = [](const SolutionRecord& each) {
+        const QString state = notFoundText(each.result);
+        return state.isEmpty() ? QString::number(each.number) : tr("%1 (%2)").arg(each.number).arg(state);
+    };
     std::vector<FieldsView::OtherFields> others;
     for (const SolutionRecord* each : compared)
         if (each != shown && !each->result.pressure.empty())
-            others.push_back(
-                {title(*each), RecordList::style(*each), each->result.grid, shownFields(each->value, each->result)});
+            others.push_back({title(*each), RecordList::style(*each), each->result.grid,
+                              shownFields(each->value, each->result), shownPoints(each->value, each->result)});
     maps_->setOthers(shown ? title(*shown) : QString(), shown ? RecordList::style(*shown) : CurveStyle{0, 0},
                      std::move(others));
     if (shown && shown->number != baseline)
         for (const SolutionRecord* each : compared)
             if (each->number == baseline && !each->result.pressure.empty() && sameSize(each->value, shown->value))
-                base_ = {each->value, each->result};
-    difference_->setText(base_ ? tr("&Minus %1").arg(baseline) : tr("&Minus baseline"));
+                base_ = {each->value, each->result}, base = title(*each);
+    difference_->setText(base_ ? tr("&Minus %1").arg(base) : tr("&Minus baseline"));
     showFields();
     showPage();
 }
@@ -230,7 +265,7 @@ void FilmView::showFields()
         for (std::vector<double>* field : {&difference.pressure, &difference.gap, &difference.recess})
             fields.push_back(std::move(*field));
     }
-    maps_->setFields(state_->result.grid, std::move(fields));
+    maps_->setFields(state_->result.grid, std::move(fields), {}, shownPoints(state_->value, state_->result));
 }
 
 void FilmView::setStale(bool stale)
@@ -278,12 +313,23 @@ void FilmView::showPage()
     difference_->setVisible(mapped && base_);
     gridShown_->setVisible(page() == Page::Surface || mapped);
     gridShown_->setEnabled(state_.has_value());
+    QStringList notes;
+    if (state_ && !notFoundText(state_->result).isEmpty())
+        notes << tr("The search did not converge: these are the fields of its last step.");
+    if (state_ && stale_)
+        notes << tr("The parameters have changed since this was solved: Use, in the list of solutions, brings back "
+                    "those of this solution.");
     setTextColour(note_, meaningColours(palette()).warning);
-    note_->setVisible(state_ && stale_ && mapped);
+    note_->setText(notes.join(QLatin1Char(' ')));
+    note_->setVisible(mapped && !notes.isEmpty());
     // The minimum spacing is that of the solved surface.
-    const bool known = state_ && !stale_;
-    surface()->setMinimumSpacing(known ? std::optional(state_->result.minimumAt) : std::nullopt,
-                                 known ? state_->result.minimumSpacing : 0.0);
+    const bool known = state_ && !stale_ && state_->result.status == SteadyStatus::Converged;
+    if (known)
+        surface()->setMinimumSpacing(
+            state_->result.minimumAt,
+            roundedToError(state_->result.minimumSpacing, state_->result.discretisationError.minimumSpacing, "nm"));
+    else
+        surface()->setMinimumSpacing(std::nullopt);
 }
 
 } // namespace touchdown

@@ -85,11 +85,12 @@ void FilmWindow::open(const Case& c)
     forgetPreviews();
     restTimer_.stop();
     before_ = -1;
+    beforeOf_.clear();
     edited_ = c;
     view_->open(c);
     view_->shape()->open(c);
     emit view_->shape()->influenceWanted();
-    const SolutionRecord* known = solutions_.of(c);
+    const SolutionRecord* known = knownOf(c);
     show(known ? known->number : -1);
     panel_->choose(shown_);
     view_->fit();
@@ -105,25 +106,54 @@ void FilmWindow::show(int number)
     } else {
         view_->clearResult();
         attitude_->clear();
-        view_->shape()->clearFlight();
     }
-    showComparison();
     updateStale();
+    showComparison();
+    showOutcome();
     emit shownChanged();
 }
 
 void FilmWindow::showComparison()
 {
     view_->compare(shown(), solutions_.compared(), solutions_.baseline());
-    if (const SolutionRecord* record = shown()) {
-        view_->shape()->showFlight(record->result, reference(), false);
-        view_->shape()->setStale(stale_);
+    showFlight();
+}
+
+void FilmWindow::showFlight()
+{
+    SurfacePage* shape = view_->shape();
+    const SolutionRecord* record = shown();
+    if (!record) {
+        shape->clearFlight();
+    } else if (stale_ && record->result.status != SteadyStatus::Converged) {
+        shape->showConfirmed(); // why another shape does not fly says nothing about this one
+    } else {
+        shape->showFlight(record->result, reference(), false);
+        shape->setStale(stale_);
     }
+    if (const auto problems = surfaceProblems(edited_.surface); !problems.empty())
+        shape->showObstacle(QString::fromStdString(problems.front().sentence));
+}
+
+void FilmWindow::showOutcome()
+{
+    if (controller_.active()) return;
+    if (shown() && !stale_)
+        conclude(shown()->result);
+    else
+        progress_->clear();
+}
+
+const SolutionRecord* FilmWindow::knownOf(const Case& c) const
+{
+    const SolutionRecord* found = solutions_.of(c);
+    return found ? found : solutions_.failureOf(c);
 }
 
 std::optional<SteadyResult> FilmWindow::reference() const
 {
-    for (const int number : {solutions_.baseline(), before_})
+    const auto before = beforeOf_.find(shown_);
+    for (const int number : {solutions_.baseline(), before == beforeOf_.end() ? -1 : before->second})
         if (const SolutionRecord* record = solutions_.find(number);
             record && number != shown_ && ofTheSameSize(record->value, edited_))
             return record->result;
@@ -140,26 +170,35 @@ void FilmWindow::forgetPreviews()
 void FilmWindow::edit(const Case& c)
 {
     const bool shaped = c.surface != edited_.surface;
+    const bool wasStale = stale_;
+    const int last = shown() && !stale_ ? shown_ : -1;
     if (edited_ != c) forgetPreviews();
     edited_ = c;
     view_->setCase(c);
     emit view_->shape()->influenceWanted();
     // Undo and redo are followed, too.
     updateStale();
-    const SolutionRecord* known = stale_ || !shown() ? solutions_.of(c) : nullptr;
+    const SolutionRecord* known = stale_ || !shown() ? knownOf(c) : nullptr;
+    if (known)
+        before_ = beforeOf_.contains(known->number) ? beforeOf_[known->number] : -1;
+    else if (shaped && stale_ && last >= 0)
+        before_ = last;
     if ((known || (shown() && !stale_)) && controller_.active() && !isEdited(asked_, {}))
         controller_.stop(); // of a case that was left for one that is solved
     if (known) {
         restTimer_.stop();
+        solutions_.compareByItself(known->number);
         panel_->choose(known->number);
     } else if (shaped && shown_ >= 0 && view_->shape()->follows()) {
         restTimer_.start(restTime);
     }
     // What kept the last shape from flying is gone, as after undo.
-    if (const SolutionRecord* record = shown(); record && !stale_)
-        view_->shape()->showFlight(record->result, reference(), false);
+    if (shown() && !stale_)
+        showFlight();
     else if (checkCombinations(edited_).empty())
         view_->shape()->clearObstacle();
+    showOutcome();
+    if (stale_ != wasStale) emit shownChanged();
 }
 
 void FilmWindow::solve(const Case& c, bool given)
@@ -171,7 +210,7 @@ void FilmWindow::solve(const Case& c, bool given)
     controller_.start(asked_);
 }
 
-void FilmWindow::onFinished(const SteadyResult& result)
+void FilmWindow::conclude(const SteadyResult& result)
 {
     QString text;
     if (!result.grid.x.empty())
@@ -183,27 +222,42 @@ void FilmWindow::onFinished(const SteadyResult& result)
     else if (result.status == SteadyStatus::Failed)
         text = steadyText(result); // why there can be no static state
     progress_->conclude(name(result.status), text);
+}
+
+void FilmWindow::onFinished(const SteadyResult& result)
+{
+    conclude(result);
     // A solution that ended without a field does not replace the last one.
-    if (!result.pressure.empty() && result.status != SteadyStatus::Cancelled)
+    if (!result.pressure.empty() && result.status != SteadyStatus::Cancelled) {
+        beforeOf_[solutions_.nextNumber()] = before_;
         solutions_.add(asked_, result); // which chooses it
-    else if (!shown())
+    } else if (!shown())
         attitude_->setResult(asked_, result);
     emit solved(result);
 }
 
 void FilmWindow::onPreviewed(const AirBearingSurface& surface)
 {
-    if (!view_->shape()->follows()) return;
+    const bool follows = view_->shape()->follows();
+    if (surface == edited_.surface && !view_->shape()->editor()->dragging()) {
+        // A gesture that is given up, or ends where it began, has stopped what was being solved.
+        preview_.reset();
+        follower_->forget();
+        showFlight();
+        if (stale_ && follows) restTimer_.start(restTime);
+        return;
+    }
+    if (!follows) return;
     if (view_->shape()->editor()->dragging()) controller_.stop();
     restTimer_.stop();
-    // A gesture that is given up has stopped what was being solved.
-    if (!view_->shape()->editor()->dragging() && stale_) restTimer_.start(restTime);
-    Case preview = edited_;
-    preview.surface = surface;
     if (const auto problems = surfaceProblems(surface); !problems.empty()) {
+        preview_.reset();
+        follower_->forget(); // what it finds now is of another shape
         view_->shape()->showObstacle(QString::fromStdString(problems.front().sentence));
         return;
     }
+    Case preview = edited_;
+    preview.surface = surface;
     // A change is told from the same grid: the case itself comes first.
     if (coarseReference_) {
         follower_->follow(preview);
@@ -234,7 +288,6 @@ void FilmWindow::onFollowed(const SteadyResult& result)
 
 void FilmWindow::onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge)
 {
-    if (shown() && !stale_) before_ = shown_;
     emit surfaceEdited(surface, text, merge);
     if (view_->shape()->follows()) restTimer_.start(restTime);
 }
@@ -262,7 +315,9 @@ bool FilmWindow::isEdited(Case solved, const Attitude& found) const
 void FilmWindow::updateStale()
 {
     const SolutionRecord* record = shown();
-    stale_ = record && !isEdited(record->value, record->result.attitude);
+    // A search from where another one gave up may find a state.
+    const bool found = record && record->result.status == SteadyStatus::Converged;
+    stale_ = record && !isEdited(record->value, found ? record->result.attitude : Attitude{});
     view_->setStale(stale_);
     view_->shape()->setStale(stale_);
     attitude_->setStale(stale_);

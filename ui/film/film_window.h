@@ -4,6 +4,7 @@
 // solver between them. Every solution is kept; the one that is chosen in the list is shown.
 #pragma once
 
+#include <map>
 #include <optional>
 
 #include <QAction>
@@ -48,19 +49,29 @@ public:
     /// The solution that is shown; nullptr: none.
     const SteadyResult* result() const;
     bool stale() const { return stale_; }
+    /// The case that was solved last is the case as it is edited, be there a state or none.
+    bool solvedAsEdited() const { return isEdited(asked_, {}); }
 
 signals:
     /// The surface was changed in the plan or in its list: the case is to have it. See SurfaceEditor::edited.
     void surfaceEdited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
-    /// Another solution is shown, or none: see `result`.
+    /// Another solution is shown, or none, or the case has become that of the solution or has ceased to be: see
+    /// `result` and `stale`.
     void shownChanged();
     /// Everything shows it by now.
     void solved(const touchdown::SteadyResult& result);
 
 private:
     const SolutionRecord* shown() const { return solutions_.find(shown_); }
+    /// What the list has of a case: its state, or else a search that found none.
+    const SolutionRecord* knownOf(const Case& c) const;
     void show(int number);
     void showComparison();
+    /// The line above the plan, when no preview is under way.
+    void showFlight();
+    /// The state beside the bar of the progress is that of the case as it is edited.
+    void showOutcome();
+    void conclude(const SteadyResult& result);
     std::optional<SteadyResult> reference() const;
     void onFinished(const SteadyResult& result);
     void onPreviewed(const AirBearingSurface& surface);
@@ -85,6 +96,7 @@ private:
     InfluenceController influence_;
     QTimer influenceTimer_;                       // since the last edit or selection
     int before_ = -1;                             // the solution before the last edit of the shape
+    std::map<int, int> beforeOf_;                 // the same of each solution, for undo
     std::optional<SteadyResult> coarseReference_; // of the case itself on the grid of previews
     std::optional<Case> preview_;                 // waits for that one
     Case edited_;                                 // as it is now

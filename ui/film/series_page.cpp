@@ -40,7 +40,7 @@ struct NumberColumn {
 constexpr std::array numberColumns{
     NumberColumn{"minimum_spacing", QT_TRANSLATE_NOOP("SeriesPage", "Minimum spacing"), 3},
     NumberColumn{"minimum_spacing_error", QT_TRANSLATE_NOOP("SeriesPage", "±"), 3},
-    NumberColumn{"nominal_trailing_edge_height", QT_TRANSLATE_NOOP("SeriesPage", "Trailing edge height"), 3},
+    NumberColumn{"nominal_trailing_edge_height", QT_TRANSLATE_NOOP("SeriesPage", "Nominal trailing edge height"), 3},
     NumberColumn{"pitch", QT_TRANSLATE_NOOP("SeriesPage", "Pitch"), 2},
     NumberColumn{"roll", QT_TRANSLATE_NOOP("SeriesPage", "Roll"), 2},
     NumberColumn{"net_force", QT_TRANSLATE_NOOP("SeriesPage", "Net force"), 4}};

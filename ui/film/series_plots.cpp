@@ -42,7 +42,7 @@ SeriesPlots::SeriesPlots(QWidget* parent) : QWidget(parent), group_(new PlotGrou
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    const std::array titles{tr("Minimum spacing"), tr("Trailing edge height"), tr("Pitch"), tr("Roll")};
+    const std::array titles{tr("Minimum spacing"), tr("Nominal trailing edge height"), tr("Pitch"), tr("Roll")};
     for (std::size_t i = 0; i < plots_.size(); ++i) {
         plots_[i] = new PlotWidget(this);
         plots_[i]->setXNumbersVisible(i + 1 == plots_.size());
@@ -60,7 +60,7 @@ SeriesPlots::~SeriesPlots() { clear(); }
 void SeriesPlots::setHeld(bool held)
 {
     held_ = held;
-    plots_[heightPlot]->setTitle(held ? tr("Net force") : tr("Trailing edge height"));
+    plots_[heightPlot]->setTitle(held ? tr("Net force") : tr("Nominal trailing edge height"));
     for (std::size_t i = 0; i < plots_.size(); ++i) {
         const char* unit = shownQuantities[held && i == heightPlot ? netForce : i].unit;
         plots_[i]->setYLabel({{}, unitText(unit), unitFactor(unit), AxisScale::Linear});

@@ -19,6 +19,7 @@ ShapeFollower::ShapeFollower(Solver solver, QObject* parent)
 {
     connect(&controller_, &SteadyController::finished, this, [this](int number, const SteadyResult& result) {
         if (number == wanted_) {
+            wanted_ = 0;
             if (result.status == SteadyStatus::Converged) {
                 before_ = solving_;
                 from_ = result;

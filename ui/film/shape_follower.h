@@ -23,7 +23,8 @@ public:
     void follow(const Case& c);
     /// Forgets what waits, and the solution under way.
     void forget();
-    bool busy() const { return controller_.active() || waiting_.has_value(); }
+    /// Something is still to be followed.
+    bool busy() const { return wanted_ != 0 || waiting_.has_value(); }
 
     /// The case on at most 65 x 65 nodes, for its attitude alone.
     static Case coarse(const Case& c);
@@ -37,7 +38,7 @@ private:
     Case before_, solving_; // changed only between two solutions, as is the next
     SteadyResult from_;     // the state of the case before; empty: none
     std::optional<Case> waiting_;
-    int wanted_ = 0;              // number of the solution under way; 0: it is forgotten
+    int wanted_ = 0;              // number of the solution under way; 0: none, or it is forgotten
     SteadyController controller_; // the last member: its thread uses the others
 };
 

@@ -29,16 +29,28 @@ int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QS
     record->place = place;
     record->result = result;
     record->shown = record->comparedByItself = shown;
-    // A row of edits compares the last three; what the user checked stays.
-    int others = 0;
-    for (int row = count() - 1; shown && row >= 0; --row) {
-        const SolutionRecord& each = this->record(row);
-        if (each.shown && each.comparedByItself && each.number != baseline() && ++others > 2)
-            setData(index(row), Qt::Unchecked, Qt::CheckStateRole);
-    }
+    if (shown) uncheckOldest(mostByItself - 1);
     const int number = addRecord(std::move(record)).number;
     dropFields();
     return number;
+}
+
+/// Of the boxes that nobody touched, all but the newest `kept`.
+void SolutionsModel::uncheckOldest(int kept, int besides)
+{
+    for (int row = count() - 1; row >= 0; --row) {
+        const SolutionRecord& each = record(row);
+        if (each.shown && each.comparedByItself && each.number != baseline() && each.number != besides && --kept < 0)
+            RecordList::setData(index(row), Qt::Unchecked, Qt::CheckStateRole);
+    }
+}
+
+void SolutionsModel::compareByItself(int number)
+{
+    const int row = rowOf(number);
+    if (row < 0 || record(row).shown || !record(row).comparedByItself) return;
+    uncheckOldest(mostByItself - 1, number);
+    RecordList::setData(index(row), Qt::Checked, Qt::CheckStateRole);
 }
 
 QString SolutionsModel::nameOf(const Case& solved) const
@@ -94,6 +106,16 @@ const SolutionRecord* SolutionsModel::of(const Case& c) const
     return nullptr;
 }
 
+const SolutionRecord* SolutionsModel::failureOf(const Case& c) const
+{
+    for (int row = count() - 1; row >= 0; --row) {
+        const SolutionRecord& each = record(row);
+        // From another start a search may find a state, also from where this one gave up.
+        if (failed(row) && !each.fieldsDropped && sameFilm(c, withRunOf(each.value, c))) return &each;
+    }
+    return nullptr;
+}
+
 std::vector<const SolutionRecord*> SolutionsModel::compared() const
 {
     std::vector<const SolutionRecord*> list;
@@ -108,6 +130,7 @@ QString SolutionsModel::changes(int row) const
     const SteadyResult& state = each.result;
     const QString pitch = withError(state.attitude.pitch, state.discretisationError.pitch, "urad");
     const QString roll = withError(state.attitude.roll, state.discretisationError.roll, "urad");
+    if (!notFoundText(state).isEmpty()) return tr("last step: pitch %1, roll %2").arg(pitch, roll);
     return each.value.steady.fixedAttitude ? tr("at a given attitude, pitch %1, roll %2").arg(pitch, roll)
                                            : tr("pitch %1, roll %2").arg(pitch, roll);
 }

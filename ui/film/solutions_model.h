@@ -32,6 +32,11 @@ public:
     const SolutionRecord* find(int number) const; // nullptr: it is gone
     /// The newest that converged, with its fields, and is the static state of `c`; nullptr: none.
     const SolutionRecord* of(const Case& c) const;
+    /// The newest search for the state of `c` that found none; nullptr: there was none.
+    const SolutionRecord* failureOf(const Case& c) const;
+    /// Checks its box, unless the user has unchecked it. Of boxes that nobody touched the newest ones stay checked.
+    void compareByItself(int number);
+    static constexpr int mostByItself = 3; // beside the baseline
     /// Those whose box is checked, and the baseline, in their order.
     std::vector<const SolutionRecord*> compared() const;
 
@@ -45,6 +50,7 @@ protected:
 private:
     QString nameOf(const Case& solved) const;
     void dropFields();
+    void uncheckOldest(int kept, int besides = -1);
 };
 
 } // namespace touchdown

@@ -8,7 +8,9 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "core/formats/units.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -18,12 +20,13 @@ namespace {
 
 /// "min 8.75 nm  +0.31 (±0.16)": the change is left out where there is nothing to compare with, the error where it is
 /// not known.
-QString part(const QString& name, double value, std::optional<double> before, double error, double unit,
-             const QString& unitName, int decimals)
+QString part(const QString& name, double value, std::optional<double> before, double error, std::string_view unit)
 {
-    QString text = QStringLiteral("%1 <b>%2</b> %3").arg(name, typeset(value / unit, decimals), unitName);
-    if (before) text += QStringLiteral("  ") + typesetChange((value - *before) / unit, decimals);
-    if (std::isfinite(error) && error > 0.0) text += QStringLiteral(" (±%1)").arg(typeset(error / unit, decimals));
+    const int decimals = decimalsWithError(value, error, unit);
+    const double factor = unitFactor(unit);
+    QString text = QStringLiteral("%1 <b>%2</b> %3").arg(name, typeset(value / factor, decimals), unitText(unit));
+    if (before) text += QStringLiteral("  ") + changeText(value - *before, value, error, unit);
+    if (std::isfinite(error) && error > 0.0) text += QStringLiteral(" (±%1)").arg(typeset(error / factor, decimals));
     return text;
 }
 
@@ -205,18 +208,14 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         return compared ? std::optional(reference->attitude.*member) : std::nullopt;
     };
     const DiscretisationError& error = state.discretisationError;
-    constexpr double nm = 1e-9, urad = 1e-6;
-    const QString microradians = QStringLiteral("µrad");
-    const double unknown = DiscretisationError::unknown;
     flightParts_ =
-        part(tr("min"), state.minimumSpacing, before(&SteadyResult::minimumSpacing), error.minimumSpacing, nm,
-             QStringLiteral("nm"), 2) +
+        part(tr("min"), state.minimumSpacing, before(&SteadyResult::minimumSpacing), error.minimumSpacing, "nm") +
         QStringLiteral(" &nbsp; ") +
-        part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, urad, microradians, 1) +
-        QStringLiteral(" &nbsp; ") +
-        part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), unknown, urad, microradians, 2) +
+        part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, "urad") +
+        QStringLiteral(" &nbsp; ") + part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), error.roll, "urad") +
         QStringLiteral(" &nbsp; ") + tr("%1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) +
         (preview ? tr(", preview") : QString());
+    if (!preview) confirmedParts_ = flightParts_;
     setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());
     flight_->setText(flightParts_);
     flight_->setToolTip({});
@@ -244,6 +243,16 @@ void SurfacePage::clearObstacle()
     obstacle_ = false;
 }
 
+void SurfacePage::showConfirmed()
+{
+    if (confirmedParts_.isEmpty()) return clearFlight();
+    flightParts_ = confirmedParts_;
+    setTextColour(flight_, meaningColours(palette()).muted);
+    flight_->setText(flightParts_);
+    flight_->setToolTip({});
+    obstacle_ = false;
+}
+
 void SurfacePage::setStale(bool stale)
 {
     if (!flightParts_.isEmpty()) setTextColour(flight_, stale ? meaningColours(palette()).muted : QColor());
@@ -252,6 +261,7 @@ void SurfacePage::setStale(bool stale)
 void SurfacePage::clearFlight()
 {
     flightParts_.clear();
+    confirmedParts_.clear();
     setTextColour(flight_, meaningColours(palette()).muted);
     flight_->setText(tr("Not solved yet: F9 finds how it flies."));
     flight_->setToolTip({});

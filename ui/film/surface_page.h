@@ -44,6 +44,8 @@ public:
     void showObstacle(const QString& reason);
     /// The shape flies, or may: the reason is taken away.
     void clearObstacle();
+    /// The last state that was not a preview, pale.
+    void showConfirmed();
     /// What is shown is of the case before.
     void setStale(bool stale);
     /// Nothing is known of how it flies.
@@ -63,8 +65,8 @@ private:
     ShapePanel* panel_;
     QCheckBox *follow_, *influence_;
     QLabel *flight_, *influenceWords_;
-    QString flightParts_;
-    bool obstacle_ = false; // stands before flightParts_
+    QString flightParts_, confirmedParts_; // the last state, and the last that was not a preview
+    bool obstacle_ = false;                // stands before flightParts_
 };
 
 } // namespace touchdown

@@ -34,7 +34,7 @@ std::optional<double> valueOf(const OtherField& field, const SurfacePoint& point
 {
     const int i = cellIndex(field.grid.x, point.x), j = cellIndex(field.grid.y, point.y);
     if (i < 0 || j < 0) return std::nullopt;
-    return field.values[static_cast<std::size_t>(j * field.grid.nx() + i)];
+    return field.points.at(point).value_or(field.values[static_cast<std::size_t>(j * field.grid.nx() + i)]);
 }
 
 std::optional<double> difference(std::optional<double> from, std::optional<double> to)
@@ -84,10 +84,10 @@ void FieldCursorTable::show(const FieldMap& map, const FieldCursors& cursors, co
     std::array<std::optional<SurfacePoint>, 2> seen;
     std::array<std::vector<std::optional<double>>, 2> values;
     for (std::size_t which = 0; which < 2; ++which) {
-        const auto cell = cursors[which] ? map.cellAt(*cursors[which]) : std::nullopt;
-        if (!cell) continue;
+        const auto value = cursors[which] ? map.valueAt(*cursors[which]) : std::nullopt;
+        if (!value) continue;
         seen[which] = cursors[which];
-        values[which].emplace_back(map.value(*cell));
+        values[which].push_back(value);
         for (const OtherField& other : others) values[which].push_back(valueOf(other, *cursors[which]));
     }
     setVisible(seen[0].has_value());

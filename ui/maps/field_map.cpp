@@ -10,6 +10,7 @@
 
 #include "core/formats/units.h"
 #include "ui/plot/plot_frame.h"
+#include "ui/slider/attitude_sections.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
 
@@ -34,13 +35,22 @@ QString fieldNumber(double value, const FieldLook& look)
 {
     const double shown = value / look.factor;
     const double size = std::abs(shown);
-    const int decimals = size > 0.0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3) : 0;
+    int decimals = size > 0.0 ? std::clamp(3 - static_cast<int>(std::floor(std::log10(size))), 0, 3) : 0;
+    if (look.error > 0.0) decimals = std::min(decimals, decimalsOfError(look.error / look.factor));
     return typeset(shown, decimals);
 }
 
-void FieldMap::setField(const CellGrid& grid, std::vector<double> values)
+std::optional<double> FieldAtPoints::at(const SurfacePoint& point) const
+{
+    constexpr double same = 1e-9; // [m]
+    if (least && std::hypot(point.x - least->at.x, point.y - least->at.y) < same) return least->value;
+    return value ? std::optional(value(point)) : std::nullopt;
+}
+
+void FieldMap::setField(const CellGrid& grid, std::vector<double> values, FieldAtPoints points)
 {
     values_ = std::move(values);
+    points_ = std::move(points);
     // Where many cells are at the limit, as without contact, none of them is a place to mark.
     const auto only = [this](auto extreme) -> std::optional<std::size_t> {
         if (extreme == values_.end() || std::ranges::count(values_, *extreme) != 1) return std::nullopt;
@@ -68,6 +78,13 @@ std::optional<std::size_t> FieldMap::cellAt(const SurfacePoint& point) const
     return static_cast<std::size_t>(j) * static_cast<std::size_t>(grid().nx()) + static_cast<std::size_t>(i);
 }
 
+std::optional<double> FieldMap::valueAt(const SurfacePoint& point) const
+{
+    const auto cell = cellAt(point);
+    if (!cell) return std::nullopt;
+    return points_.at(point).value_or(value(*cell));
+}
+
 SurfacePoint FieldMap::centre(std::size_t cell) const
 {
     const auto nx = static_cast<std::size_t>(grid().nx());
@@ -89,8 +106,8 @@ void FieldMap::setCursors(const std::optional<SurfacePoint>& first, const std::o
 
 QStringList FieldMap::readingAt(const SurfacePoint& point) const
 {
-    const auto cell = cellAt(point);
-    return cell ? QStringList{fieldText(value(*cell), look_)} : QStringList();
+    const auto value = valueAt(point);
+    return value ? QStringList{fieldText(*value, look_)} : QStringList();
 }
 
 std::vector<ScaleTick> FieldMap::keyTicks() const
@@ -224,14 +241,30 @@ void FieldMap::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& 
     second_ = second;
 }
 
-void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
+std::vector<PlanMark> FieldMap::extremes() const
 {
     std::vector<PlanMark> marks;
-    const auto add = [&](std::optional<std::size_t> cell, PlanMark::Kind kind) {
-        if (cell) marks.push_back({toPixel(centre(*cell)), kind, fieldText(values_[*cell], look_)});
+    const auto add = [&](const SurfacePoint& at, PlanMark::Kind kind, double value) {
+        marks.push_back({toPixel(at), kind, fieldText(value, look_)});
     };
-    add(smallest_, PlanMark::Kind::Minimum);
-    add(largest_, PlanMark::Kind::Maximum);
+    if (points_.least)
+        add(points_.least->at, PlanMark::Kind::Minimum, points_.least->value);
+    else if (smallest_)
+        add(centre(*smallest_), PlanMark::Kind::Minimum, values_[*smallest_]);
+    if (largest_) add(centre(*largest_), PlanMark::Kind::Maximum, values_[*largest_]);
+    return marks;
+}
+
+QStringList FieldMap::marks() const
+{
+    QStringList numbers;
+    for (const PlanMark& mark : extremes()) numbers << mark.text;
+    return numbers;
+}
+
+void FieldMap::paintExtremes(QPainter& painter, const PlotTheme& theme) const
+{
+    const std::vector<PlanMark> marks = extremes();
     if (marks.empty()) return;
     painter.setFont(plotNumberFont(font()));
     TakenRoom taken;

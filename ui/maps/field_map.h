@@ -3,10 +3,12 @@
 // A field on the cells of a grid, drawn cell by cell without smoothing, as it was solved.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
 #include "ui/plot/colour_scale.h"
+#include "ui/slider/plan_marks.h"
 #include "ui/slider/slider_plan.h"
 
 namespace touchdown {
@@ -17,8 +19,24 @@ struct FieldLook {
     QString unit;        // the display unit, "kPa"
     double factor = 1.0; // of the display unit in SI
     ColourScale scale;
-    QString symbol{}; // on the axes of sections
-    QString remark{}; // behind the title: ", beyond the scale up to 54 kPa"
+    QString symbol{};   // on the axes of sections
+    QString remark{};   // behind the title: ", beyond the scale up to 54 kPa"
+    double error = 0.0; // estimated, of the values: digits beyond it are not shown [SI]; 0: not known
+};
+
+/// What is known of a field beside its means over the cells.
+struct FieldAtPoints {
+    std::function<double(const SurfacePoint&)> value{}; // [SI]; empty: what the cell has
+    struct Least {
+        SurfacePoint at;
+        double value; // [SI]
+    };
+    std::optional<Least> least{}; // the smallest value; nothing: that of the cells
+    double error = 0.0;           // see FieldLook
+
+    /// Nothing: what the cell has. At the place of the smallest value it is that value: the place is on the border of a
+    /// rail, and by rounding beside it.
+    std::optional<double> at(const SurfacePoint& point) const;
 };
 
 class FieldMap : public SliderPlan {
@@ -28,7 +46,7 @@ public:
     using SliderPlan::SliderPlan;
 
     /// One value for each cell [SI], x fastest. An empty field leaves the slider empty.
-    void setField(const CellGrid& grid, std::vector<double> values);
+    void setField(const CellGrid& grid, std::vector<double> values, FieldAtPoints points = {});
     void setLook(const FieldLook& look);
     const FieldLook& look() const { return look_; }
     bool empty() const { return values_.empty(); }
@@ -36,7 +54,12 @@ public:
     /// The cell that holds a point of the slider; nothing outside the grid.
     std::optional<std::size_t> cellAt(const SurfacePoint& point) const;
     double value(std::size_t cell) const { return values_[cell]; }
+    /// Nothing outside the grid.
+    std::optional<double> valueAt(const SurfacePoint& point) const;
     SurfacePoint centre(std::size_t cell) const;
+
+    /// The numbers at the marks of the smallest and the largest value.
+    QStringList marks() const;
 
     /// Their outlines are drawn over the field.
     void setRails(std::vector<Rail> rails);
@@ -58,12 +81,14 @@ protected:
 private:
     void paintCells(QPainter& painter) const;
     void paintCursors(QPainter& painter, const PlotTheme& theme) const;
+    std::vector<PlanMark> extremes() const;
     void paintExtremes(QPainter& painter, const PlotTheme& theme) const;
     std::vector<ScaleTick> keyTicks() const;
 
     void paintRails(QPainter& painter, const PlotTheme& theme) const;
 
     std::vector<double> values_;
+    FieldAtPoints points_;
     std::vector<Rail> rails_;
     FieldLook look_;
     std::optional<std::size_t> smallest_, largest_; // cells; nothing where several cells have that value

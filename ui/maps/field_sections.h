@@ -18,6 +18,7 @@ struct OtherField {
     CurveStyle style;
     CellGrid grid;
     std::vector<double> values;
+    FieldAtPoints points{};
 };
 
 class FieldSections : public QWidget {

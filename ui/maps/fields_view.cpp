@@ -100,11 +100,13 @@ void FieldsView::setKinds(std::vector<MapKind> kinds)
     showKind();
 }
 
-void FieldsView::setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges)
+void FieldsView::setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges,
+                           std::vector<FieldAtPoints> points)
 {
     grid_ = grid;
     fields_ = std::move(fields);
     ranges_ = std::move(ranges);
+    points_ = std::move(points);
     showField();
 }
 
@@ -160,12 +162,15 @@ void FieldsView::showField()
         if (high > range.high) shown.remark += tr(", beyond the scale up to %1").arg(fieldText(high, shown));
         if (low < range.low) shown.remark += tr(", beyond the scale down to %1").arg(fieldText(low, shown));
     }
+    const FieldAtPoints points = chosen < points_.size() && !values.empty() ? points_[chosen] : FieldAtPoints();
+    shown.error = points.error;
     map_->setLook(shown);
-    map_->setField(grid_, std::move(values));
+    map_->setField(grid_, std::move(values), points);
     std::vector<OtherField> others;
     for (const OtherFields& other : others_)
         if (chosen < other.fields.size() && !other.fields[chosen].empty())
-            others.push_back({other.name, other.style, other.grid, other.fields[chosen]});
+            others.push_back({other.name, other.style, other.grid, other.fields[chosen],
+                              chosen < other.points.size() ? other.points[chosen] : FieldAtPoints()});
     shownOthers_ = others;
     sections_->setOthers(name_, style_, std::move(others));
     sections_->setRange(

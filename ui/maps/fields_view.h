@@ -18,15 +18,14 @@
 
 #include "core/numerics/cell_grid.h"
 #include "core/physics/slider/air_bearing_surface.h"
+#include "ui/maps/field_map.h"
 #include "ui/plot/min_max_pyramid.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
 
 class FieldCursorTable;
-class FieldMap;
 class FieldSections;
-struct FieldLook;
 struct OtherField;
 
 /// A field that can be shown, and how.
@@ -57,7 +56,9 @@ public:
     void setKinds(std::vector<MapKind> kinds);
     /// One field for each kind, one value for each cell [SI], x fastest; none where there is nothing to show. With
     /// `ranges`, one for each kind, colours and sections span these instead of the shown values.
-    void setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges = {});
+    /// `points`, one for each kind as far as known, has values between the centres of the cells.
+    void setFields(const CellGrid& grid, std::vector<std::vector<double>> fields, std::vector<PlotRange> ranges = {},
+                   std::vector<FieldAtPoints> points = {});
 
     /// Fields of the same kinds of another state, drawn in the sections beside those of `setFields`.
     struct OtherFields {
@@ -65,6 +66,7 @@ public:
         CurveStyle style;
         CellGrid grid;
         std::vector<std::vector<double>> fields;
+        std::vector<FieldAtPoints> points{}; // as far as known
     };
     /// At the next `setFields`; its own sections are then called `name` and look so.
     void setOthers(const QString& name, const CurveStyle& style, std::vector<OtherFields> others);
@@ -105,6 +107,7 @@ private:
     CellGrid grid_;
     std::vector<std::vector<double>> fields_;
     std::vector<PlotRange> ranges_;
+    std::vector<FieldAtPoints> points_;
     QString name_;
     CurveStyle style_{0, 0};
     std::vector<OtherFields> others_;

@@ -160,19 +160,31 @@ QString resultText(const RunRecord& run)
         add("snap_in_separation", AboutCasePane::tr("snap-in at %1"));
         text += QLatin1Char('.');
     } else if (summary.status == RunStatus::Completed) {
-        QStringList ends;
-        if (const std::optional<EndHeight> end = endHeight(run))
-            ends << (run.value.model == ModelKind::Film ? AboutCasePane::tr("minimum spacing %1")
-                                                        : AboutCasePane::tr("flying height %1"))
-                        .arg(readout(end->value, *end->quantity));
-        for (const auto& [name, words] : {std::pair("pitch", AboutCasePane::tr("pitch %1")),
-                                          std::pair("net_contact_force", AboutCasePane::tr("net contact force %1"))}) {
-            const std::optional<double> value = run.last(name);
-            if (!value || (*value == 0.0 && std::string_view(name) == "net_contact_force")) continue;
+        // The last sample of a motion that lasts is anywhere: its means stand for it.
+        const bool lasting = lasts(summary.verdict.motion);
+        const auto valueOf = [&](const std::string& name) -> std::optional<double> {
+            if (!lasting) return run.last(name);
+            const auto tail = std::ranges::find(summary.tail, name, [](const auto& each) { return each.first; });
+            return tail == summary.tail.end() ? std::nullopt : std::optional(tail->second.mean);
+        };
+        const std::optional<EndHeight> end = endHeight(run);
+        QStringList values;
+        for (const auto& [name, words] :
+             {std::pair(end ? end->quantity->name : std::string(), run.value.model == ModelKind::Film
+                                                                       ? AboutCasePane::tr("minimum spacing %1")
+                                                                       : AboutCasePane::tr("flying height %1")),
+              std::pair(std::string("pitch"), AboutCasePane::tr("pitch %1")),
+              std::pair(std::string("net_contact_force"), AboutCasePane::tr("net contact force %1"))}) {
+            const std::optional<double> value = valueOf(name);
+            if (!value || (*value == 0.0 && name == "net_contact_force")) continue;
             const auto index = static_cast<std::size_t>(findQuantity(run.quantities, name));
-            ends << words.arg(readout(*value, run.quantities[index]));
+            values << words.arg(readout(*value, run.quantities[index]));
         }
-        text = AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), ends.join(QStringLiteral(", ")));
+        const QString with = values.join(QStringLiteral(", "));
+        text = !lasting ? AboutCasePane::tr("Ends at %1 with %2.").arg(timeText(summary.endTime), with)
+               : values.isEmpty()
+                   ? sentence(endText(run).toStdString())
+                   : sentence(AboutCasePane::tr("%1, with %2 in the mean").arg(endText(run), with).toStdString());
         if (const QString motion = motionText(summary.verdict); !motion.isEmpty()) text += QLatin1Char(' ') + motion;
     } else {
         text = sentence(summary.message);

@@ -16,6 +16,7 @@
 #include "core/results/results_writer.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/run.h"
+#include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
 #include "ui/style/whole_file.h"
 
@@ -44,6 +45,14 @@ RunStatus statusFromName(const std::string& text)
     for (const RunStatus status : {RunStatus::Completed, RunStatus::Cancelled, RunStatus::Diverged, RunStatus::Failed})
         if (text == name(status)) return status;
     return RunStatus::Cancelled; // "interrupted"
+}
+
+Motion motionFromName(const std::string& text)
+{
+    for (const Motion motion :
+         {Motion::AtRest, Motion::Settles, Motion::Swings, Motion::Vibrates, Motion::Bounces, Motion::TooShort})
+        if (text == name(motion)) return motion;
+    return Motion::NotJudged;
 }
 
 } // namespace
@@ -100,6 +109,25 @@ std::optional<EndHeight> endHeight(const RunRecord& run)
     const std::optional<double> value = run.last(name);
     if (!value || run.value.model == ModelKind::Contact) return std::nullopt;
     return EndHeight{&run.quantities[static_cast<std::size_t>(index)], *value};
+}
+
+double endSwing(const Summary& summary)
+{
+    for (const auto& [quantity, tail] : summary.tail)
+        if (quantity == "minimum_spacing") return tail.max - tail.min;
+    return summary.verdict.swing;
+}
+
+QString endText(const RunRecord& run)
+{
+    const Summary& summary = *run.summary;
+    if (lasts(summary.verdict.motion)) return tr("swings by %1").arg(lengthText(endSwing(summary), 3));
+    const std::optional<EndHeight> end = endHeight(run);
+    if (!end) return {};
+    // A guide shows the first part of a run while its slider is moved.
+    const bool goesOn = (run.ofGuide && summary.endTime < run.value.run.duration * (1.0 - 1e-9)) ||
+                        summary.verdict.motion == Motion::TooShort;
+    return (goesOn ? tr("at %1") : tr("ends at %1")).arg(readout(end->value, *end->quantity));
 }
 
 bool RunRecord::fieldsComplete() const
@@ -228,6 +256,8 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     for (const Quantity& quantity : stored.quantities)
         if (const std::optional<double> last = record->last(quantity.name))
             summary.final.emplace_back(quantity.name, *last);
+    summary.verdict.motion = motionFromName(stored.motion);
+    summary.verdict.swing = stored.swing;
     record->finish(summary);
     return record;
 }

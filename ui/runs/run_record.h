@@ -86,13 +86,18 @@ struct RunRecord : ListedRecord {
     bool interrupted = false; // read from a file whose writer was killed
 };
 
-/// Where a run ended: the flying height on springs, the minimum spacing on a film. The list of runs, the message and
-/// the card show the same number.
+/// Where a run ended: the flying height on springs, the minimum spacing on a film.
 struct EndHeight {
     const Quantity* quantity;
     double value; // [m]
 };
 std::optional<EndHeight> endHeight(const RunRecord& run);
+/// The minimum spacing over the last tenth of a run, peak to peak [m]; 0: not known.
+double endSwing(const Summary& summary);
+/// How the height of a finished run ends, in the words that the list of runs, the message and the panes share: "ends at
+/// 7.000 nm"; of a motion that lasts, whose last sample is anywhere, "swings by 8.08 nm", peak to peak; "at 7.000
+/// nm" where the motion goes on or may. Empty for a pad.
+QString endText(const RunRecord& run);
 
 /// Performs a case until a time [s], or to its end; `goOn` is asked after each batch of samples, and ends the run with
 /// false. Throws what the run throws.

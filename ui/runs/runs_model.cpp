@@ -181,11 +181,8 @@ QString RunsModel::result(int row) const
     for (const RunFigure& figure : run.summary->figures)
         if (figure.quantity.name == "largest_contact_force")
             return figure.value > 0.0 ? tr("largest force %1").arg(forceText(figure.value)) : tr("no contact");
-    const std::optional<EndHeight> end = endHeight(run);
-    if (!end) return status;
-    const bool part =
-        run.ofGuide && run.summary->endTime < run.value.run.duration * (1.0 - 1e-9); // while a slider is moved
-    return (part ? tr("at %1") : tr("ends at %1")).arg(readout(end->value, *end->quantity));
+    const QString end = endText(run);
+    return end.isEmpty() ? status : end;
 }
 
 bool RunsModel::failed(int row) const

@@ -24,14 +24,6 @@ int decimalsOf(double value, int digits)
     return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)), 0, 12);
 }
 
-/// Four significant digits; large and tiny numbers with three and a power of ten.
-QString plain(double value, const QLocale& locale)
-{
-    const double size = std::abs(value);
-    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return trueMinus(locale.toString(value, 'e', 2));
-    return typeset(value, decimalsOf(value, 4), locale);
-}
-
 /// In mm, as the heads of the columns say.
 QString place(const SurfacePoint& at, const QLocale& locale)
 {
@@ -42,13 +34,16 @@ QString place(const SurfacePoint& at, const QLocale& locale)
 AttitudeSection attitude(const SteadyResult& r, const QLocale& locale)
 {
     const DiscretisationError& error = r.discretisationError;
-    return {tr("Attitude"),
-            {},
-            {{tr("Trailing edge height"), withError(r.attitude.height, 0.0, "nm", locale)},
-             {tr("Pitch"), withError(r.attitude.pitch, error.pitch, "urad", locale)},
-             {tr("Roll"), withError(r.attitude.roll, error.roll, "urad", locale)},
-             {tr("Minimum spacing"), withError(r.minimumSpacing, error.minimumSpacing, "nm", locale)},
-             {tr("at x, y [mm]"), place(r.minimumAt, locale)}}};
+    AttitudeSection section{tr("Attitude"),
+                            {},
+                            {{tr("Nominal trailing edge height"), withError(r.attitude.height, 0.0, "nm", locale)},
+                             {tr("Pitch"), withError(r.attitude.pitch, error.pitch, "urad", locale)},
+                             {tr("Roll"), withError(r.attitude.roll, error.roll, "urad", locale)},
+                             {tr("Minimum spacing"), withError(r.minimumSpacing, error.minimumSpacing, "nm", locale)},
+                             {tr("at x, y [mm]"), place(r.minimumAt, locale)}}};
+    if (r.attitude.height < r.minimumSpacing)
+        section.rows.insert(section.rows.begin() + 1, {tr("(of recess 0; all rails are higher)")});
+    return section;
 }
 
 AttitudeSection interest(const Case& c, const SteadyResult& r, const QLocale& locale)
@@ -93,7 +88,7 @@ AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
     constexpr std::array<double, 3> moved{1e-9, 1e-6, 1e-6}; // [m], [rad]
     for (std::size_t i = 0; i < 3; ++i) {
         QStringList row{names[i]};
-        for (std::size_t j = 0; j < 3; ++j) row << plain((*r.stiffness)(i, j) * moved[j] / shown[i], locale);
+        for (std::size_t j = 0; j < 3; ++j) row << fourDigits((*r.stiffness)(i, j) * moved[j] / shown[i], locale);
         section.rows.push_back(row);
     }
     return section;
@@ -110,8 +105,9 @@ AttitudeSection sensitivities(const SteadyResult& r, const QLocale& locale)
         const double step = unit.empty() ? 1.0 : unitFactor(unit);
         const QString name = parameter ? QString::fromStdString(parameter->label) : QString::fromStdString(s.parameter);
         section.rows.push_back({unit.empty() ? tr("%1, per 1").arg(name) : tr("%1, per %2").arg(name, unitText(unit)),
-                                plain(s.height * step / 1e-9, locale), plain(s.pitch * step / 1e-6, locale),
-                                plain(s.roll * step / 1e-6, locale), plain(s.minimumSpacing * step / 1e-9, locale)});
+                                fourDigits(s.height * step / 1e-9, locale), fourDigits(s.pitch * step / 1e-6, locale),
+                                fourDigits(s.roll * step / 1e-6, locale),
+                                fourDigits(s.minimumSpacing * step / 1e-9, locale)});
     }
     return section;
 }
@@ -135,12 +131,14 @@ AttitudeSection solution(const SteadyResult& r, const QLocale& locale)
             {{tr("Status"), statusText(name(r.status))},
              {tr("Grid"), cells},
              {tr("Iterations"), locale.toString(r.iterations)},
-             {tr("Residual"), plain(r.residual, locale)},
-             {tr("Load error"), plain(r.loadError, locale)},
+             {tr("Residual"), fourDigits(r.residual, locale)},
+             {tr("Load error"), fourDigits(r.loadError, locale)},
              {tr("Time"), timeText(r.wallSeconds, locale)}}};
 }
 
 bool known(double error) { return error > 0.0 && std::isfinite(error); }
+
+} // namespace
 
 /// One digit of the error, two of one that begins with 1; the next power of ten when rounding gets there.
 int decimalsOfError(double error)
@@ -149,7 +147,34 @@ int decimalsOfError(double error)
     return decimalsOf(error, lead < 1.95 ? 2 : 1);
 }
 
-} // namespace
+int decimalsWithError(double value, double error, std::string_view displayUnit)
+{
+    const double factor = unitFactor(displayUnit);
+    if (known(error)) return decimalsOfError(error / factor);
+    return std::abs(value / factor) < 1.0 ? 3 : decimalsOf(value / factor, 4);
+}
+
+QString changeText(double change, double value, double error, std::string_view displayUnit, const QLocale& locale)
+{
+    constexpr int more = 2;
+    const double shown = change / unitFactor(displayUnit);
+    int decimals = decimalsWithError(value, error, displayUnit);
+    if (std::abs(shown) >= 0.5 * std::pow(10.0, -decimals - more))
+        decimals = std::clamp(decimalsOf(shown, 2), decimals, decimals + more);
+    return typesetChange(shown, decimals, locale);
+}
+
+QString fourDigits(double value, const QLocale& locale)
+{
+    const double size = std::abs(value);
+    if (size != 0.0 && (size < 1e-3 || size >= 1e6)) return trueMinus(locale.toString(value, 'e', 2));
+    return typeset(value, decimalsOf(value, 4), locale);
+}
+
+QString notFoundText(const SteadyResult& result)
+{
+    return result.status == SteadyStatus::Converged ? QString() : statusText(name(result.status));
+}
 
 QString withError(double value, double error, std::string_view displayUnit, const QLocale& locale)
 {
@@ -162,13 +187,9 @@ QString withError(double value, double error, std::string_view displayUnit, cons
 
 QString roundedToError(double value, double error, std::string_view displayUnit, const QLocale& locale)
 {
-    const double factor = unitFactor(displayUnit);
-    const double shown = value / factor;
     if (!std::isfinite(value)) return tr("not known");
-    const int decimals = known(error)            ? decimalsOfError(error / factor)
-                         : std::abs(shown) < 1.0 ? 3
-                                                 : decimalsOf(shown, 4);
-    return typeset(shown, decimals, locale) + QChar(0x00A0) + unitText(displayUnit);
+    return typeset(value / unitFactor(displayUnit), decimalsWithError(value, error, displayUnit), locale) +
+           QChar(0x00A0) + unitText(displayUnit);
 }
 
 std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult& result, const QLocale& locale)
@@ -178,6 +199,9 @@ std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult&
         sections = {attitude(result, locale),  interest(c, result, locale),   forces(c, result, locale),
                     stiffness(result, locale), sensitivities(result, locale), equilibria(result, locale)};
         std::erase_if(sections, [](const AttitudeSection& section) { return section.rows.empty(); });
+        if (const QString state = notFoundText(result); !state.isEmpty())
+            sections.insert(sections.begin(),
+                            {sentence(tr("%1: numbers of the last step").arg(state).toStdString()).chopped(1), {}, {}});
     }
     sections.push_back(solution(result, locale));
     return sections;
@@ -200,7 +224,7 @@ QString steadyText(const SteadyResult& result, const QLocale& locale)
     if (result.status == SteadyStatus::Cancelled) return reason.isEmpty() ? tr("Stopped.") : reason;
     if (result.status == SteadyStatus::Failed) return reason.isEmpty() ? tr("The calculation failed.") : reason;
     const QString state =
-        tr("minimum spacing %1, trailing edge height %2, pitch %3, roll %4, net force %5.")
+        tr("minimum spacing %1, nominal trailing edge height %2, pitch %3, roll %4, net force %5.")
             .arg(withError(result.minimumSpacing, result.discretisationError.minimumSpacing, "nm", locale),
                  withError(result.attitude.height, 0.0, "nm", locale),
                  withError(result.attitude.pitch, result.discretisationError.pitch, "urad", locale),

@@ -32,6 +32,18 @@ QString withError(double value, double error, std::string_view displayUnit, cons
 
 /// The value alone, with the same digits.
 QString roundedToError(double value, double error, std::string_view displayUnit, const QLocale& locale = QLocale());
+/// Their decimals; of an error > 0 alone, in the unit that is shown.
+int decimalsWithError(double value, double error, std::string_view displayUnit);
+int decimalsOfError(double error);
+/// "+0.31": a change of such a value, without its unit. On one grid it is known better than the value: it has the
+/// decimals of the value and up to two more, where it has less than two digits otherwise.
+QString changeText(double change, double value, double error, std::string_view displayUnit,
+                   const QLocale& locale = QLocale());
+/// Four significant digits; large and tiny numbers with three and a power of ten.
+QString fourDigits(double value, const QLocale& locale = QLocale());
+
+/// "not converged": numbers of such a result are of the last step of a search; empty of a state that was found.
+QString notFoundText(const SteadyResult& result);
 
 /// The outcome in a sentence or two: "Height 7.03 nm, pitch ...", or why there is none.
 QString steadyText(const SteadyResult& result, const QLocale& locale = QLocale());

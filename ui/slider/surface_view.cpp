@@ -116,7 +116,7 @@ void SurfaceView::setSurface(const AirBearingSurface& surface, double length, do
     update();
 }
 
-void SurfaceView::setMinimumSpacing(const std::optional<SurfacePoint>& at, double spacing)
+void SurfaceView::setMinimumSpacing(const std::optional<SurfacePoint>& at, const QString& spacing)
 {
     minimumAt_ = at;
     minimumSpacing_ = spacing;
@@ -206,9 +206,7 @@ void SurfaceView::paintMarks(QPainter& painter, const PlotTheme& theme, TakenRoo
 {
     painter.setFont(plotNumberFont(font()));
     std::vector<PlanMark> marks;
-    if (minimumAt_)
-        marks.push_back(
-            {toPixel(*minimumAt_), PlanMark::Kind::Minimum, tr("min %1").arg(lengthText(minimumSpacing_, 3))});
+    if (minimumAt_) marks.push_back({toPixel(*minimumAt_), PlanMark::Kind::Minimum, tr("min %1").arg(minimumSpacing_)});
     for (std::size_t i = 0; i < surface_.pointsOfInterest.size(); ++i)
         marks.push_back({toPixel(surface_.pointsOfInterest[i]), PlanMark::Kind::Interest, tr("P%1").arg(i + 1)});
     paintPlanMarks(painter, marks, theme, taken);

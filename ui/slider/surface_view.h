@@ -66,8 +66,8 @@ public:
     /// `passing`: another one follows soon, as in a drag; the numbers of the rails stay where they are.
     void setSurface(const AirBearingSurface& surface, double length, double width, bool passing = false);
     const AirBearingSurface& surface() const { return surface_; }
-    /// The point of minimum spacing and the spacing there [m]; nothing when it is not known.
-    void setMinimumSpacing(const std::optional<SurfacePoint>& at, double spacing = 0.0);
+    /// The point of minimum spacing and the spacing there, as the state prints it; nothing when it is not known.
+    void setMinimumSpacing(const std::optional<SurfacePoint>& at, const QString& spacing = {});
     std::optional<SurfacePoint> minimumSpacingAt() const { return minimumAt_; }
 
     const ColourScale& scale() const { return scale_; }
@@ -99,7 +99,7 @@ private:
     bool numbersPass_ = false; // they are of a surface before
     std::optional<std::size_t> pointedRail_;
     std::optional<SurfacePoint> minimumAt_;
-    double minimumSpacing_ = 0.0; // [m]
+    QString minimumSpacing_; // "3.15 nm"
 };
 
 } // namespace touchdown

@@ -230,6 +230,21 @@ void Guides::dropReplaced(int number)
         window_.runs().remove(window_.runs().rowOf(number));
 }
 
+/// A demonstration that comes back shows the run of the values that the reader moved last: the values stand there, too.
+void Guides::takeValuesOfNewestRun()
+{
+    const RunRecord* run = shown_ ? stages_->newestOf(shown_->shown()) : nullptr;
+    if (!run) return;
+    Case moved = window_.edits().value();
+    for (const LiveValue& value : shown_->shown().live)
+        for (const std::string& key : value.keys) {
+            const Parameter& parameter = *findParameter(key);
+            parameter.set(moved, parameter.get(run->value));
+        }
+    if (moved == run->value && moved != window_.edits().value())
+        window_.edits().setAll(moved, tr("values of run %1").arg(run->number));
+}
+
 void Guides::openCaseOf(const LessonRun& run, bool start)
 {
     CaseFiles& files = window_.files();
@@ -241,7 +256,7 @@ void Guides::openCaseOf(const LessonRun& run, bool start)
         window_.setPage(MainWindow::Page::Run);
         stage();
         showLive();
-        if (!start) return;
+        if (!start) return takeValuesOfNewestRun();
         window_.startRun();
         RunRecord* started = window_.runWindow().runUnderWay();
         if (!started || !shown_) return;

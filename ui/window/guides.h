@@ -55,6 +55,7 @@ private:
     /// Opens the case of a run, then runs it, or only shows it.
     void openCaseOf(const LessonRun& run, bool start);
     void dropReplaced(int number);
+    void takeValuesOfNewestRun();
     LessonPane* build(LessonPane::Kind kind);
     void onStep(LessonPane::Kind kind);
     void showResults();

@@ -48,9 +48,7 @@ QString lessonResult(const RunRecord& run, double from)
     QStringList parts;
     if (summary.status == RunStatus::Cancelled) return LessonStages::tr("stopped");
     if (summary.status != RunStatus::Completed) parts << LessonStages::tr("fails");
-    // The last sample of a motion that lasts is anywhere.
-    if (const std::optional<EndHeight> end = lasts(summary.verdict.motion) ? std::nullopt : endHeight(run))
-        parts << LessonStages::tr("ends at %1").arg(readout(end->value, *end->quantity));
+    if (const QString end = endText(run); !end.isEmpty()) parts << end;
     for (const RunFigure& figure : summary.figures)
         if (figure.quantity.name == "touch_downs")
             parts << (figure.value == 1.0 ? LessonStages::tr("1 touch")
@@ -64,7 +62,8 @@ QString lessonResult(const RunRecord& run, double from)
     for (const auto& [quantity, tail] : summary.tail)
         if (quantity == "minimum_spacing" && summary.status == RunStatus::Completed &&
             tail.max - tail.min >= leastSwing) {
-            parts << LessonStages::tr("swings by %1 from peak to peak").arg(lengthText(tail.max - tail.min, 3));
+            if (!lasts(summary.verdict.motion))
+                parts << LessonStages::tr("swings by %1").arg(lengthText(endSwing(summary), 3));
             parts << (from > 0.0 ? LessonStages::tr("standard deviation %1 from %2 on")
                                        .arg(lengthText(deviationFrom(run, from), 4), timeText(from))
                                  : LessonStages::tr("standard deviation %1").arg(lengthText(tail.std, 4)));
@@ -101,11 +100,14 @@ void LessonStages::tick(int row, bool shown)
         runs_.setData(runs_.index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
 }
 
-bool LessonStages::hasRuns(const LessonStep& step) const
+bool LessonStages::hasRuns(const LessonStep& step) const { return newestOf(step) != nullptr; }
+
+const RunRecord* LessonStages::newestOf(const LessonStep& step) const
 {
     const auto found = numbers_.find(step.title);
-    return found != numbers_.end() &&
-           std::ranges::any_of(found->second, [this](int number) { return runs_.find(number) != nullptr; });
+    for (int row = runs_.count() - 1; found != numbers_.end() && row >= 0; --row)
+        if (found->second.contains(runs_.record(row).number)) return &runs_.record(row);
+    return nullptr;
 }
 
 void LessonStages::show(const LessonStep& step)

@@ -39,6 +39,8 @@ public:
     void show(const LessonStep& step);
     /// Whether a run of this step is in the list.
     bool hasRuns(const LessonStep& step) const;
+    /// The newest of them; nullptr: none.
+    const RunRecord* newestOf(const LessonStep& step) const;
     /// The plots and the earlier runs are again as the user chose; without such runs those of the step stay.
     void end();
     bool active() const { return step_.has_value(); }

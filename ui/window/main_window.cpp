@@ -176,6 +176,7 @@ void MainWindow::onCaseEdited()
 {
     aboutCase_->setCase(edits_->value());
     film_->edit(edits_->value());
+    if (!film_->solvedAsEdited() && (!film_->result() || film_->stale())) clearSolutionMessage();
     runs_->view()->setCase(edits_->value());
     studies_->editor()->setCase(edits_->value());
     pages_->showModel(edits_->value().model);

@@ -126,6 +126,10 @@ private:
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
+    void onSolutionShown();
+    void showSolution(const SteadyResult& result);
+    /// The message of a solution leaves with its case.
+    void clearSolutionMessage();
     void onStudied(const StudyReport& report);
     void updateRunActions();
     void updateTitle();
@@ -165,6 +169,7 @@ private:
     QString givenTheme_;      // by the command line; empty: none
     bool slowMotion_ = false; // of the first steps
     QString recordTo_;
+    QString solutionText_;       // the message of the last solution
     Session* session_ = nullptr; // none in a window that only draws pictures
     ClosingQuestion* closing_ = nullptr;
     bool mayClose_ = false; // that question was answered

@@ -101,6 +101,11 @@ void MainWindow::connectFiles()
     connect(runFiles_, &RunFiles::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
+    connect(edits_, &CaseEdits::modelFollowed, this, [this](const QStringList& changes) {
+        messages_->show(MessageStrip::Kind::Information,
+                        tr("Defaults of the new model: %1. Undo restores the previous ones.")
+                            .arg(changes.join(QStringLiteral("; "))));
+    });
     connect(&edits_->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
     connect(&edits_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
 }
@@ -164,11 +169,7 @@ void MainWindow::connectFilm()
     connect(film_->view(), &FilmView::busyChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
     connect(film_->view()->modes(), &ModesPage::found, runView().spectrum(), &LiveSpectrum::setFilmModes);
-    connect(film_, &FilmWindow::shownChanged, this, [this] {
-        const SteadyResult* result = film_->result();
-        aboutCase_->setResult(result ? steadyText(*result) : QString());
-        if (messages_->kind() == MessageStrip::Kind::Success) messages_->clear(); // of another solution
-    });
+    connect(film_, &FilmWindow::shownChanged, this, &MainWindow::onSolutionShown);
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
     connect(actions_->surface, &QAction::triggered, this, [this] {
@@ -320,17 +321,40 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
 void MainWindow::onSolved(const SteadyResult& result)
 {
     updateRunActions();
-    const QString text = steadyText(result);
-    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : text);
+    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : steadyText(result));
+    showSolution(result);
+    emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
+}
+
+void MainWindow::showSolution(const SteadyResult& result)
+{
+    solutionText_ = steadyText(result);
     switch (result.status) {
     case SteadyStatus::Converged:
-        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning, text);
+        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
+                        solutionText_);
         break;
-    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, text); break;
+    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, solutionText_); break;
     case SteadyStatus::NotConverged:
-    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, text); break;
+    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, solutionText_); break;
     }
-    emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
+}
+
+void MainWindow::clearSolutionMessage()
+{
+    if (!solutionText_.isEmpty() && messages_->text() == solutionText_) messages_->clear();
+    solutionText_.clear();
+}
+
+void MainWindow::onSolutionShown()
+{
+    const SteadyResult* result = film_->result();
+    aboutCase_->setResult(result ? steadyText(*result) : QString());
+    if (messages_->kind() == MessageStrip::Kind::Success) messages_->clear(); // of another solution
+    clearSolutionMessage();
+    // What was found wrong with a shape comes back with it, and a remark on its state.
+    const bool remarkable = result && !(result->status == SteadyStatus::Converged && result->message.empty());
+    if (remarkable && !film_->stale() && pages_->page() == Page::StaticState) showSolution(*result);
 }
 
 void MainWindow::onImported(const QString& path, const QStringList& warnings)

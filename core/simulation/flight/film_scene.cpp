@@ -11,6 +11,7 @@
 #include "core/simulation/flight/film_run.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/high_disk.h"
+#include "core/simulation/static_state/static_check.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -43,6 +44,8 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
         warnings.push_back(
             "no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
             rest.message);
+    else if (std::string note = noteOnHeldRoll(case_, rest); !note.empty())
+        warnings.push_back(std::move(note));
     body.emplace(case_, balanced ? rest.attitude : start);
     if (fromRest) {
         Vector3 q = body->coordinates(rest.attitude);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/static_check.h"
 
+#include <cmath>
+
 #include "core/case/case.h"
 #include "core/formats/units.h"
 #include "core/physics/film/gas_film.h"
+#include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -72,6 +75,23 @@ std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing)
     if (lowest.spacing > 0.0) return {};
     return "the rails are inside the disk, " + depthWords(lowest) + ": there the film is solved with a gap of " +
            fewDigits(moleculeGap, "nm", 2) + ", and the forces are those of the film without contact";
+}
+
+std::string noteOnHeldRoll(const Case& c, const SteadyResult& state)
+{
+    // The film of a pico slider would balance such a torque with a roll of about 1 urad: 0.5 nm at its sides. A grid
+    // of 65 x 65 nodes, which is not its own mirror image, makes less than a tenth of it on a symmetric slider.
+    constexpr double leastTold = 1e-3; // of the film's force times the width [-]
+    const SliderLoad load = sliderLoad(c);
+    if (c.steady.fixedAttitude || !load.holdsRoll) return {};
+    const double torque = state.forces.rollTorque + state.shearRollTorque + load.rollTorque -
+                          load.rollStiffness * (state.attitude.roll - load.staticRoll);
+    const double force = state.forces.net;
+    if (!(std::abs(torque) > leastTold * std::abs(force) * c.slider.width)) return {};
+    return "two degrees of freedom hold the roll at " + fewDigits(state.attitude.roll, "urad", 4) +
+           " and leave a roll torque of " + fewDigits(torque, "uN m", 4) + " unbalanced: the film carries " +
+           fewDigits(std::abs(torque / force), "um", 3) +
+           " beside the centre line of the load; with three degrees of freedom the slider rolls until it is balanced";
 }
 
 std::string lastStateWords(const Case& c, const SteadyResult& state)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Static states that cannot exist, found before anything is computed, and the words for searches that found none.
+// Static states that cannot exist, found before anything is computed, the words for searches that found none, and
+// what to know of a state that was found.
 //
 // - A flying attitude needs a moving disk: over one at rest the steady film has ambient pressure everywhere and carries
 //   nothing. Contact has no part in a static state. Without a load every height is a static state then: that of the
@@ -29,6 +30,13 @@ std::optional<Attitude> unloadedRest(const Case& c);
 
 /// What to know of a film that was solved at a fixed attitude with rails below the mean plane; "" if there are none.
 std::string noteOnClosedGap(const Case& c, const MinimumSpacing& spacing);
+
+/// What a roll that is held leaves unbalanced; "" if the roll is free, the attitude is given or nothing is left.
+///
+/// With two degrees of freedom the balance has no equation for roll. Film, shear, suspension and load then exert
+///   T = T_film - a F_shear,y + T_load - K_roll (roll - roll_static)
+/// on the slider, as the force F of the film would at the distance T / F from the centre line.
+std::string noteOnHeldRoll(const Case& c, const SteadyResult& state);
 
 /// "trailing edge height 20 nm, pitch 150 urad, roll 0 urad"
 std::string attitudeWords(const Attitude& attitude);

@@ -263,6 +263,7 @@ private:
         const double arm = sliderLoad(case_).shearArm;
         result_.shearPitchTorque = -arm * result_.forces.shearX;
         result_.shearRollTorque = -arm * result_.forces.shearY;
+        if (converged) addNote(noteOnHeldRoll(case_, result_));
         for (const SurfacePoint& point : case_.surface.pointsOfInterest)
             result_.interestSpacing.push_back(recess_.at(point.x, point.y) +
                                               level.gaps.lift(attitude_, point.x, point.y));

@@ -103,6 +103,49 @@ private slots:
         c.disk.speed = 1e-3;
         QVERIFY(!unloadedRest(c));
     }
+    /// A pressure torque of -4.2 uN m, a shear torque of 0.1 uN m and a load of 10 mN that acts 3.2 um outside of the
+    /// centre line, +0.032 uN m, leave -4.068 uN m: as a film of 10 mN that acts 407 um beside it.
+    void aRollThatIsHeld()
+    {
+        Case c = test::smallSlider(33);
+        c.suspension.preload = 10e-3;
+        c.suspension.offsetY = 3.2e-6;
+        SteadyResult state;
+        state.forces.net = 10e-3;
+        state.forces.rollTorque = -4.2e-6;
+        state.shearRollTorque = 0.1e-6;
+        QCOMPARE(noteOnHeldRoll(c, state), std::string()); // it is balanced
+        c.degreesOfFreedom = 2;
+        const QString note = QString::fromStdString(noteOnHeldRoll(c, state));
+        QVERIFY2(note.contains("-4.068 uN m") && note.contains("407 um"), qPrintable(note));
+        c.suspension.rollTorque = 4.068e-6; // which balances it
+        QCOMPARE(noteOnHeldRoll(c, state), std::string());
+        c.suspension.rollTorque = 0.0;
+        c.steady.fixedAttitude = true; // nothing is balanced, as was asked
+        QCOMPARE(noteOnHeldRoll(c, state), std::string());
+    }
+    /// The torque that is said is the one that keeps the slider level: with it the third degree of freedom changes
+    /// nothing. On a slider with a mirror line and straight flow nothing is left.
+    void theTorqueOfAHeldRoll()
+    {
+        Case c = test::smallSlider(33);
+        c.degreesOfFreedom = 2;
+        const SteadyResult held = steady(c);
+        QVERIFY(held.message.find("roll torque") != std::string::npos);
+        c.suspension.rollTorque = -held.forces.rollTorque - held.shearRollTorque;
+        QCOMPARE(steady(c).message, std::string());
+        c.degreesOfFreedom = 3;
+        const SteadyResult free = steady(c);
+        QCOMPARE(free.status, SteadyStatus::Converged);
+        QVERIFY2(std::abs(free.attitude.roll) < 1e-9, qPrintable(QString::number(free.attitude.roll)));
+        QVERIFY(std::abs(free.attitude.height - held.attitude.height) < 1e-13);
+
+        Case symmetric = test::smallSlider(33);
+        symmetric.degreesOfFreedom = 2;
+        symmetric.disk.skew = 0.0;
+        symmetric.disk.field = VelocityField::Uniform;
+        QCOMPARE(QString::fromStdString(steady(symmetric).message), QString());
+    }
     void theLastStateInWords()
     {
         SteadyResult state;

@@ -5,12 +5,16 @@
 #include <cmath>
 #include <memory>
 
+#include <QTableWidget>
 #include <QTest>
 
 #include "core/simulation/static_state/steady.h"
+#include "tests/support/random_slider.h"
+#include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/film/compare_page.h"
+#include "ui/maps/field_cursor_table.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
 #include "ui/maps/fields_view.h"
@@ -31,6 +35,8 @@ private slots:
     void init();
     void showsPressureAboveAmbient();
     void aPressureHasOneNumber();
+    void theLeastGapHasOneNumber();
+    void theLeastGapOfAnyRails();
     void showsGapAndRecess();
     void sectionsAreTheCellsOfARowAndAColumn();
     void sectionsAreSteps();
@@ -103,6 +109,69 @@ void TestFilmMaps::aPressureHasOneNumber()
     // The axis of the sections says it too, and the head of their numbers.
     QCOMPARE(view_->sections()->alongX()->yAxis().label.title, QStringLiteral("p \u2212 p\u2080"));
     QCOMPARE(view_->sections()->alongX()->curves()[0].name, QStringLiteral("Pressure above ambient"));
+}
+
+/// The mark of the map, the table of the cursors, which begin there, and the reading under the pointer are the state's
+/// minimum spacing, though the smallest mean of a cell is more; with the digits of the state. A slider that pitches has
+/// it on the rear edge of the last rail, between two cells of which one is recessed.
+void TestFilmMaps::theLeastGapHasOneNumber()
+{
+    for (const double error : {0.0, 0.03e-9, 0.4e-9}) {
+        Case c = test::smallSlider(33);
+        SteadyResult state = steady(c);
+        QCOMPARE(state.status, SteadyStatus::Converged);
+        state.discretisationError.minimumSpacing = error;
+        film_->setResult(c, state);
+        film_->setPage(Page::Gap);
+        const FieldMap& map = *view_->map();
+        const QString number = roundedToError(state.minimumSpacing, error, "nm");
+        QVERIFY(*std::ranges::min_element(state.gap) > state.minimumSpacing);
+        const SurfacePoint at = *view_->sectionPoint();
+        QVERIFY(std::hypot(at.x - state.minimumAt.x, at.y - state.minimumAt.y) < 1e-10);
+        QVERIFY(std::abs(*map.valueAt(at) - state.minimumSpacing) < 1e-14);
+        QCOMPARE(fieldText(*map.valueAt(at), map.look()), number);
+        const auto* table = view_->cursors()->findChild<QTableWidget*>();
+        QCOMPARE(table->item(0, 4)->text(), number.chopped(3));
+        QVERIFY(map.marks().contains(number));
+        // The sections pass through the cells of the rail.
+        QVERIFY(state.recess[*map.cellAt(at)] < 0.5e-6);
+        // Elsewhere the gap is that of the point, as of the points of interest.
+        for (const SurfacePoint& p : {SurfacePoint{0.3e-3, 0.1e-3}, SurfacePoint{0.5e-3, 0.4e-3}}) {
+            c.surface.pointsOfInterest = {p};
+            Case held = c;
+            held.steady.fixedAttitude = true;
+            held.initial.nominalTrailingEdgeHeight = state.attitude.height;
+            held.initial.pitch = state.attitude.pitch;
+            held.initial.roll = state.attitude.roll;
+            QVERIFY(std::abs(*map.valueAt(p) - steady(held).interestSpacing[0]) < 1e-15);
+        }
+        film_->setPage(Page::Recess);
+        QVERIFY(std::abs(*map.valueAt({0.05e-3, 0.4e-3}) - (150e-9 - 4.0 * 10e-9 * 0.05 * 0.95 - 3e-9)) < 1e-15);
+        film_->setPage(Page::Pressure);
+    }
+}
+
+/// Also on rails with slanted edges and with walls, where the point is the corner of a rail inside a cell, or beside
+/// its rail by rounding. Drawn sliders, held where they fly about.
+void TestFilmMaps::theLeastGapOfAnyRails()
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Case c = test::RandomSlider(seed).shape();
+        c.film.nodes = {33, 33};
+        c.steady.fixedAttitude = true;
+        c.initial.nominalTrailingEdgeHeight = 30e-9;
+        c.initial.pitch = 140e-6;
+        c.initial.roll = (static_cast<double>(seed % 5) - 2.0) * 2e-6;
+        const SteadyResult state = steady(c);
+        QVERIFY2(state.status == SteadyStatus::Converged, state.message.c_str());
+        film_->setResult(c, state);
+        film_->setPage(Page::Gap);
+        const FieldMap& map = *view_->map();
+        const QString number = roundedToError(state.minimumSpacing, 0.0, "nm");
+        QCOMPARE(map.marks().front(), number);
+        QCOMPARE(view_->cursors()->findChild<QTableWidget*>()->item(0, 4)->text(), number.chopped(3));
+        film_->setPage(Page::Pressure);
+    }
 }
 
 void TestFilmMaps::showsGapAndRecess()

@@ -6,12 +6,15 @@
 #include <thread>
 
 #include <QAction>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "core/simulation/static_state/field_difference.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/named_widget.h"
 #include "tests/ui/sample_slider.h"
+#include "ui/calculation/progress_strip.h"
 #include "ui/film/compare_page.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
@@ -37,8 +40,9 @@ private slots:
 
     void init()
     {
-        solves_ = 0;
-        waiting_ = false;
+        solves_ = previews_ = 0;
+        waiting_ = previewsWait_ = previewing_ = failing_ = false;
+        hasFields_ = true;
         window_ = std::make_unique<QWidget>();
         film_ = new FilmWindow(
             [this](const Case& c, const SteadyCallback& callback) {
@@ -46,9 +50,23 @@ private slots:
                 while (waiting_ && callback({})) std::this_thread::yield();
                 if (waiting_) result.status = SteadyStatus::Cancelled;
                 result.minimumSpacing = (10.0 + ++solves_) * 1e-9;
+                if (failing_) {
+                    result.status = hasFields_ ? SteadyStatus::NotConverged : SteadyStatus::Failed;
+                    result.message = "no flying attitude was found";
+                    if (!hasFields_) result.pressure.clear();
+                }
                 return result;
             },
-            new QAction(window_.get()), window_.get());
+            new QAction(window_.get()), window_.get(),
+            [this](const Case& c, const Case&, const SteadyResult&, const SteadyCallback& callback) {
+                previewing_ = true;
+                ++previews_;
+                SteadyResult result = sampleResult(c);
+                while (previewsWait_ && callback({})) std::this_thread::yield();
+                result.minimumSpacing = 20e-9;
+                previewing_ = false;
+                return result;
+            });
         case_ = sampleFilmCase();
         film_->open(case_);
     }
@@ -159,6 +177,168 @@ private slots:
         QCOMPARE(shape->flightText(), solved);
     }
 
+    /// A gesture that ends where it began, or is given up, leaves the number of the case's own grid, also while the
+    /// coarse grid still solves: 11 nm, where previews find 20 nm.
+    void aGestureThatChangesNothingLeavesTheNumber_data()
+    {
+        QTest::addColumn<bool>("solving");
+        QTest::newRow("after a preview") << false;
+        QTest::newRow("while one is solved") << true;
+    }
+    void aGestureThatChangesNothingLeavesTheNumber()
+    {
+        QFETCH(const bool, solving);
+        SurfacePage* shape = film_->view()->shape();
+        solve();
+        const QString confirmed = shape->flightText();
+        QVERIFY(confirmed.contains(QStringLiteral("<b>11.00</b>")));
+        AirBearingSurface dragged = case_.surface;
+        for (RailPoint& point : dragged.rails[1].points) point.x += 1e-6;
+        emit shape->editor()->previewed(dragged);
+        QTRY_VERIFY(shape->flightText().contains(QStringLiteral("preview")));
+        if (solving) {
+            previewsWait_ = true;
+            const int before = previews_;
+            dragged.rails[1].recess[0] += 1e-9;
+            emit shape->editor()->previewed(dragged);
+            QTRY_COMPARE(previews_, before + 1);
+        }
+        emit shape->editor()->previewed(case_.surface);
+        QCOMPARE(shape->flightText(), confirmed);
+        QTRY_VERIFY(!previewing_);
+        QCoreApplication::processEvents();
+        QCOMPARE(shape->flightText(), confirmed);
+        QVERIFY(!film_->stale());
+        QCOMPARE(solves_, 1);
+        previewsWait_ = false; // the next gesture is followed
+        emit shape->editor()->previewed(dragged);
+        QTRY_VERIFY(shape->flightText().contains(QStringLiteral("preview")));
+    }
+
+    /// An impossible shape shows why, and no number of a shape that was solved meanwhile.
+    void aPreviewOfAnotherShapeIsForgotten()
+    {
+        SurfacePage* shape = film_->view()->shape();
+        solve();
+        AirBearingSurface dragged = case_.surface;
+        dragged.rails[1].recess[0] += 1e-9;
+        emit shape->editor()->previewed(dragged);
+        QTRY_VERIFY(shape->flightText().contains(QStringLiteral("preview")));
+        previewsWait_ = true;
+        const int before = previews_;
+        dragged.rails[1].recess[0] += 1e-9;
+        emit shape->editor()->previewed(dragged);
+        QTRY_COMPARE(previews_, before + 1);
+        std::swap(dragged.rails[1].points[0], dragged.rails[1].points[1]);
+        emit shape->editor()->previewed(dragged);
+        const QString why = shape->flightText();
+        QVERIFY(why.contains(QStringLiteral("crosses itself")));
+        QTRY_VERIFY(!previewing_);
+        QCoreApplication::processEvents();
+        QCOMPARE(shape->flightText(), why);
+    }
+
+    /// The change is that of the edit which made the shape, after undo and redo, too; the shape that was opened has
+    /// none.
+    void theChangeFollowsUndo()
+    {
+        SurfacePage* shape = film_->view()->shape();
+        solve();
+        const Case first = case_;
+        const QString opened = shape->flightText();
+        std::vector<std::pair<Case, QString>> edits;
+        for (int i = 0; i < 3; ++i) {
+            case_.surface.rails[1].recess[0] += 5e-9;
+            film_->edit(case_);
+            solve(); // 12, 13, 14 nm
+            QVERIFY(shape->flightText().contains(QStringLiteral("  +1.00")));
+            edits.emplace_back(case_, shape->flightText());
+        }
+        for (const int at : {1, 0, 1, 2}) {
+            film_->edit(edits[std::size_t(at)].first);
+            QCOMPARE(shape->flightText(), edits[std::size_t(at)].second);
+        }
+        film_->edit(first);
+        QCOMPARE(shape->flightText(), opened);
+        QCOMPARE(solves_, 4);
+        solve(); // once more: the former edits are no part of it
+        QVERIFY(!shape->flightText().contains(QStringLiteral("  +")));
+        film_->open(edits[1].first); // as it is saved
+        QVERIFY(shape->flightText().contains(QStringLiteral("<b>13.00</b>")));
+        QVERIFY(!shape->flightText().contains(QStringLiteral("  +")));
+    }
+
+    /// Undo of a shape that did not fly shows the one before as it was; redo shows the failure, without another
+    /// solution in the list.
+    void aFailureFollowsUndo()
+    {
+        SurfacePage* shape = film_->view()->shape();
+        const QLabel* state = namedWidget<QLabel>(*film_->progress(), QStringLiteral("State of the static solution"));
+        solve();
+        const Case first = case_;
+        const QString flying = shape->flightText(), converged = state->text();
+        const QSignalSpy changed(film_, &FilmWindow::shownChanged);
+        for (const bool hasFields : {true, false}) {
+            case_ = first;
+            case_.surface.rails[1].recess[0] += hasFields ? 5e-9 : 6e-9;
+            film_->edit(case_);
+            failing_ = true;
+            hasFields_ = hasFields;
+            solve();
+            failing_ = false;
+            const QString failed = state->text();
+            QVERIFY(failed != converged);
+            QVERIFY(film_->solvedAsEdited());
+            const int listed = film_->solutions().count(), solved = solves_;
+            const qsizetype before = changed.count();
+            film_->edit(first);
+            QVERIFY(changed.count() > before);
+            QCOMPARE(shape->flightText(), flying);
+            QCOMPARE(state->text(), converged);
+            QVERIFY(!film_->stale() && film_->result()->status == SteadyStatus::Converged);
+            QVERIFY(!film_->solvedAsEdited());
+            QCOMPARE(solves_, solved);
+            if (!hasFields) continue; // it is not in the list
+            film_->edit(case_);
+            QCOMPARE(film_->result()->status, SteadyStatus::NotConverged);
+            QVERIFY(!film_->stale() && !film_->controller().active());
+            QVERIFY(shape->flightText() != flying);
+            QCOMPARE(state->text(), failed);
+            QCOMPARE(film_->solutions().count(), listed);
+            QCOMPARE(solves_, solved);
+            film_->edit(first);
+        }
+    }
+
+    /// A shape that was not solved has no outcome, whatever became of the one before.
+    void anEditHasNoOutcome()
+    {
+        const QLabel* state = namedWidget<QLabel>(*film_->progress(), QStringLiteral("State of the static solution"));
+        const QString ready = state->text();
+        failing_ = true;
+        solve();
+        QVERIFY(state->text() != ready);
+        case_.suspension.preload *= 2.0;
+        film_->edit(case_);
+        QCOMPARE(state->text(), ready);
+    }
+
+    /// What undo brings back is among the solutions side by side, as what is solved is.
+    void comparesWhatIsShown()
+    {
+        solve();
+        const Case first = case_;
+        for (int i = 0; i < 4; ++i) {
+            case_.suspension.preload *= 1.1;
+            film_->edit(case_);
+            solve();
+        }
+        film_->edit(first);
+        const QStringList columns = film_->view()->comparison()->comparison().columns;
+        QCOMPARE(columns.size(), SolutionsModel::mostByItself);
+        QVERIFY(columns.front().startsWith(QStringLiteral("1 ")));
+    }
+
     void deletingTheShownOneShowsAnother()
     {
         solve();
@@ -257,7 +437,11 @@ private:
     FilmWindow* film_ = nullptr;
     Case case_;
     int solves_ = 0;
-    std::atomic<bool> waiting_ = false; // the solver goes on until it is stopped
+    std::atomic<bool> waiting_ = false;                    // the solver goes on until it is stopped
+    std::atomic<bool> failing_ = false, hasFields_ = true; // it finds no state
+    std::atomic<int> previews_ = 0;                        // that were begun
+    std::atomic<bool> previewsWait_ = false;               // as the solver, on the coarse grid
+    std::atomic<bool> previewing_ = false;
 };
 
 TOUCHDOWN_TEST(TestFilmSolutions)

@@ -329,7 +329,7 @@ void TestFilmWindow::copiesTheTables()
     solve();
     film_->attitude()->copy();
     const QString text = QGuiApplication::clipboard()->text();
-    QVERIFY2(text.startsWith(QStringLiteral("Attitude\nTrailing edge height\t10.00\u00a0nm\n")),
+    QVERIFY2(text.startsWith(QStringLiteral("Attitude\nNominal trailing edge height\t10.00\u00a0nm\n")),
              qPrintable(text.left(80)));
     QVERIFY(text.contains(QStringLiteral("Force [mN]\t2.500\t1.200\t0.003000")));
 }

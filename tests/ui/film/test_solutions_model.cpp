@@ -2,16 +2,20 @@
 #include "ui/film/solutions_model.h"
 
 #include <QAbstractItemModelTester>
+#include <QClipboard>
 #include <QFile>
+#include <QGuiApplication>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextBrowser>
 #include <QWidget>
 
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/film/compare_page.h"
 #include "ui/film/solution_files.h"
+#include "ui/slider/attitude_sections.h"
 
 using namespace touchdown;
 
@@ -54,8 +58,17 @@ private slots:
         QVERIFY(!model.of(c));
         SteadyResult failed = sampleResult(c);
         failed.status = SteadyStatus::NotConverged;
-        model.add(c, failed);
+        const int failure = model.add(c, failed);
         QVERIFY(!model.of(c));
+        QCOMPARE(model.failureOf(c)->number, failure);
+        Case further = c; // from where the search gave up another one may find a state
+        further.initial.nominalTrailingEdgeHeight = failed.attitude.height;
+        further.initial.pitch = failed.attitude.pitch;
+        further.initial.roll = failed.attitude.roll;
+        QVERIFY(!model.failureOf(further));
+        further = c;
+        further.run.duration *= 2.0;
+        QVERIFY(model.failureOf(further));
         const int number = model.add(c, sampleResult(c));
         Case held = c;
         held.steady.fixedAttitude = true;
@@ -87,6 +100,75 @@ private slots:
         model.remove(0);
         QCOMPARE(numbers(), (std::vector<int>{3, 5}));
         QCOMPARE(model.baseline(), -1);
+    }
+
+    /// The one that undo brings back is compared, too, unless its box was unchecked by the user.
+    void comparesWhatComesBack()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        for (int i = 0; i < 5; ++i) model.add(c, sampleResult(c));
+        const auto numbers = [&model] {
+            std::vector<int> list;
+            for (const SolutionRecord* each : model.compared()) list.push_back(each->number);
+            return list;
+        };
+        model.compareByItself(2);
+        QCOMPARE(numbers(), (std::vector<int>{2, 4, 5}));
+        model.compareByItself(5);
+        QCOMPARE(numbers(), (std::vector<int>{2, 4, 5}));
+        model.setData(model.index(1), Qt::Unchecked, Qt::CheckStateRole);
+        model.compareByItself(2);
+        QCOMPARE(numbers(), (std::vector<int>{4, 5}));
+    }
+
+    /// A search that found no state is marked over its numbers, in the list and in what is copied.
+    void marksWhatDidNotConverge()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        SteadyResult lost = sampleResult(c);
+        lost.status = SteadyStatus::NotConverged;
+        model.add(c, sampleResult(c));
+        model.add(c, lost);
+        const SolutionComparison all = comparisonOf(model.compared(), -1);
+        QCOMPARE(all.states, (QStringList{QString(), notFoundText(lost)}));
+        QVERIFY(!notFoundText(lost).isEmpty());
+        ComparePage page;
+        page.setSolutions(model.compared(), -1);
+        page.copy();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(QStringLiteral("\t\t") + notFoundText(lost)));
+        QVERIFY(page.findChild<QTextBrowser*>()->toPlainText().contains(notFoundText(lost)));
+        QVERIFY(model.index(1).data(RecordList::FailedRole).toBool());
+        QVERIFY(model.index(1).data(RecordList::ChangesRole).toString().startsWith(QStringLiteral("last step")));
+        const QString copied = sectionsAsText(attitudeSections(c, lost));
+        QVERIFY2(copied.section(QLatin1Char('\n'), 0, 0).startsWith(QStringLiteral("Not converged")),
+                 qPrintable(copied));
+        QVERIFY(sectionsAsText(attitudeSections(c, sampleResult(c))).startsWith(QStringLiteral("Attitude")));
+    }
+
+    /// A change is printed with the decimals of its value, and with up to two more where these show less than two digits
+    /// of it. Four digits of a stiffness, be it 2.5e6 N/m = 2.500 mN/nm or 0.08 N m/rad.
+    void digitsOfChanges()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        SteadyResult first = sampleResult(c), second = first;
+        first.discretisationError.roll = second.discretisationError.roll = 11e-6;
+        first.attitude.roll = -1.694e-6;
+        second.attitude.roll = -1.994e-6;
+        second.minimumSpacing = first.minimumSpacing + 4e-15;
+        model.add(c, first);
+        model.add(c, second);
+        const auto row = [&](const QString& name) {
+            for (const ComparedRow& each : comparisonOf(model.compared(), -1).rows)
+                if (each.name == name) return each;
+            return ComparedRow();
+        };
+        QCOMPARE(row(QStringLiteral("Roll")).differences.back(), QStringLiteral("\u22120.30"));
+        QCOMPARE(row(QStringLiteral("Minimum spacing")).differences.back(), QStringLiteral("0.00"));
+        QCOMPARE(row(QStringLiteral("Vertical stiffness")).values.front(), QStringLiteral("2.500\u00a0mN/nm"));
+        QCOMPARE(row(QStringLiteral("Roll stiffness")).values.front(), QStringLiteral("0.08000\u00a0N·m/rad"));
     }
 
     /// What the user chose is not taken back by the next solution.

@@ -20,6 +20,7 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
+#include "ui/window/lesson_stages.h"
 
 using namespace touchdown;
 
@@ -53,6 +54,8 @@ private slots:
     void overlayActsAtOnce();
     void theRowUnderThePointerIsTold();
     void showsTheHeightOfTheCard();
+    void endsOfMotions_data();
+    void endsOfMotions();
     void showsResults_data();
     void showsResults();
     void togglesOverlayByMouseAndKey();
@@ -265,6 +268,57 @@ void TestRunsPanel::showsTheHeightOfTheCard()
     QVERIFY2(resultText(model.record(0)).contains(QStringLiteral("minimum spacing ") + height),
              qPrintable(resultText(model.record(0))));
     QCOMPARE(model.index(0).data(RunsModel::ResultRole).toString(), QStringLiteral("ends at ") + height);
+}
+
+/// "Ends at" is for a motion that ends: list, message and the pane of the lesson share one sentence. A motion that
+/// lasts swings from 0.9 to 8.98 nm, by 8.08 nm; its last sample is anywhere. A run that is too short may be of either
+/// kind.
+void TestRunsPanel::endsOfMotions_data()
+{
+    QTest::addColumn<int>("motion");
+    QTest::addColumn<QString>("text");
+    const QString swings = QStringLiteral("swings by 8.08\u00a0nm");
+    QTest::newRow("at rest") << static_cast<int>(Motion::AtRest) << "ends at 3.200\u00a0nm";
+    QTest::newRow("settles") << static_cast<int>(Motion::Settles) << "ends at 3.200\u00a0nm";
+    QTest::newRow("swings") << static_cast<int>(Motion::Swings) << swings;
+    QTest::newRow("vibrates") << static_cast<int>(Motion::Vibrates) << swings;
+    QTest::newRow("bounces") << static_cast<int>(Motion::Bounces) << swings;
+    QTest::newRow("too short") << static_cast<int>(Motion::TooShort) << "at 3.200\u00a0nm";
+}
+
+void TestRunsPanel::endsOfMotions()
+{
+    QFETCH(const int, motion);
+    QFETCH(const QString, text);
+    RunsModel model;
+    auto record = std::make_unique<RunRecord>(1, Case{}, std::string(),
+                                              std::vector<Quantity>{{"flying_height", "m", "nm", "Flying height"},
+                                                                    {"minimum_spacing", "m", "nm", "Minimum spacing"}});
+    record->append({{0.0, 1e-6}, {{7e-9, 3.2e-9}, {7e-9, 3e-9}}}, {});
+    model.add(std::move(record));
+    Summary summary;
+    summary.endTime = 1e-6;
+    summary.verdict.motion = static_cast<Motion>(motion);
+    summary.tail = {{"minimum_spacing", {.mean = 4e-9, .std = 2e-9, .min = 0.9e-9, .max = 8.98e-9}}};
+    model.finish(1, summary);
+    const RunRecord& run = model.record(0);
+    QCOMPARE(endText(run), text);
+    QCOMPARE(model.index(0).data(RunsModel::ResultRole).toString(), text);
+    const bool lasting = lasts(summary.verdict.motion);
+    QCOMPARE(resultText(run).contains(QStringLiteral("3.200")), !lasting);
+    QCOMPARE(resultText(run).contains(QStringLiteral("8.08")), lasting);
+    QCOMPARE(resultText(run).startsWith(QStringLiteral("Ends at ")), !lasting);
+    QVERIFY(lessonResult(run, 0.0).startsWith(text));
+    QCOMPARE(lessonResult(run, 0.0).count(QStringLiteral("8.08")), 1);
+
+    // A run that is read from its file ends in the same words.
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("run.h5"));
+    QCOMPARE(saveHdf5(run, file), QString());
+    QString problem;
+    const std::unique_ptr<RunRecord> read = recordFromFile(2, file, problem);
+    QVERIFY2(read, qPrintable(problem));
+    QCOMPARE(endText(*read), text);
 }
 
 void TestRunsPanel::showsResults_data()

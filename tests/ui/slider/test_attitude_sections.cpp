@@ -81,7 +81,7 @@ void TestAttitudeSections::printsTheAttitudeWithItsErrors()
 {
     const Case c = sampleFilmCase();
     const auto sections = attitudeSections(c, sampleResult(c), QLocale::c());
-    QCOMPARE(row(sections, "Attitude", "Trailing edge height"), QStringList{"10.00" + nbsp + "nm"});
+    QCOMPARE(row(sections, "Attitude", "Nominal trailing edge height"), QStringList{"10.00" + nbsp + "nm"});
     QCOMPARE(row(sections, "Attitude", "Pitch"), QStringList{"100.0" + nbsp + "±" + nbsp + "0.3" + nbsp + "µrad"});
     QCOMPARE(row(sections, "Points of interest", "P2"), (QStringList{"12.50" + nbsp + "nm", "0.840, 0.220"}));
 }

@@ -139,7 +139,7 @@ void TestSurfaceView::marksTheMinimumSpacing()
 {
     const SurfacePoint where{0.6e-3, 0.1e-3};
     const QColor before = at(where.x, where.y);
-    view_->setMinimumSpacing(where, 5.6e-9);
+    view_->setMinimumSpacing(where, QStringLiteral("5.6 nm"));
     const QImage image = view_->grab().toImage();
     const QPoint tip = view_->toPixel(where).toPoint();
     QVERIFY(image.pixelColor(tip - QPoint(0, 5)) != before); // the triangle stands on its tip

@@ -364,6 +364,10 @@ private slots:
         QCOMPARE(window_->files().sample(), QString("fig10a"));
         QVERIFY(window_->runs().record(0).shown && window_->runs().record(1).shown && !window_->runs().record(2).shown);
         QVERIFY(!window_->controller().active());
+        // The values stand where they were moved to, as the run does that speaks.
+        QVERIFY(window_->edits().value() == window_->runs().record(1).value);
+        QVERIFY(window_->edits().value().initial.flyingHeight > 250e-9);
+        QCOMPARE(window_->runs().speaker(), window_->runs().record(1).number);
         // A case of the reader's own has no values of the figure.
         window_->files().openNow("fig13a");
         QVERIFY(!pane->live().inputs()[0]->isEnabled());

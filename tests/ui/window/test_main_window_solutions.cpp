@@ -93,6 +93,81 @@ private slots:
         QCOMPARE(f.window.edits().value().suspension.preload, f.solutions().record(1).value.suspension.preload);
     }
 
+    /// The message at the foot is of the case as it is edited: that no attitude was found leaves with undo and comes
+    /// back with redo, which solves nothing. A preload of 200 gf is far more than the film carries; a disk at rest has
+    /// no state at all, and none in the list.
+    void theMessageFollowsUndo()
+    {
+        Solved f;
+        f.window.show();
+        f.edit("film.maximum_iterations", QStringLiteral("12"));
+        f.solve();
+        QVERIFY(f.window.messages().kind() != MessageStrip::Kind::Failure);
+        for (const auto& [key, value] : {std::pair("suspension.preload", "200 gf"), std::pair("disk.speed", "0")}) {
+            f.edit(key, QString::fromLatin1(value));
+            QVERIFY(f.window.messages().kind() != MessageStrip::Kind::Failure || f.window.messages().text().isEmpty());
+            f.solve();
+            QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
+            const QString why = f.window.messages().text();
+            QVERIFY(!why.isEmpty());
+            const int listed = f.solutions().count();
+            f.window.edits().undoStack().undo();
+            QCOMPARE(f.window.messages().text(), QString());
+            f.window.edits().undoStack().redo();
+            const bool inList = f.window.film().result()->status != SteadyStatus::Converged;
+            QCOMPARE(f.window.messages().text(), inList ? why : QString());
+            QVERIFY(!f.window.film().controller().active());
+            QCOMPARE(f.solutions().count(), listed);
+            f.window.edits().undoStack().undo();
+            // Another edit is of another case, too.
+            f.window.messages().show(MessageStrip::Kind::Failure, QStringLiteral("a message of something else"));
+            f.edit("suspension.preload", QStringLiteral("1.6 gf"));
+            QCOMPARE(f.window.messages().text(), QStringLiteral("a message of something else"));
+            f.window.edits().undoStack().undo();
+            f.window.messages().clear();
+        }
+    }
+
+    /// A roll torque that two degrees of freedom leave is a warning.
+    void saysThatATorqueIsLeft()
+    {
+        Solved f;
+        f.edit("disk.skew", QStringLiteral("5 deg"));
+        f.solve();
+        QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Success);
+        f.edit("degrees_of_freedom", QStringLiteral("2"));
+        f.solve();
+        QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Warning);
+        QVERIFY(f.window.messages().text().contains(QStringLiteral("roll torque")));
+    }
+
+    /// A new case is one of springs. As a film it has three degrees of freedom and no contact law, which is said; both
+    /// are one step of undo.
+    void aFilmFromSprings()
+    {
+        MainWindow window;
+        window.show();
+        window.files().newCase();
+        const Case springs = window.edits().value();
+        QCOMPARE(springs.model, ModelKind::Springs);
+        window.edits().enter(*findParameter("model"), QStringLiteral("film"));
+        QCOMPARE(window.edits().value().degreesOfFreedom, 3);
+        QCOMPARE(window.edits().value().contact, ContactKind::None);
+        QCOMPARE(window.messages().kind(), MessageStrip::Kind::Information);
+        QVERIFY2(window.messages().text().contains(QStringLiteral("egrees of freedom 2 → 3")),
+                 qPrintable(window.messages().text()));
+        window.edits().undoStack().undo();
+        QVERIFY(window.edits().value() == springs);
+        // What was chosen stays.
+        window.edits().enter(*findParameter("contact"), QStringLiteral("none"));
+        window.edits().enter(*findParameter("model"), QStringLiteral("film"));
+        window.edits().enter(*findParameter("degrees_of_freedom"), QStringLiteral("2"));
+        window.edits().enter(*findParameter("contact"), QStringLiteral("ono-yamane"));
+        window.edits().enter(*findParameter("model"), QStringLiteral("springs"));
+        QCOMPARE(window.edits().value().contact, ContactKind::OnoYamane);
+        window.edits().undoStack().setClean();
+    }
+
     /// The static state holds over any moving disk surface: no other is solved, and the run takes the surface that is
     /// set.
     void runsOverTheDiskThatIsSet()
