@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// How runs of the springs over moving disks end (core/simulation/recording/motion_verdict.h).
+// How runs of the springs over moving disks end (core/simulation/recording/motion_verdict.h), and whether a run says
+// that its tolerance does not determine the motion.
 #include "core/simulation/springs/spring_run.h"
 
 #include <algorithm>
@@ -140,6 +141,40 @@ private slots:
             QVERIFY2(*most - *least < 0.05e-9, qPrintable(QString("set %1: %2").arg(k).arg(*most - *least)));
         }
         QVERIFY2(told >= 8, qPrintable(QString::number(told))); // the rule still tells
+    }
+    /// Drawn waves that make the slider touch: where the run at 1e-8 is off by more than 1e-3 nm from one at 1e-13, it
+    /// warns, and else not. Only sets are asked that are off by less than a third or more than three times as much.
+    void aToleranceThatDoesNotDetermine()
+    {
+        std::mt19937 random(5);
+        const auto between = [&](double a, double b) {
+            return a + (b - a) * double(random()) / double(std::mt19937::max());
+        };
+        int warned = 0, silent = 0;
+        for (int k = 0; k < 16; ++k) {
+            Case c = overBump(0.0, 1e-3, 250e-6);
+            c.diskSurface.kind = DiskSurfaceKind::Waves;
+            c.diskSurface.waveAmplitudes = {between(0.3e-9, 2e-9), between(0.3e-9, 2e-9)};
+            c.diskSurface.waveLengths = {between(35e-6, 70e-6), between(60e-6, 150e-6)};
+            c.run.sampleInterval = 1e-6;
+            const Record normal = recorded(c);
+            const bool warns = std::ranges::any_of(normal.summary.warnings, [](const std::string& warning) {
+                return warning.find("run.tolerance") != std::string::npos;
+            });
+            c.run.stepCheck = false;
+            QVERIFY(std::ranges::none_of(recorded(c).summary.warnings, [](const std::string& warning) {
+                return warning.find("run.tolerance") != std::string::npos;
+            }));
+            c.run.tolerance = 1e-13;
+            const Record fine = recorded(c);
+            double apart = 0.0;
+            for (std::size_t i = 0; i < std::min(fine.height.size(), normal.height.size()); ++i)
+                apart = std::max(apart, std::abs(fine.height[i] - normal.height[i]));
+            if (apart > 0.3e-12 && apart < 3e-12) continue;
+            QVERIFY2(warns == (apart > 1e-12), qPrintable(QString("set %1: %2").arg(k).arg(apart)));
+            ++(warns ? warned : silent);
+        }
+        QVERIFY2(warned >= 2 && silent >= 4, qPrintable(QString("%1 %2").arg(warned).arg(silent)));
     }
 };
 
