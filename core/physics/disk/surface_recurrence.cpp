@@ -16,7 +16,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double sliderFrequency = 300e3;          // f0: oscillations of sliders on air have 50 kHz to 1 MHz [Hz]
 constexpr double steadyShare = 0.2;                // RMS deviation of a mean square that counts as steady [-]
-constexpr double strongBump = 0.6, farPlace = 0.7; // of the largest one [-]
+constexpr double strongBump = 0.6, farPlace = 0.8; // of the largest one [-]
 constexpr double closeTracks = 0.25;               // of a bump's width [-]
 constexpr double leastHeight = 1e-13;              // that counts, of its share that moves the slider [m]
 constexpr double mostTracks = 1e6, mostPlaces = 1 << 20, mostHeights = 1e7;
@@ -100,6 +100,22 @@ double waitForRoughness(const DiskSurface& surface, const Velocity& velocity)
     return std::min(path / std::hypot(velocity.x, velocity.y), period);
 }
 
+/// The places after which the mean square of these, which repeat, is steady: by sums up to each place.
+double steadyAfter(const std::vector<double>& heights)
+{
+    const std::size_t count = heights.size();
+    std::vector<double> sums(2 * count + 1);
+    for (std::size_t i = 0; i < 2 * count; ++i) sums[i + 1] = sums[i] + square(heights[i % count]);
+    const double mean = sums[count] / double(count);
+    for (double length = 2.0; length < double(count); length = std::ceil(1.1 * length)) {
+        const auto places = static_cast<std::size_t>(length);
+        double squares = 0.0;
+        for (std::size_t i = 0; i < count; ++i) squares += square((sums[i + places] - sums[i]) / length - mean);
+        if (squares <= square(steadyShare * mean) * double(count)) return length;
+    }
+    return double(count);
+}
+
 /// Along the middle of the strip. The local mean is that over the time 1/f0.
 double waitForFile(const DiskTopography& topography, const Velocity& velocity, double y)
 {
@@ -128,12 +144,13 @@ double waitForFile(const DiskTopography& topography, const Velocity& velocity, d
         }
         heights.swap(local);
     }
+    const double steady = steadyAfter(heights) * interval;
     const auto [least, most] = std::ranges::minmax(heights);
-    const double level = farPlace * std::max(most, -least);
-    if (level < leastHeight) return 0.0;
+    const double furthest = std::max(most, -least);
+    if (furthest < leastHeight) return 0.0;
     std::size_t first = count, last = 0, longest = 0;
     for (std::size_t i = 0; i < count; ++i) {
-        if (std::abs(heights[i]) < level) continue;
+        if (std::abs(heights[i]) < farPlace * furthest) continue;
         if (first == count)
             first = i;
         else
@@ -141,7 +158,7 @@ double waitForFile(const DiskTopography& topography, const Velocity& velocity, d
         last = i;
     }
     longest = std::max(longest, first + count - last);
-    return double(std::min(count, longest + 2 * reach)) * interval;
+    return std::max(steady, double(std::min(count, longest + 2 * reach)) * interval);
 }
 
 double waitForBumps(const DiskSurface& surface, const Velocity& velocity, const DiskStrip& strip)

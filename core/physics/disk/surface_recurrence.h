@@ -4,17 +4,17 @@
 // rarest feature of the surface has passed under it. The wait for it depends on the part of the surface:
 //
 //   waves      their sum beats. The mean square over a time T differs from the long mean by less than a fifth (RMS over
-//              all times at which T may begin): 0.56 periods of one wave, 1.1 beats of two equal ones, less than that
-//              of many;
-//   roughness  likewise: the RMS deviation of the mean square of Gaussian heights over a path of length s is sqrt(2
-//   I/s),
-//              I the integral of the squared autocorrelation along the path;
-//   a file     the longest path between two places at least 0.7 times as far from the local mean as the furthest one;
+//              all times at which T may begin): after 0.56 periods of one wave, 1.1 beats of two equal waves, 32/B of
+//              many equal waves whose frequencies fill a band B;
+//   roughness  likewise: for Gaussian heights over a path of length s the RMS deviation of the mean square is
+//              sqrt(2 I/s), I the integral of the squared autocorrelation along the path;
+//   a file     likewise, of the heights above the local mean; and at least the longest path between two places that are
+//              0.8 times as far from it as the furthest one;
 //   bumps      the longest path between two that are at least 0.6 times as strong as the strongest one. If the disk
 //              moves askew, the path comes back beside itself after each track: all the tracks count until the paths
 //              lie as close together as a quarter of the bump's width.
 //
-// No wait is longer than the period of its part. A slider follows long waves, so that a length l counts with the share
+// A map's wait is no longer than its period. A slider follows long waves. So a wave or a bump counts with the share
 // f^2/(f^2 + f0^2) of its height: f is the frequency at which it passes, f0 that of an oscillating slider.
 #pragma once
 

@@ -4,7 +4,7 @@
 // and by the contact, over the last part of a run compared with the parts before it:
 //
 //   at rest             s swings by no more than 0.02 nm, peak to peak, neither grows nor was about to move on
-//   settles             the swing decays, and the contact neither begins nor ends in the last third of the run
+//   settles             the swing decays, and the contact neither begins nor ends lately
 //   swings              the swing lasts, without contact
 //   vibrates in contact the swing lasts, and the slider touches the disk all the time
 //   bounces             the swing lasts, and the slider touches the disk and takes off
