@@ -77,9 +77,12 @@ std::vector<Parameter> diskSurfaceParameters()
         number("disk.surface.cell", "surface cell", "", micrometres, positive(longestTrack),
                at(&Case::diskSurface, &DiskSurface::cell), withTrack,
                "Side of a cell of the height map; the shortest wave of the surface is two cells long.", ours),
-        number("disk.surface.track", "track", "", micrometres, positive(longestTrack),
-               at(&Case::diskSurface, &DiskSurface::track), withTrack,
-               "Length along the motion after which the surface repeats.", ours),
+        number(
+            "disk.surface.track", "track", "", micrometres, positive(longestTrack),
+            at(&Case::diskSurface, &DiskSurface::track), withTrack,
+            "Length along the motion after which the surface repeats. A run over a moving surface tells how its motion "
+            "ends once the rarest feature has passed twice.",
+            ours),
         number("disk.surface.track_width", "track width", "", micrometres, positive(longestTrack),
                at(&Case::diskSurface, &DiskSurface::trackWidth), withTrack,
                "Width across the motion after which the surface repeats.", ours),

@@ -64,6 +64,12 @@ inline bool withSliderOutline(const Case& c) { return withSliderSurface(c) || (w
 /// The springs have a choice of integrators, the film one of its own.
 inline bool withFixedSpringStep(const Case& c) { return withSprings(c) && hasFixedStep(c.run.integrator); }
 inline bool withAdaptiveSpringStep(const Case& c) { return withSprings(c) && !withFixedSpringStep(c); }
+/// A run is repeated with smaller steps.
+inline bool withStepCheck(const Case& c)
+{
+    return withFixedSpringStep(c) || (withSprings(c) && c.contact == ContactKind::OnoYamane && withUnevenDisk(c) &&
+                                      c.diskSurface.motion == SurfaceMotion::Moving);
+}
 inline bool withNewmark(const Case& c) { return withSprings(c) && c.run.integrator == IntegratorKind::Newmark; }
 inline bool withFixedStep(const Case& c)
 {

@@ -99,8 +99,10 @@ std::vector<Parameter> runParameters()
                "Newmark 1959: 1/2, no numerical damping"),
         number("run.sample_interval", "sample interval", "", microseconds, positive(longestRun),
                at(&Case::run, &RunCase::sampleInterval), always, "Time between recorded samples.", "ours"),
-        boolean("run.step_check", "step check", at(&Case::run, &RunCase::stepCheck), withFixedSpringStep,
-                "Whether a fixed-step run is repeated with half the step, to report a different end state.",
+        boolean("run.step_check", "step check", at(&Case::run, &RunCase::stepCheck), withStepCheck,
+                "Whether a fixed-step run is repeated with half the step, to report a different end state. An adaptive "
+                "run that touches a moving surface is repeated with a hundredth of the tolerance, to report another "
+                "motion.",
                 "paper, text on Table III: convergence between two steps"),
         integer("run.field_snapshots", "field snapshots", notNegative(mostSnapshots),
                 at(&Case::run, &RunCase::fieldSnapshots), withSnapshots,

@@ -107,18 +107,36 @@ std::size_t landingOf(const MotionSamples& samples)
     return 0;
 }
 
+/// Of the last part, in samples: the share of the time after the landing; over a moving surface up to half of it, where
+/// the rarest feature or the whole surface needs this, and whole periods of the surface.
+double lengthOfPart(const MotionSamples& samples, std::size_t landing, double share)
+{
+    const double all = double(samples.spacing.size() - landing), half = 0.5 * all;
+    double length = share * all;
+    if (samples.surface.moves()) {
+        const double wait = samples.surface.wait / samples.interval, period = samples.surface.period / samples.interval;
+        if (length < wait) length = std::min(wait, half);
+        if (period <= half) length = std::max(1.0, std::floor(length / period)) * period;
+    }
+    return std::max(1.0, length);
+}
+
 MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, double share)
 {
     const std::size_t count = samples.spacing.size();
-    const auto length = std::max<std::size_t>(1, std::size_t(share * double(count - landing)));
-    MotionEvidence evidence{.share = share, .parts = 0, .movingSurface = samples.movingSurface};
+    const double wanted = lengthOfPart(samples, landing, share);
+    const auto length = std::size_t(wanted);
+    MotionEvidence evidence{.share = share, .parts = 0, .surface = samples.surface};
+    evidence.length = wanted * samples.interval;
+    evidence.landing = double(landing) * samples.interval + samples.first;
     std::size_t begin = count;
     for (; evidence.parts < evidence.swings.size() && begin >= landing + length; begin -= length)
         evidence.swings[evidence.parts++] = Part(samples, begin - length, begin).swing();
     evidence.oneLaw = Part(samples, begin, count).touch() != Touch::AtTimes;
     const Part last(samples, count - length, count);
+    const Part before(samples, evidence.parts > 1 ? count - 2 * length : count - length, count - length);
     evidence.rms = last.rms();
-    evidence.rmsBefore = evidence.parts > 1 ? Part(samples, count - 2 * length, count - length).rms() : evidence.rms;
+    evidence.rmsBefore = evidence.parts > 1 ? before.rms() : evidence.rms;
     const Changes changes = last.changes();
     evidence.periods = 0.5 * changes.count;
     evidence.undersampled = changes.count > mostPerSample * static_cast<double>(last.size());
@@ -126,7 +144,9 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
         evidence.frequency =
             0.5 * double(changes.count - 1) / (double(changes.last - changes.first) * samples.interval);
     evidence.touch = last.touch();
-    evidence.switchedLately = Part(samples, count - (count - landing) / 3, count).touch() == Touch::AtTimes;
+    evidence.touchBefore = evidence.parts > 1 ? before.touch() : evidence.touch;
+    const std::size_t lately = std::max((count - landing) / 3, std::min(2 * length, count - landing));
+    evidence.switchedLately = Part(samples, count - lately, count).touch() == Touch::AtTimes;
     evidence.samples = last.size();
     return evidence;
 }
@@ -135,12 +155,14 @@ bool isSmall(const MotionEvidence& evidence) { return evidence.swing() <= Rule::
 
 Motion motionOf(const MotionEvidence& evidence)
 {
-    if (evidence.samples < Rule::fewestSamples) return Motion::TooShort;
+    if (evidence.samples < Rule::fewestSamples || evidence.awaitsSurface()) return Motion::TooShort;
     if (isSmall(evidence)) return evidence.movesOn() || evidence.grows() ? Motion::TooShort : Motion::AtRest;
-    if (evidence.periods < Rule::fewestPeriods) return Motion::TooShort;
+    if (evidence.lacksPeriods()) return Motion::TooShort;
     if (evidence.decays())
-        return evidence.movingSurface || evidence.touch == Touch::AtTimes || evidence.switchedLately ? Motion::TooShort
-                                                                                                     : Motion::Settles;
+        return evidence.surface.moves() || evidence.touch == Touch::AtTimes || evidence.switchedLately
+                   ? Motion::TooShort
+                   : Motion::Settles;
+    if (!evidence.isSteady()) return Motion::TooShort;
     return evidence.touch == Touch::Never    ? Motion::Swings
            : evidence.touch == Touch::Always ? Motion::Vibrates
                                              : Motion::Bounces;
@@ -149,10 +171,19 @@ Motion motionOf(const MotionEvidence& evidence)
 std::string ruleOf(const MotionEvidence& evidence, Motion motion)
 {
     const auto nm = [](double x) { return formatNumber(std::round(x * 1e13) / 1e13, "nm") + " nm"; };
-    const std::string part = evidence.share < 0.15 ? "tenth" : evidence.share < 0.25 ? "fifth" : "third";
+    const std::string share = evidence.share < 0.15 ? "tenth" : evidence.share < 0.25 ? "fifth" : "third";
+    const std::string part = evidence.surface.moves() ? fewDigitsOfTime(evidence.length, 2) : share;
     if (evidence.samples < Rule::fewestSamples)
         return "the last " + part + " of the run holds " + std::to_string(evidence.samples) + " samples, and " +
                std::to_string(Rule::fewestSamples) + " are needed to tell";
+    if (evidence.awaitsSurface()) {
+        const bool repeats = evidence.surface.wait > 0.5 * evidence.surface.period;
+        return std::string(repeats ? "the disk's surface repeats under the slider every "
+                                   : "the rarest feature of the disk's surface comes under the slider within every ") +
+               fewDigitsOfTime(repeats ? evidence.surface.period : evidence.surface.wait, 3) +
+               ", and half of the run after the landing is " + part + ": a run of " +
+               fewDigitsOfTime(evidence.telling(), 2) + " can tell";
+    }
     const bool small = isSmall(evidence);
     std::string figures =
         "over the last " + part + " of the run after the landing the minimum spacing swings by " + nm(evidence.swing());
@@ -172,9 +203,12 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
         if (small)
             return figures + (evidence.grows() ? ", and it grows" : ", but it was still moving on") +
                    ": a longer run can tell";
-        if (evidence.periods < Rule::fewestPeriods)
+        if (evidence.lacksPeriods())
             return figures + "; " + formatNumber(Rule::fewestPeriods) + " periods are needed to tell";
-        return figures + "; the motion still decays: a longer run can tell";
+        if (evidence.decays()) return figures + "; the motion still decays: a longer run can tell";
+        if (evidence.surface.moves() && evidence.rmsBefore < Rule::forcedDecay * evidence.rms)
+            return figures + "; the motion still grows: a longer run can tell";
+        return figures + "; the contact was another shortly before: a longer run can tell";
     case Motion::Settles:
         return figures + (evidence.decaysFast()
                               ? "; less than 90 % of the swing before counts as decay"
@@ -183,7 +217,7 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
     case Motion::Swings:
     case Motion::Vibrates:
     case Motion::Bounces:
-        if (evidence.movingSurface)
+        if (evidence.surface.moves())
             return figures + "; the standard deviation is " + nm(evidence.rms) + ", after " + nm(evidence.rmsBefore) +
                    ", and at least 60 % of that before counts as sustained; the disk drives the motion, as its surface "
                    "is not flat and moves";
@@ -214,14 +248,27 @@ void MotionSamples::dropFirst(std::size_t count)
 
 bool MotionEvidence::decaysFast() const
 {
-    if (movingSurface) return rms < Rule::forcedDecay * rmsBefore;
+    if (surface.moves()) return rms < Rule::forcedDecay * rmsBefore;
     return parts > 1 && swings[0] < Rule::smallestDecay * swings[1];
 }
 
 bool MotionEvidence::decaysSlowly() const
 {
-    if (movingSurface || parts < swings.size() || !oneLaw) return false;
+    if (surface.moves() || parts < swings.size() || !oneLaw) return false;
     return swings[0] + swings[1] + swings[2] < Rule::slowDecay * (swings[3] + swings[4] + swings[5]);
+}
+
+bool MotionEvidence::isSteady() const
+{
+    if (surface.moves()) return touch == touchBefore && rmsBefore >= Rule::forcedDecay * rms;
+    return touch == Touch::AtTimes || !switchedLately;
+}
+
+double MotionEvidence::telling() const
+{
+    const double time = 1.02 * (landing + 2.0 * surface.wait); // a little more: the parts are whole samples
+    const double digit = std::pow(10.0, std::floor(std::log10(time)) - 1.0);
+    return std::ceil(time / digit) * digit;
 }
 
 bool MotionEvidence::grows() const
@@ -242,7 +289,7 @@ MotionVerdict verdictOf(const MotionEvidence& evidence)
     MotionVerdict verdict;
     verdict.motion = motionOf(evidence);
     verdict.touch = evidence.touch;
-    verdict.forced = evidence.movingSurface && lasts(verdict.motion);
+    verdict.forced = evidence.surface.moves() && lasts(verdict.motion);
     verdict.swing = evidence.swing();
     verdict.rms = evidence.rms;
     verdict.frequency = lasts(verdict.motion) || verdict.motion == Motion::Settles ? evidence.frequency : 0.0;
@@ -254,7 +301,8 @@ MotionVerdict verdictOf(const MotionEvidence& evidence)
 MotionVerdict judgeMotion(const MotionSamples& samples)
 {
     if (samples.spacing.empty()) return {};
-    MotionEvidence whole = evidenceOf(samples, 0, 0.1);
+    const bool forced = samples.surface.moves();
+    MotionEvidence whole = evidenceOf(samples, 0, forced ? shares.back() : shares.front());
     if (isSmall(whole)) {
         whole.movedOn = movesOn(std::span(samples.spacing).last((samples.spacing.size() + 1) / 2));
         return verdictOf(whole);
@@ -262,7 +310,7 @@ MotionVerdict judgeMotion(const MotionSamples& samples)
     const std::size_t landing = landingOf(samples);
     MotionEvidence evidence;
     for (const double share : shares) {
-        if (samples.movingSurface && share < shares.back()) continue;
+        if (forced && share < shares.back()) continue;
         evidence = evidenceOf(samples, landing, share);
         if (evidence.samples >= Rule::fewestSamples && evidence.periods >= Rule::fewestPeriods) break;
     }

@@ -4,20 +4,23 @@
 // and by the contact, over the last part of a run compared with the parts before it:
 //
 //   at rest             s swings by no more than 0.02 nm, peak to peak, neither grows nor was about to move on
-//   settles             the swing decays, and the contact neither begins nor ends in the last third of the run
+//   settles             the swing decays, and the contact neither begins nor ends lately
 //   swings              the swing lasts, without contact
 //   vibrates in contact the swing lasts, and the slider touches the disk all the time
 //   bounces             the swing lasts, and the slider touches the disk and takes off
-//   too short to tell   none of these: the last part holds less than 3 periods or 10 samples, or the slider has just
-//                       taken off while its swing decays, or the swing over a moving surface still decays
+//   too short to tell   none of these: the last part holds less than 3 periods or 10 samples; or the contact has begun
+//                       or ended before the last part, but lately; or the swing over a moving surface decays or grows;
+//                       or the rarest feature of that surface has not passed in the last part
 //
 // The landing is left out: the run counts from the first time at which s enters the range that it has in the last
 // tenth. The last part is the last tenth of the time from then on, or the last fifth or third where a shorter part
-// holds less than 3 periods; over a moving surface it is the last third. The swing decays if it is below 90 % of that
-// in the part before. It decays slowly if over the last six parts the contact neither begins nor ends, and the swings
-// of the last three are below 97 % of those of the three before, in the mean. Over a moving surface, where the swing of
-// a part is random, the standard deviation decays if it is below 60 % of that in the part before. What lasts there is
-// forced: the disk drives it.
+// holds less than 3 periods. Over a moving surface it is the last third, or up to half where the wait for the rarest
+// feature is longer (core/physics/disk/surface_recurrence.h), and whole periods of the surface where these fit in. The
+// swing decays if it is below 90 % of that in the part before. It decays slowly if over the last six parts the contact
+// neither begins nor ends, and the swings of the last three are below 97 % of those of the three before, in the mean.
+// Over a moving surface, where the swing of a part is random, the standard deviation decays if it is below 60 % of that
+// in the part before, and grows if that is below 60 % of it. What lasts there is forced: the disk drives it. Lately: in
+// the last third of the run after the landing or the last two parts; over a moving surface in the part before the last.
 //
 // A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. Where a
 // period is shorter than 2.5 samples, the frequency is not told. At rest it was not
@@ -31,6 +34,7 @@
 #include <span>
 #include <vector>
 
+#include "core/physics/disk/surface_recurrence.h"
 #include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
@@ -43,7 +47,7 @@ struct MotionSamples {
     std::vector<double> switches;    // times at which the contact began or ended, rising [s]
     double first = 0.0;              // time of the first sample [s]
     double interval = 0.0;           // between samples [s]
-    bool movingSurface = false;      // of a disk that is not flat
+    SurfaceRecurrence surface{};     // of a disk that is not flat and moves
 
     void add(double s, Touch touching) { add(s, s, s, touching); }
     void add(double s, double lowest, double highest, Touch touching);
@@ -81,15 +85,32 @@ struct MotionEvidence {
     bool undersampled = false;                       // a period is shorter than 2.5 samples
     bool movedOn = false;                            // in the half before the end, though at rest in the last tenth
     Touch touch = Touch::Never;                      // in the last part
-    bool switchedLately = false;                     // contact began or ended in the last third of the time
+    Touch touchBefore = Touch::Never;                // in the part before
+    bool switchedLately = false;                     // contact began or ended in the last third or two parts
     std::size_t samples = MotionRule::fewestSamples; // there
-    bool movingSurface = false;
+    double length = 0.0;                             // of the last part [s]
+    double landing = 0.0;                            // when it ended [s]
+    SurfaceRecurrence surface{};
     double swing() const { return swings[0]; }
     bool decays() const { return decaysFast() || decaysSlowly(); }
     bool decaysFast() const;
     bool decaysSlowly() const;
     bool grows() const;
+    /// The contact of the motion, and over a moving surface its size, are those shortly before.
+    bool isSteady() const;
+    /// The rarest feature of the surface has not passed in the last part.
+    bool awaitsSurface() const { return length < almost * surface.wait; }
+    /// Fewer periods than needed to tell, unless the part holds whole periods of the surface.
+    bool lacksPeriods() const
+    {
+        return periods < MotionRule::fewestPeriods && !(surface.moves() && length > almost * surface.period);
+    }
+    /// A run of this duration holds it, in two digits [s].
+    double telling() const;
     bool movesOn() const;
+
+private:
+    static constexpr double almost = 1.0 - 1e-9; // for round-off
 };
 MotionVerdict verdictOf(const MotionEvidence& evidence);
 

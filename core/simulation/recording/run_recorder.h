@@ -32,6 +32,8 @@ public:
     RunRecorder(const RunRecorder&) = delete;
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
+    /// Where a disk that is not flat moves: how often its surface comes again, before the first sample.
+    void moveOver(const SurfaceRecurrence& surface) { statistics_.moveOver(surface); }
     /// A sample; `smooth`: the same law has held since the point or sample before.
     void addSample(double time, std::span<const double> values, bool smooth = true);
     /// A point of the motion between samples, for the extremes of the quantities. It counts once a sample follows, or

@@ -110,9 +110,6 @@ RunStatistics::RunStatistics(const Case& c, const std::vector<Quantity>& quantit
     extremes_.assign(quantities.size(), {infinity, -infinity});
     spacingColumn_ = static_cast<std::size_t>(findQuantity(quantities, "minimum_spacing"));
     motion_.interval = c.run.sampleInterval;
-    motion_.movingSurface = c.model != ModelKind::Contact && c.disk.speed != 0.0 &&
-                            c.diskSurface.kind != DiskSurfaceKind::Flat &&
-                            c.diskSurface.motion == SurfaceMotion::Moving;
 }
 
 void RunStatistics::addSample(double time, std::span<const double> values, std::span<const double> least,
@@ -162,6 +159,10 @@ void RunStatistics::finish(Summary& summary) const
     }
     for (std::size_t i = 0; i < extremes_.size(); ++i) summary.extremes.emplace_back(quantities_[i].name, extremes_[i]);
     if (!oscillates_) return;
+    if (motion_.surface.moves() && std::isfinite(motion_.surface.period))
+        summary.figures.push_back(
+            {{"surface_repeat", "s", "ms", "Time after which the disk's surface repeats under the slider"},
+             motion_.surface.period});
     const Spectrum spectrum = welch(std::span(motion_.spacing).subspan(beforeSpectrum_), case_.run.sampleInterval,
                                     welchOptions(case_.spectrum, case_.run.sampleInterval));
     summary.peaks = findPeaks(spectrum, case_.spectrum.scaling);

@@ -69,6 +69,8 @@ private:
 class RunStatistics {
 public:
     RunStatistics(const Case& c, const std::vector<Quantity>& quantities);
+    /// How often the disk's surface comes again under a slider.
+    void moveOver(const SurfaceRecurrence& surface) { motion_.surface = surface; }
     /// By quantity: the values, and their extremes since the sample before.
     void addSample(double time, std::span<const double> values, std::span<const double> least,
                    std::span<const double> most);

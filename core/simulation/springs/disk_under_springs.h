@@ -14,6 +14,7 @@
 #include "core/case/case.h"
 #include "core/physics/disk/disk_topography.h"
 #include "core/physics/disk/disk_velocity.h"
+#include "core/physics/disk/surface_recurrence.h"
 #include "core/simulation/springs/spring_model.h"
 
 namespace touchdown {
@@ -34,6 +35,8 @@ public:
     /// The time that the surface takes from its origin to the furthest place [s]; 0 where nothing moves. The round-off
     /// of the places is as large as that of such a time.
     double passage() const;
+    /// How often the surface comes again under pad and pressure centres.
+    const SurfaceRecurrence& recurrence() const { return recurrence_; }
     /// At least the fastest rate of the heights [m/s].
     double fastestRate() const { return moves() ? (surface_.highest() - surface_.lowest()) / longestStep_ : 0.0; }
 
@@ -42,6 +45,7 @@ private:
     Velocity velocity_;                    // [m/s]
     std::array<Eigen::Vector2d, 3> place_; // in the order of SpringModel::Guard [m]
     double longestStep_;                   // [s]
+    SurfaceRecurrence recurrence_;
 };
 
 } // namespace touchdown

@@ -20,7 +20,9 @@ SpringRecorder::SpringRecorder(const SpringModel& model, const DiskUnderSprings&
       pointInterval_(model.shortestPeriod() / 20.0),
       values_(run_.quantities().size()),
       energyColumn_(static_cast<std::size_t>(findQuantity(run_.quantities(), "energy")))
-{}
+{
+    run_.moveOver(disk.recurrence());
+}
 
 void SpringRecorder::begin(const State& y, Mode mode)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/springs/spring_run.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/formats/units.h"
@@ -15,6 +16,9 @@ namespace {
 constexpr double sameFlyingHeight = 0.1e-9; // [m], between end states that count as the same
 constexpr double looseTolerance = 1e-4;     // from which on the energy of an adaptive run is looked at [-]
 constexpr double mostImbalance = 0.01;      // of the energy, of the largest change of a part [-]
+constexpr double sameMotion = 1e-12;        // [m], between flying heights at the same time
+constexpr double nearTouchDown = 1e-11;     // [m], above d_s
+constexpr double finestTolerance = 1e-11;   // that is compared with a finer one [-]
 
 std::string time(double t) { return fewDigitsOfTime(t, 4); }
 std::string spacing(double h) { return formatQuantity(std::round(h * 1e13) / 1e13, "nm"); }
@@ -128,17 +132,24 @@ Statistics tailOf(const Summary& summary, std::string_view name)
     return {NAN, NAN, NAN, NAN};
 }
 
-/// Runs again with half the step and compares where the slider ends.
-StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& full, const RunCallback& callback)
+/// Of a run that is repeated for a check: nothing is reported, but the callback may stop it. Case and callback must
+/// last.
+RunCallback stopOnly(const Case& c, const RunCallback& callback)
 {
     SampleBatch none;
     none.columns.resize(SpringModel::quantities(c).size());
-    const RunCallback stopOnly = [&](const RunUpdate& update) {
+    return [&c, &callback, none](const RunUpdate& update) {
         return !callback || callback({c.run.duration, update.duration, none, {}, {}});
     };
+}
+
+/// Runs again with half the step and compares where the slider ends.
+StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& full, const RunCallback& callback)
+{
     StepCheck check;
     check.step = 0.5 * c.run.step;
-    const Summary half = runOnce(c, disk, check.step, stopOnly);
+    const RunCallback silent = stopOnly(c, callback);
+    const Summary half = runOnce(c, disk, check.step, silent);
     check.flyingHeight = finalValue(half, "flying_height");
     check.pitch = finalValue(half, "pitch");
     const auto [before, spreadBefore, least, most] = tailOf(full, "flying_height");
@@ -162,6 +173,72 @@ StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& 
                         spacing(before) + " to " + spacing(after) + ", so this run has not converged in time";
     }
     return check;
+}
+
+/// The flying heights of a run, one for each sample.
+class FlyingHeights {
+public:
+    /// Hands the updates on.
+    FlyingHeights(const Case& c, const RunCallback& callback)
+        : column_(static_cast<std::size_t>(findQuantity(SpringModel::quantities(c), "flying_height"))),
+          record_([this, &callback](const RunUpdate& update) {
+              const std::vector<double>& batch = update.samples.columns[column_];
+              heights_.insert(heights_.end(), batch.begin(), batch.end());
+              return !callback || callback(update);
+          })
+    {}
+    FlyingHeights(const FlyingHeights&) = delete;
+
+    const RunCallback& record() const { return record_; }
+    const std::vector<double>& heights() const { return heights_; }
+
+private:
+    std::size_t column_;
+    std::vector<double> heights_; // [m]
+    RunCallback record_;
+};
+
+/// Whether the slider came so near to contact over a moving disk that a small error may have a large effect: where it
+/// grazes, the effect grows with the square root of the error.
+bool mayGraze(const Case& c, const Summary& summary)
+{
+    if (!summary.events.empty()) return true;
+    for (const auto& [quantity, extremes] : summary.extremes)
+        if (quantity == "flying_height") return extremes.least < c.onoYamane.touchDown + nearTouchDown;
+    return false;
+}
+
+/// Runs again with another tolerance; a sentence where the motion is another then.
+std::string otherMotion(const Case& c, const DiskUnderSprings& disk, const Summary& full,
+                        const std::vector<double>& heights, const RunCallback& callback)
+{
+    Case other = c;
+    other.run.tolerance *= c.run.tolerance > finestTolerance ? 0.01 : 10.0;
+    const RunCallback silent = stopOnly(c, callback);
+    const FlyingHeights again(c, silent);
+    const Summary summary = runOnce(other, disk, other.run.step, again.record());
+    if (summary.status == RunStatus::Cancelled) return {};
+    const std::size_t count = std::min(heights.size(), again.heights().size());
+    double most = 0.0;
+    std::size_t first = count;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double apart = std::abs(heights[i] - again.heights()[i]);
+        if (apart > sameMotion) first = std::min(first, i);
+        most = std::max(most, apart);
+    }
+    if (first == count && summary.status == full.status) return {};
+    const bool another = most > sameFlyingHeight || summary.status != full.status;
+    std::string text = another ? "run.tolerance does not determine the motion: with " : "with run.tolerance = ";
+    text += formatNumber(other.run.tolerance);
+    if (first < count)
+        text += " the flying height differs from " + time(double(first) * c.run.sampleInterval) + " on, by up to " +
+                fewDigits(most, "nm", 2);
+    if (summary.status != full.status)
+        text += (first < count ? ", and" : "") + std::string(" the run ends otherwise: ") +
+                (summary.message.empty() ? "it completes" : summary.message);
+    else if (summary.verdict.motion != full.verdict.motion)
+        text += ", and the motion is another: " + std::string(name(summary.verdict.motion));
+    return text + "; a contact that the slider only grazes makes small errors large";
 }
 
 /// What only the surface itself shows: how long a step may be, and where the slider starts above it.
@@ -195,6 +272,15 @@ Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions&
         refused.failure = RunFailure::Other;
         refused.message = reason;
         return refused;
+    }
+    const bool adaptiveOverDisk = disk.moves() && !hasFixedStep(c.run.integrator);
+    if (adaptiveOverDisk && c.contact == ContactKind::OnoYamane && c.run.stepCheck) {
+        const FlyingHeights record(c, callback);
+        Summary summary = runOnce(c, disk, c.run.step, record.record(), options);
+        if (summary.status == RunStatus::Cancelled || !mayGraze(c, summary)) return summary;
+        const std::string warning = otherMotion(c, disk, summary, record.heights(), callback);
+        if (!warning.empty()) summary.warnings.push_back(warning);
+        return summary;
     }
     Summary summary = runOnce(c, disk, c.run.step, callback, options);
     if (c.run.stepCheck && hasFixedStep(c.run.integrator) && summary.status != RunStatus::Cancelled &&

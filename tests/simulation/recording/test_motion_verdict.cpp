@@ -82,6 +82,10 @@ private slots:
         QCOMPARE(with([&](E e) { e.swings[1] = 1.12e-9, touching(e); }), Motion::Settles);
         // A slider that still takes off may bounce on.
         QCOMPARE(with([&](E e) { e.swings[1] = 1.12e-9, leaving(e); }), Motion::TooShort);
+        // A swing that lasts, but the contact ended or began lately.
+        QCOMPARE(with([](E e) { e.switchedLately = true; }), Motion::TooShort);
+        QCOMPARE(with([&](E e) { e.switchedLately = true, touching(e); }), Motion::TooShort);
+        QCOMPARE(with([&](E e) { e.switchedLately = true, leaving(e); }), Motion::Bounces);
         QCOMPARE(with([](E e) { e.swings[1] = 1.12e-9, e.switchedLately = true; }), Motion::TooShort);
         QCOMPARE(with([](E e) { e.swings[1] = 1.10e-9; }), Motion::Swings);
         QCOMPARE(with([](E e) { e.swings[0] = 0.019e-9; }), Motion::AtRest);
@@ -126,7 +130,9 @@ private slots:
                                 .periods = 10.0,
                                 .frequency = 8e5,
                                 .touch = Touch::Always,
-                                .movingSurface = true};
+                                .surface = {.period = 1e-3, .wait = 1e-6}};
+        evidence.length = 1e-4;
+        evidence.touchBefore = Touch::Always;
         const MotionVerdict forced = verdictOf(evidence);
         QCOMPARE(forced.motion, Motion::Vibrates);
         QVERIFY(forced.forced);
@@ -135,8 +141,66 @@ private slots:
         evidence.rmsBefore = 0.17e-9;
         QCOMPARE(verdictOf(evidence).motion, Motion::TooShort);
         QVERIFY(!verdictOf(evidence).forced);
-        evidence.movingSurface = false;
+        evidence.surface = {};
         QCOMPARE(verdictOf(evidence).motion, Motion::Settles);
+    }
+    /// What grows there by more than it may decay, or touches in one part and flies in the other, does not last yet.
+    void aMovingSurfaceNeedsTwoLikeParts()
+    {
+        const MotionEvidence lasting{.swings = {1e-9, 1e-9},
+                                     .parts = 2,
+                                     .rms = 0.3e-9,
+                                     .rmsBefore = 0.3e-9,
+                                     .periods = 10.0,
+                                     .length = 1e-4,
+                                     .surface = {.period = 1e-3, .wait = 1e-6}};
+        const auto with = [&](auto change) {
+            MotionEvidence evidence = lasting;
+            change(evidence);
+            return verdictOf(evidence).motion;
+        };
+        using E = MotionEvidence&;
+        QCOMPARE(verdictOf(lasting).motion, Motion::Swings);
+        QCOMPARE(with([](E e) { e.rmsBefore = 0.19e-9; }), Motion::Swings);   // 0.63 of it
+        QCOMPARE(with([](E e) { e.rmsBefore = 0.17e-9; }), Motion::TooShort); // 0.57
+        QCOMPARE(with([](E e) { e.touch = e.touchBefore = Touch::AtTimes; }), Motion::Bounces);
+        QCOMPARE(with([](E e) { e.touch = Touch::AtTimes; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.touchBefore = Touch::AtTimes; }), Motion::TooShort);
+        // One period of the motion, but a whole one of the surface, and less.
+        QCOMPARE(with([](E e) { e.periods = 1.0; }), Motion::TooShort);
+        QCOMPARE(with([](E e) { e.periods = 1.0, e.surface.period = 1e-4; }), Motion::Swings);
+    }
+    /// At rest for 10 us, but the rarest feature of the surface comes every 3 us, or within 6 us: half of the run is
+    /// less, and one of 1.02 * 2 * 6 us = 12.24 us, in two digits 13 us, would tell.
+    void aRareFeatureIsAwaited()
+    {
+        const auto judged = [](double wait, double period) {
+            MotionSamples samples;
+            samples.interval = 1e-8;
+            samples.surface = {.period = period, .wait = wait};
+            for (int i = 0; i < 1000; ++i) samples.add(7e-9, Touch::Never);
+            return judgeMotion(samples);
+        };
+        QCOMPARE(judged(3e-6, 3e-6).motion, Motion::AtRest);
+        QCOMPARE(judged(5e-6, 5e-6).motion, Motion::AtRest); // half of the run
+        QCOMPARE(judged(6e-6, 6e-6).motion, Motion::TooShort);
+        QVERIFY(judged(6e-6, 6e-6).rule.find("13 us") != std::string::npos);
+        QCOMPARE(judged(6e-6, INFINITY).motion, Motion::TooShort);
+        QCOMPARE(judged(3e-6, INFINITY).motion, Motion::AtRest);
+    }
+    /// A dip of 0.1 us every 2.3 us, at the end of a part of 3 us or not: whole periods hold as many each, so that the
+    /// motion lasts. The last two periods of 2.3 us begin at 5.4 us.
+    void wholePeriodsOfTheSurface()
+    {
+        for (int phase = 0; phase < 230; phase += 23) {
+            MotionSamples samples;
+            samples.interval = 1e-8;
+            samples.surface = {.period = 2.3e-6, .wait = 2.3e-6};
+            for (int i = 0; i < 1000; ++i)
+                samples.add((i + phase) % 230 < 10 ? 4e-9 : 7e-9,
+                            (i + phase) % 230 < 10 ? Touch::Always : Touch::Never);
+            QCOMPARE(judgeMotion(samples).motion, Motion::Bounces);
+        }
     }
     /// A drop from 100 nm within 3 % of the run, then a swing of constant size in and out of contact: the third that
     /// holds three periods begins after the landing. Without it the swing before would be 100 nm.
