@@ -81,8 +81,8 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
 {
     setWindowTitle(tr("Touchdown: help"));
     contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"),
-                         tr("The paper and this program"), tr("Glossary"), tr("Parameters"), tr("Shortcuts"),
-                         tr("About Touchdown")});
+                         tr("What a result says of itself"), tr("The paper and this program"), tr("Glossary"),
+                         tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
     contents_->setAccessibleName(tr("Contents"));
     browser_->setAccessibleName(tr("Help text"));
     browser_->setOpenExternalLinks(true);
@@ -117,6 +117,7 @@ QString HelpWindow::html(Page page) const
     case Page::Equations: return resource(QStringLiteral("equations.html"));
     case Page::AirFilm: return resource(QStringLiteral("air_film.html"));
     case Page::Contact: return resource(QStringLiteral("contact.html"));
+    case Page::Results: return resource(QStringLiteral("results.html"));
     case Page::Paper:
         return resource(QStringLiteral("paper.html")) + paperTable(resource(QStringLiteral("paper.csv"))) +
                resource(QStringLiteral("paper_grids.html")) +
