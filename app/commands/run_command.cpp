@@ -122,15 +122,19 @@ std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& qua
 {
     std::vector<std::string> missing; // in the model
     std::vector<std::string> unknown; // at the end of this run
+    std::vector<std::string> doubtful;
     for (const char* key : finalKeys)
         if (find(summary.final, key) == summary.final.end())
             (findQuantity(quantities, key) < 0 ? missing : unknown).emplace_back(key);
+    for (const RunFigure& figure : summary.figures)
+        if (std::isnan(figure.value)) doubtful.push_back(figure.quantity.name);
     std::string message = summary.message;
     const auto add = [&](const char* reason, const std::vector<std::string>& keys) {
         if (!keys.empty()) message += (message.empty() ? "" : "; ") + std::string(reason) + joined(keys);
     };
     add("null because this case does not have it: ", missing);
     add("null because the run gave no valid value: ", unknown);
+    add("null because it is not known, see the warnings: ", doubtful);
     return message;
 }
 
@@ -174,8 +178,9 @@ std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
         std::string label = quantity.name;
         std::ranges::replace(label, '_', ' ');
         const std::string unit = quantity.displayUnit == "1" ? "" : quantity.displayUnit;
-        text += reportRow(label, figure.isCount ? std::to_string(std::llround(figure.value))
-                                                : displayed(figure.value, unit, 5));
+        text += reportRow(label, std::isnan(figure.value) ? "not known"
+                                 : figure.isCount         ? std::to_string(std::llround(figure.value))
+                                                          : displayed(figure.value, unit, 5));
     }
     return text;
 }

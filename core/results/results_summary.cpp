@@ -101,7 +101,7 @@ void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities
     if (!summary.figures.empty()) {
         const Hdf5Group figures = group.create("figures");
         for (const RunFigure& figure : summary.figures)
-            putFinite(figures, figure.quantity.name, figure.value, figure.quantity.unit, figure.quantity.longName);
+            figures.put(figure.quantity.name, figure.value, figure.quantity.unit, figure.quantity.longName);
     }
     if (summary.fit) writeFit(group.create("fit"), *summary.fit);
 

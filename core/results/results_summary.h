@@ -10,8 +10,8 @@
 
 namespace touchdown {
 
-/// Writes status and message of the run, too. A number that is not finite is left out. Throws Hdf5Error. Hold a
-/// Hdf5Access around it.
+/// Writes status and message of the run, too. A figure that is not known is NaN; any other number that is not finite is
+/// left out. Throws Hdf5Error. Hold a Hdf5Access around it.
 void writeSummary(const Hdf5Group& file, const std::vector<Quantity>& quantities, const Summary& summary);
 
 } // namespace touchdown

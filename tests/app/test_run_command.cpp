@@ -27,6 +27,7 @@ private slots:
     void stepCheckAsJson();
     void resultFiles();
     void contactCase();
+    void errorsNotKnown();
     void fittedParameters();
     void everySampleCaseRuns_data();
     void everySampleCaseRuns();
@@ -131,6 +132,21 @@ void TestRunCommand::resultFiles()
     QCOMPARE(lines.size(), 20003);
     QVERIFY(lines[0].startsWith("time [s],flying_height [m],"));
     QCOMPARE(lines[20001].split(',')[1].toDouble(), run.samples.columns[column].back());
+}
+
+// Cells of 0.0625 um against a zone of adhesion of 0.01 um: null with its reason, for people "not known".
+void TestRunCommand::errorsNotKnown()
+{
+    const QStringList arguments{"run",   "contact_pull_off",          "--set", "adhesion.equilibrium_distance=1 nm",
+                                "--set", "run.sample_interval=100 us"};
+    const Outcome o = folder_->touchdown(arguments + QStringList{"--json"});
+    QCOMPARE(o.code, 0);
+    const QJsonObject json = o.json(), figures = json["figures"].toObject();
+    QVERIFY(figures["pull_off_force"].isDouble());
+    QVERIFY(figures.contains("pull_off_force_error") && figures["pull_off_force_error"].isNull());
+    QVERIFY(json["message"].toString().contains("pull_off_force_error"));
+    const QString text = folder_->touchdown(arguments).out;
+    QVERIFY2(text.contains("pull off force error  not known"), qPrintable(text));
 }
 
 // Figures in JSON and for people, fields in the file; what a pad alone does not have is null.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/results/results_layout.h"
 
+#include <cmath>
+
 #include <QtTest>
 
 #include "core/case/parameters.h"
@@ -81,7 +83,8 @@ void TestResultsLayout::figuresAndFit()
     c.diskSurface.kind = DiskSurfaceKind::Rough;
     c.diskSurface.seed = 42;
     Summary summary = sampleSummary();
-    summary.figures = {{{"pull_off_force", "N", "mN", "Pull-off force"}, 5e-6}};
+    summary.figures = {{{"pull_off_force", "N", "mN", "Pull-off force"}, 5e-6},
+                       {{"pull_off_force_error", "N", "mN", "Its error, not known"}, NAN}};
     summary.fit.emplace().parameters.takeOff = 5e-9;
     summary.fit->describes = true;
     ResultsWriter writer;
@@ -91,6 +94,7 @@ void TestResultsLayout::figuresAndFit()
     const Hdf5Group file = openHdf5File(path());
     const auto number = [&](const char* name) { return file.get(name).numbers().at(0); };
     QCOMPARE(number("summary/figures/pull_off_force"), 5e-6);
+    QVERIFY(std::isnan(number("summary/figures/pull_off_force_error")));
     QCOMPARE(file.get("summary/figures/pull_off_force").attribute("unit"), std::string("N"));
     QCOMPARE(number("summary/fit/take_off"), 5e-9);
     QCOMPARE(number("summary/fit/describes"), 1.0);

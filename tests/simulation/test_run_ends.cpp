@@ -40,7 +40,8 @@ bool isFinite(const Summary& summary)
     for (const auto& [quantity, part] : summary.tail)
         finite = finite && std::isfinite(part.mean) && std::isfinite(part.std) && std::isfinite(part.min) &&
                  std::isfinite(part.max);
-    for (const RunFigure& figure : summary.figures) finite = finite && std::isfinite(figure.value);
+    for (const RunFigure& figure : summary.figures) // an error may be not known
+        finite = finite && (std::isfinite(figure.value) || figure.quantity.name.ends_with("_error"));
     return finite;
 }
 

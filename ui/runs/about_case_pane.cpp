@@ -195,6 +195,7 @@ QString resultText(const RunRecord& run)
 QString figureText(const RunFigure& figure)
 {
     const Quantity& quantity = figure.quantity;
+    if (std::isnan(figure.value)) return AboutCasePane::tr("not known");
     if (figure.isCount) return QLocale().toString(std::llround(figure.value));
     if (quantity.unit == "s") return timeText(figure.value);
     // Between sliders and single asperities forces differ by powers of ten, and so do the errors of a solver.

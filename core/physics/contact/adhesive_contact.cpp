@@ -11,10 +11,7 @@
 namespace touchdown {
 namespace {
 
-constexpr double nearMinimum = 0.2;      // error below which Newton's method is tried [-]
-constexpr int mostNewtonIterations = 12; // more are needed where it is nearly singular: a cell is about to snap
-constexpr double newtonShare = 0.03;     // to which the linear system is solved
-constexpr double mostSoftening = 0.9;    // of a cell against its own compliance, that its preconditioner knows [-]
+constexpr double nearMinimum = 0.2; // error below which Newton's method is tried [-]
 constexpr int longestPause = 8;
 
 /// The grid, and as many cells beside it as a fast transform needs.
@@ -179,6 +176,7 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
         pause = 1; // descents before Newton's method is tried, more after each time that it does not help
     double movedBefore = 0.0;
     double least = INFINITY;
+    bool first = before_.exists && before_.displaced; // nothing has moved yet
     for (;;) {
         setOffsets();
         summary.error = linearise();
@@ -188,12 +186,17 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
         }
         if (summary.converged || spent() || !std::isfinite(summary.error)) return;
         if (summary.error < nearMinimum && --untilNewton <= 0 && !snaps()) {
-            if (newtonStep(summary.error)) continue;
+            if (newtonStep(summary.error)) {
+                ahead_ = movedBefore = 0.0;
+                first = false;
+                continue;
+            }
             setOffsets();
             linearise();
             untilNewton = pause = std::min(2 * pause, longestPause);
         }
-        const bool elsewhere = setTangents(summary.descents == 0 && before_.exists && before_.displaced);
+        const bool elsewhere = setTangents(first);
+        first = false;
         const double moved = descend(elsewhere ? linearise() : summary.error);
         ++summary.descents;
         const bool wasAhead = ahead_ > 0.0;
@@ -223,80 +226,15 @@ bool AdhesiveContact::snaps() const
     return false;
 }
 
-// Newton's method on the law of adhesion itself. With the law's tangents at the present gaps, D = -dq/dg,
-//
-//   contact   C dq = -g
-//   near      C dq + dq/D = (q_law - q)/D + g_law - g
-//   far       dq - f' C dq = q_law - q,   f' > 0: the attraction falls with the gap
-//
-// by GMRES, preconditioned as the descent, and on cells that soften by the own compliance. Starts from the tangents of
-// linearise(), whose error is given. Returns whether the error was halved; if not, the solution is as it was.
-bool AdhesiveContact::newtonStep(double error)
-{
-    using enum AdhesiveCell::State;
-    const std::size_t n = offset_.size();
-    const double c = cell_.compliance();
-    for (std::size_t i = 0; i < n; ++i) {
-        softening_[i] = 0.0;
-        if (weight_[i] > 0.0) {
-            residual_[i] /= c;
-            continue;
-        }
-        residual_[i] = tangents_.pressure[i] - now_.total[i];
-        if (tangents_.state[i] != Far) continue;
-        const double slope = cell_.law().derivative(tangents_.gap[i]);
-        softening_[i] = std::max(slope, 0.0);
-    }
-    const auto apply = [&](std::span<const double> v, std::span<double> out) {
-        space_->displace(v, out);
-        countIteration();
-        for (std::size_t i = 0; i < n; ++i)
-            out[i] = weight_[i] > 0.0 ? (out[i] + v[i] / tangents_.stiffness[i]) / c : v[i] - softening_[i] * out[i];
-    };
-    const auto preconditioned = [&](std::span<const double> in, std::span<double> out) {
-        precondition(in, out);
-        for (std::size_t i = 0; i < n; ++i) {
-            if (weight_[i] > 0.0)
-                out[i] *= c;
-            else
-                out[i] = in[i] / (1.0 - std::min(softening_[i] * c, mostSoftening));
-        }
-    };
-    std::fill(change_.begin(), change_.end(), 0.0);
-    const double tolerance = std::max(newtonShare, 0.3 * options_.tolerance / error);
-    gmres_->solve(apply, preconditioned, residual_, change_,
-                  {.tolerance = tolerance, .maximumIterations = mostNewtonIterations});
-
-    totalBefore_ = now_.total;
-    displacementBefore_ = now_.displacement;
-    for (std::size_t i = 0; i < n; ++i)
-        now_.total[i] = weight_[i] > 0.0 ? std::clamp(now_.total[i] + change_[i], cell_.lowest(offset_[i]),
-                                                      cell_.highest(offset_[i]))
-                                         : now_.total[i] + change_[i];
-    displace();
-    double curvature = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const double moved = now_.displacement[i] - displacementBefore_[i];
-        // In contact what remains of the gap is closed, against no law.
-        const double stiffness = tangents_.state[i] == Contact ? 0.0
-                                 : weight_[i] > 0.0            ? tangents_.stiffness[i]
-                                                               : -softening_[i];
-        curvature += moved * ((now_.total[i] - totalBefore_[i]) + stiffness * moved);
-    }
-    if (curvature > 0.0) {
-        setOffsets();
-        if (linearise() < 0.5 * error) return true;
-    }
-    now_.total = totalBefore_;
-    now_.displacement = displacementBefore_;
-    return false;
-}
-
+// With contact pressure times what is left of the gap where it should be closed: exact to second order in these gaps.
 double AdhesiveContact::presentEnergy() const
 {
     double sum = 0.0;
-    for (std::size_t i = 0; i < now_.total.size(); ++i)
-        sum += 0.5 * now_.total[i] * now_.displacement[i] + cell_.energy(gapAt(i));
+    for (std::size_t i = 0; i < now_.total.size(); ++i) {
+        const double gap = gapAt(i), pressed = now_.total[i] - cell_.closedPressure();
+        sum += 0.5 * now_.total[i] * now_.displacement[i] + cell_.energy(gap);
+        if (tangents_.state[i] == AdhesiveCell::State::Contact) sum -= pressed * gap;
+    }
     return sum * space_->grid().cellArea();
 }
 

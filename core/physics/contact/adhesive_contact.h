@@ -18,8 +18,9 @@
 // undone.
 //
 // Near the minimum the descent converges slowly because of cells that almost snap. There Newton's method on the law
-// itself takes over. A step that does not halve the error, or has no positive curvature and so leads to a saddle, is
-// undone, and the descent continues.
+// itself takes over. A step that does not halve the error is cut at the least energy along it. Where the energy rises
+// along it, it leads to a saddle: the opposite step is taken, which leaves the saddle faster than the descent does.
+// Where neither is worth it the descent continues.
 //
 // Without adhesion it is ElasticContact. Where nothing adheres, no gap is below that of the largest attraction f_max
 // and the deformation by f(s) would change no pressure by more than tolerance f_max, the gap is the undeformed one
@@ -90,6 +91,8 @@ public:
     void recall(std::size_t place = 0) { now_ = kept_[place]; }
 
 private:
+    static constexpr int mostNewtonIterations = 40; // of a linear system; most where a cell is about to snap
+
     struct Solution {
         std::vector<double> separation, total, displacement; // s [m], q [Pa], C q [m]
         double energy = 0.0;                                 // Pi [J]
@@ -118,8 +121,13 @@ private:
     void solveTangents();
     void precondition(std::span<const double> in, std::span<double> out);
     bool cutStep();
+    void shorten(double part);
     bool snaps() const;
     bool newtonStep(double error);
+    bool leaveSaddle(double times);
+    void stepBy(double times);
+    void undo();
+    double partOfLeastEnergy() const;
 
     std::optional<HalfSpace> space_;        // unless elastic_ has it
     std::optional<ElasticContact> elastic_; // without adhesion

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/line_minimum.h"
 #include "core/numerics/vector_clones.h"
 
 namespace touchdown {
@@ -261,11 +262,10 @@ bool AdhesiveContact::cutStep()
         }
         return sum;
     };
-    double lower = 0.0, upper = 1.0;
-    double slopeUpper = slope(1.0);
-    if (!(slopeUpper > 0.0)) return false;
-    double slopeLower = slope(0.0);
-    if (!(slopeLower < 0.0)) {
+    if (!(slope(1.0) > 0.0)) return false;
+    const double part = lineMinimum(slope);
+    if (part == 1.0) return false;
+    if (part == 0.0) {
         // No descent: a step along the gradient instead, too short to pass the least energy.
         for (std::size_t i = 0; i < n; ++i) {
             const double gap =
@@ -276,20 +276,16 @@ bool AdhesiveContact::cutStep()
         displace();
         return true;
     }
-    const double flat = -0.1 * slopeLower;
-    double part = 1.0;
-    for (int k = 0; k < 12; ++k) {
-        part = lower + (upper - lower) * std::clamp(slopeLower / (slopeLower - slopeUpper), 0.1, 0.9);
-        const double here = slope(part);
-        if (std::abs(here) < flat) break;
-        (here > 0.0 ? upper : lower) = part;
-        (here > 0.0 ? slopeUpper : slopeLower) = here;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
+    shorten(part);
+    return true;
+}
+
+void AdhesiveContact::shorten(double part)
+{
+    for (std::size_t i = 0; i < now_.total.size(); ++i) {
         now_.total[i] = totalBefore_[i] + part * (now_.total[i] - totalBefore_[i]);
         now_.displacement[i] = displacementBefore_[i] + part * (now_.displacement[i] - displacementBefore_[i]);
     }
-    return true;
 }
 
 } // namespace touchdown

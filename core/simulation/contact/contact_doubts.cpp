@@ -11,6 +11,9 @@
 
 #include "core/case/case.h"
 #include "core/formats/units.h"
+#include "core/physics/contact/adhesion.h"
+#include "core/physics/contact/contact_bodies.h"
+#include "core/simulation/contact/contact_run.h"
 #include "core/simulation/contact/pad_way.h"
 
 namespace touchdown {
@@ -20,7 +23,9 @@ constexpr double largeError = 0.02;     // of a force, for a warning [-]
 constexpr double largeDifference = 0.2; // of a force from that with cells twice as large, which is much more wrong [-]
 constexpr double moreThanOther = 1.5;   // of a difference: the error shrinks as cell^0.74 or faster
 constexpr double mostCoarseSteps = 200.0; // of the run with cells twice as large
-constexpr double ofCut = 2.5;             // sides of a patch that holds a contact, against sqrt(R d) [-]
+constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
+constexpr double cellsOfZone = 2.0; // with fewer cells, edges hang on them
+constexpr double ofCut = 2.5;       // sides of a patch that holds a contact, against sqrt(R d) [-]
 constexpr std::array<std::string_view, 7> ofGrid = {
     "largest_contact_force", "pull_off_force", "pull_off_separation", "snap_in_separation",
     "release_separation",    "loop_work",      "closest_contact_area"};
@@ -63,13 +68,15 @@ double rimError(double area, double cell) { return 0.5 * cell * 2.0 * std::sqrt(
 void addError(std::vector<RunFigure>& figures, std::string_view name, double error)
 {
     const auto figure = figureOf(figures, name);
-    if (figure == figures.end() || !std::isfinite(error)) return;
+    if (figure == figures.end()) return;
     RunFigure added = *figure;
     added.quantity.name += "_error";
     added.quantity.longName = "Error of its grid: " + figure->quantity.longName;
     added.value = error;
     figures.insert(figure + 1, std::move(added));
 }
+
+bool leavesOutAttraction(double beyond, double adhesion) { return beyond > 0.0 && beyond > -largeError * adhesion; }
 
 std::string wantedPatch(const Case& c)
 {
@@ -92,6 +99,21 @@ Case withFewerSamples(const Case& c)
     return fewer;
 }
 
+double adhesionZone(const Case& c)
+{
+    if (!c.adhesion.acts()) return std::numeric_limits<double>::infinity();
+    // E* dgamma/p_max^2, dgamma the depth of the energy.
+    const AdhesionLaw law(c.adhesion);
+    return contactModulus(c.elastic.pair) * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
+}
+
+bool edgesHangOnCells(const Case& c) { return adhesionZone(c) < cellsOfZone * c.elastic.cell; }
+
+bool coversError(const Case& c, const ContactDoubts& doubts)
+{
+    return !doubts.cutOff && !doubts.belowCell && !edgesHangOnCells(c);
+}
+
 void ContactDoubts::add(const ContactGridError& patch)
 {
     if (!grid) grid = ContactGridError{.known = true};
@@ -110,7 +132,7 @@ std::vector<std::string> warningsOf(const Case& c, const ContactDoubts& doubts, 
         list.push_back("the contact reaches the border of its patch and is cut off there: force and area are too "
                        "small; " +
                        wantedPatch(c));
-    if (doubts.adhesionBeyond > -largeError * adhesion && doubts.adhesionBeyond > 0.0)
+    if (leavesOutAttraction(doubts.adhesionBeyond, adhesion))
         list.push_back("the attraction beyond the border of the patch, up to " + millinewtons(doubts.adhesionBeyond) +
                        " where that on the patch is " + millinewtons(-adhesion) +
                        ", is left out: pad.length and pad.width must be larger");
@@ -119,7 +141,7 @@ std::vector<std::string> warningsOf(const Case& c, const ContactDoubts& doubts, 
     const double large = grid.cell > c.elastic.cell ? largeDifference : largeError;
     if (!grid.known)
         list.emplace_back("the error of the contact's grid is not known: the solution on other cells did not converge");
-    else if (grid.force > large * force && grid.force > 0.0)
+    else if (coversError(c, doubts) && grid.force > large * force && grid.force > 0.0)
         list.push_back("the cells are large for this contact: " + std::to_string(grid.cells) +
                        (grid.cells == 1 ? " cell touches" : " cells touch") + ", and the contact force of " +
                        millinewtons(force) + " has an error of up to " + millinewtons(grid.force) + " (" +
@@ -128,8 +150,12 @@ std::vector<std::string> warningsOf(const Case& c, const ContactDoubts& doubts, 
     return list;
 }
 
-void addErrors(const Case& c, Summary& summary, const Summary& other, double adhesionBeyond, double resolution)
+void addErrors(const Case& c, const ContactDoubts& doubts, Summary& summary, const ContactComparison& comparison)
 {
+    const auto isKnown = [&](std::string_view name) {
+        if (!comparison.parts && (name.starts_with("pull_off") || name == "loop_work")) return false;
+        return name == "pull_off_force" || !leavesOutAttraction(doubts.adhesionBeyond, comparison.adhesion);
+    };
     std::string large, missing;
     for (const std::string_view name : ofGrid) {
         const auto own = figureOf(summary.figures, name);
@@ -138,15 +164,16 @@ void addErrors(const Case& c, Summary& summary, const Summary& other, double adh
         for (const auto& [written, read] : {std::pair("pull_off", "pull-off"), std::pair("snap_in", "snap-in")})
             if (text.starts_with(written)) text.replace(0, std::string_view(written).size(), read);
         std::ranges::replace(text, '_', ' ');
-        const std::optional<double> distance = difference(c, summary, other, *own);
-        if (!distance) {
-            missing += (missing.empty() ? "" : ", ") + text;
+        const std::optional<double> distance = difference(c, summary, comparison.other, *own);
+        if (!distance) missing += (missing.empty() ? "" : ", ") + text;
+        if (!distance || !isKnown(name)) {
+            addError(summary.figures, name, notKnown);
             continue;
         }
         const Quantity quantity = own->quantity;
         const double value = own->value;
-        const double error = moreThanOther * *distance + (quantity.unit == "m" ? resolution : 0.0) +
-                             (name == "pull_off_force" ? adhesionBeyond : 0.0) +
+        const double error = moreThanOther * *distance + (quantity.unit == "m" ? comparison.resolution : 0.0) +
+                             (name == "pull_off_force" ? doubts.adhesionBeyond : 0.0) +
                              (name == "closest_contact_area" ? rimError(value, c.elastic.cell) : 0.0);
         if (name.ends_with("_force") && moreThanOther * *distance > largeDifference * std::abs(value))
             large += (large.empty() ? "" : ", ") + text + ": " + fewDigits(value, quantity.displayUnit, 3) +
@@ -162,11 +189,16 @@ void addErrors(const Case& c, Summary& summary, const Summary& other, double adh
                                    ": a run with cells of " + cells + " has none; take a smaller elastic.cell");
 }
 
-void addErrors(Summary& summary, const ContactGridError& error, bool withArea)
+void addUnknownErrors(Summary& summary)
 {
-    if (!error.known) return;
-    addError(summary.figures, "largest_contact_force", error.force);
-    if (withArea) addError(summary.figures, "closest_contact_area", error.area);
+    for (const std::string_view name : ofGrid) addError(summary.figures, name, notKnown);
+}
+
+void addErrors(const Case& c, const ContactDoubts& doubts, Summary& summary, bool sameState)
+{
+    const bool known = doubts.grid && doubts.grid->known && coversError(c, doubts);
+    addError(summary.figures, "largest_contact_force", known ? doubts.grid->force : notKnown);
+    addError(summary.figures, "closest_contact_area", known && sameState ? doubts.grid->area : notKnown);
 }
 
 } // namespace touchdown

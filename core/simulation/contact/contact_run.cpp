@@ -76,21 +76,22 @@ private:
             }
             closest_ = model_->move(hardest_.separation, hardestTime_);
             doubts_ = model_->doubts(goOn);
+            addErrors(case_, doubts_, summary, hardest_.separation == case_.approach.closest);
             if (end_.status == RunStatus::Cancelled) return stoppedInDoubt(summary);
         }
         std::ranges::move(warningsOf(case_, doubts_, closest_.contact, closest_.adhesion),
                           std::back_inserter(summary.warnings));
-        if (doubts_.grid) addErrors(summary, *doubts_.grid, hardest_.separation == case_.approach.closest);
         if (!model_->canJump()) return;
+        if (!coversError(case_, doubts_)) return addUnknownErrors(summary); // whatever other cells would show
         const RunCallback callback = [&](const RunUpdate&) { return lookAtClock(); };
         const Summary other = ContactRun(withFewerSamples(case_), callback, true).run();
-        if (other.status == RunStatus::Cancelled)
-            stoppedInDoubt(summary);
-        else if (other.status == RunStatus::Completed)
-            addErrors(case_, summary, other, doubts_.adhesionBeyond, jumpResolution);
-        else
-            summary.warnings.push_back("the error of the contact's grid is not known: with cells twice as large " +
-                                       other.message);
+        if (other.status == RunStatus::Completed)
+            return addErrors(case_, doubts_, summary,
+                             {other, closest_.adhesion, std::max(jumpResolution, widestBracket_), !isTouching()});
+        addUnknownErrors(summary);
+        if (other.status == RunStatus::Cancelled) return stoppedInDoubt(summary);
+        summary.warnings.push_back("the error of the contact's grid is not known: with cells twice as large " +
+                                   other.message);
     }
 
     /// The run itself is complete.

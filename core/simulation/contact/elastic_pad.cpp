@@ -11,14 +11,12 @@
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/disk/surface_sampling.h"
+#include "core/simulation/contact/contact_doubts.h"
 #include "core/simulation/static_state/disk_under_film.h"
 
 namespace touchdown {
 
 namespace {
-
-/// With fewer cells in the zone where adhesion lets go, edges of a contact hang on cells.
-constexpr double cellsOfZone = 2.0;
 
 constexpr double unresolvedShare = 0.1; // of a measured surface's RMS, between cells: a wave of 7 cells [-]
 constexpr double lostShare = 0.01;      // of the RMS, that counts [-]
@@ -33,6 +31,12 @@ std::vector<double> lines(double first, double step, int count)
     return result;
 }
 
+bool hasFeaturesBelowCell(const Case& c, const SurfaceSampling& sampling)
+{
+    return hasFile(c.diskSurface) && sampling.rmsOfMap >= leastRms &&
+           sampling.unresolved > unresolvedShare * sampling.rmsOfMap;
+}
+
 /// Warns of features of the disk's surface that the cells of a patch lose.
 void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& surface, std::vector<std::string>& list)
 {
@@ -41,7 +45,7 @@ void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& s
     const SurfaceSampling sampling = surfaceSampling(surface, grid);
     const DiskSurface& disk = c.diskSurface;
     const bool isFlat = sampling.rmsOfMap < leastRms;
-    if (hasFile(disk) && !isFlat && sampling.unresolved > unresolvedShare * sampling.rmsOfMap)
+    if (hasFeaturesBelowCell(c, sampling))
         list.push_back("the measured surface has features below a cell: elastic.cell is " + micrometres(grid.dx) +
                        ", the points of its map are " + micrometres(surface.period().dx) +
                        " apart, and in the middle of four cells it differs by " + nanometres(sampling.unresolved) +
@@ -158,6 +162,7 @@ void ElasticPad::recall(std::size_t place)
 ContactDoubts ElasticPad::doubts(const std::function<bool()>& goOn) const
 {
     ContactDoubts doubts;
+    if (!parts_.empty()) doubts.belowCell = losesFeatures(case_, topography_, parts_.front().patch.grid);
     for (const Part& part : parts_) {
         const SeparationOn separation = [&](const UniformGrid& grid, std::span<double> s) {
             topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, s);
@@ -211,23 +216,23 @@ std::vector<std::string> ElasticPad::remarks() const
     return elasticRemarks(case_, grids, topography_);
 }
 
+bool losesFeatures(const Case& c, const DiskTopography& surface, const UniformGrid& grid)
+{
+    return hasFile(c.diskSurface) && !surface.flat() && hasFeaturesBelowCell(c, surfaceSampling(surface, grid));
+}
+
 std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches,
                                         const DiskTopography& surface)
 {
     const double modulus = contactModulus(c.elastic.pair);
     std::vector<std::string> list;
-    if (c.adhesion.acts()) {
-        // The surfaces part over a zone of length E* dgamma/p_max^2, dgamma the depth of the energy (Maugis 1992).
-        const AdhesionLaw law(c.adhesion);
-        const double zone = modulus * -law.leastEnergy() / (law.peakAttraction() * law.peakAttraction());
-        if (zone < cellsOfZone * c.elastic.cell)
-            list.push_back("elastic.cell is " + formatQuantity(c.elastic.cell, "um") +
-                           ", but adhesion parts the surfaces over a zone of " +
-                           formatQuantity(std::round(zone * 1e10) / 1e10, "um") +
-                           " at the edges of a contact: where they are smooth, these hang on the cells and "
-                           "jump from one to the next, which the stated errors do not cover; cells of half that length "
-                           "follow them smoothly");
-    }
+    if (edgesHangOnCells(c))
+        list.push_back("elastic.cell is " + formatQuantity(c.elastic.cell, "um") +
+                       ", but adhesion parts the surfaces over a zone of " +
+                       formatQuantity(std::round(adhesionZone(c) * 1e10) / 1e10, "um") +
+                       " at the edges of a contact: where they are smooth, these hang on the cells and jump from one "
+                       "to the next, so that the errors of the cells are not known; cells of half that length follow "
+                       "them smoothly");
     if (c.adhesion.kind == AdhesionKind::VanDerWaals && c.adhesion.hamakerB > 0.0)
         list.push_back("van-der-waals repels by itself before the surfaces touch: that repulsion counts with the "
                        "adhesion force, and bears no "

@@ -17,6 +17,8 @@ namespace touchdown {
 /// What was assumed or left out for these patches on this surface, in sentences.
 std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGrid> patches,
                                         const DiskTopography& surface);
+/// Whether a measured surface has features below a cell of that grid, of which the contact does not know.
+bool losesFeatures(const Case& c, const DiskTopography& surface, const UniformGrid& grid);
 /// Fields of the first patch; empty without one.
 RecordedFields elasticFields(const Case& c, const SliderPatches& patches);
 

@@ -117,6 +117,7 @@ SliderContact::Doubts ElasticSliderContact::doubts(const std::function<bool()>& 
     const SliderContactForces& forces = at(hardest_.attitude, hardest_.time);
     doubts.contact = forces.contact;
     doubts.adhesion = forces.adhesion;
+    if (!parts_.empty()) doubts.of.belowCell = losesFeatures(case_, surface_, parts_.front().patch.grid());
     for (const Part& part : parts_)
         if (part.near) part.patch.addDoubts(doubts.of, goOn);
     return doubts;

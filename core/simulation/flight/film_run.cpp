@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <optional>
 
 #include "core/formats/units.h"
@@ -92,12 +93,14 @@ private:
         const SliderContact::Doubts doubts = contact_->doubts([this] { return goOn(); });
         std::ranges::move(warningsOf(case_, doubts.of, doubts.contact, doubts.adhesion),
                           std::back_inserter(summary.warnings));
-        if (!doubts.of.grid || !doubts.of.grid->known) return;
+        if (!doubts.of.grid) return; // no contact
+        const bool known = doubts.of.grid->known && coversError(case_, doubts.of);
+        const auto error = [&](double value) { return known ? value : std::numeric_limits<double>::quiet_NaN(); };
         summary.figures.push_back(
             {{"contact_force_error", "N", "mN", "Error of the contact's grid at the largest contact force"},
-             doubts.of.grid->force});
-        summary.figures.push_back(
-            {{"contact_area_error", "m^2", "um^2", "Error of its grid in the area of contact"}, doubts.of.grid->area});
+             error(doubts.of.grid->force)});
+        summary.figures.push_back({{"contact_area_error", "m^2", "um^2", "Error of its grid in the area of contact"},
+                                   error(doubts.of.grid->area)});
     }
 
     void addCost(Summary& summary) const

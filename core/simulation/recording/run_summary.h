@@ -104,7 +104,7 @@ struct StepCheck {
 /// What one reads off a run: "pull_off_force".
 struct RunFigure {
     Quantity quantity;
-    double value = 0.0;    // [unit of the quantity]; finite
+    double value = 0.0;    // [unit of the quantity]; NaN: not known
     bool isCount = false;  // a whole number of things or events
     bool ofSolver = false; // how the solver worked, not what the slider did
 };

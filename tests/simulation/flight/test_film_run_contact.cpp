@@ -3,6 +3,7 @@
 // Runs in which a slider on its film touches the disk: by the law of Ono & Yamane, and elastically.
 #include "core/simulation/flight/film_run.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/case_files/case_file.h"
@@ -173,6 +174,27 @@ private slots:
         QVERIFY_STATUS(flight, RunStatus::Completed);
         QVERIFY(flight.largestDistance("contact_force", 0.0) > 0.0);
         QVERIFY2(flight.summary.steps < 250, qPrintable(QString::number(flight.summary.steps)));
+    }
+    /// Cells of 0.5 um against a zone of adhesion of 0.14 um: the errors of contact force and area are stated as not
+    /// known. Without adhesion they are known.
+    void errorOfItsGrid()
+    {
+        Case c = coarseFlight("fig02_micro_pad_case_1_flat");
+        c.initial = {.pitch = 120e-6, .nominalTrailingEdgeHeight = 0.5e-9};
+        c.run.duration = 0.02e-6;
+        c.run.sampleInterval = 0.01e-6;
+        c.run.fieldSnapshots = 0;
+        for (const bool adheres : {true, false}) {
+            if (!adheres) c.adhesion.kind = AdhesionKind::None;
+            const Flight flight = fly(c);
+            QVERIFY_STATUS(flight, RunStatus::Completed);
+            QVERIFY(flight.final("contact_force") > 0.0);
+            for (const char* name : {"contact_force_error", "contact_area_error"}) {
+                QVERIFY(std::ranges::any_of(flight.summary.figures,
+                                            [&](const RunFigure& f) { return f.quantity.name == name; }));
+                QCOMPARE(std::isnan(flight.figure(name)), adheres);
+            }
+        }
     }
     void isDeterministic()
     {

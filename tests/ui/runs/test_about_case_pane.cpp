@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/about_case_pane.h"
 
+#include <cmath>
+
 #include <QLocale>
 #include <QtTest>
 
@@ -20,7 +22,8 @@ Summary sampleSummary()
                        {{"linearisations", "1", "1", "Linearisations of the film"}, 640.0, true, true},
                        {{"film_time", "s", "s", "Wall time of the film's steps"}, 0.0125, false, true},
                        {{"force_balance", "1", "1", "Imbalance of the forces"}, 3.25e-9, false, true},
-                       {{"position_left", "m", "m", "Distance from the solution"}, 1.5e-13, false, true}};
+                       {{"position_left", "m", "m", "Distance from the solution"}, 1.5e-13, false, true},
+                       {{"pull_off_force_error", "N", "mN", "Error of the pull-off force"}, std::nan("")}};
     return summary;
 }
 
@@ -40,7 +43,8 @@ private slots:
                                 "640",
                                 QStringLiteral("12.50\u00a0ms"),
                                 QStringLiteral("3.25e\u221209"),
-                                QStringLiteral("1.5e\u221213\u00a0m")};
+                                QStringLiteral("1.5e\u221213\u00a0m"),
+                                "not known"};
         for (int i = 0; i < texts.size(); ++i)
             QTest::newRow(sampleSummary().figures[std::size_t(i)].quantity.name.c_str()) << i << texts[i];
     }
