@@ -161,19 +161,22 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     if (readable && !settings.empty()) document.text = updateCaseText(document.text, document.value, document.folder);
 }
 
-std::string changeCase(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside)
+std::optional<InputProblem> changeCase(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside)
 {
+    const auto refused = [](const std::string& key, std::string message) {
+        return InputProblem{"", 0, key, std::move(message), ProblemKind::Setting};
+    };
     Case changed = c;
     for (const CaseSetting& setting : settings) {
         const auto found = settingKey(changed, setting.key);
-        if (const auto* problem = std::get_if<std::string>(&found)) return setting.key + ": " + *problem;
+        if (const auto* problem = std::get_if<std::string>(&found)) return refused(setting.key, *problem);
         if (const auto problem = setFromText(changed, std::get<Parameter>(found), setting.value))
-            return setting.key + ": " + *problem;
+            return refused(setting.key, *problem);
         if (const std::string problem = pathProblem(changed, setting.key);
             outside == OutsidePaths::Refused && !problem.empty())
-            return setting.key + ": " + problem;
+            return refused(setting.key, problem);
     }
-    for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
+    for (const CaseProblem& problem : checkCombinations(changed)) return refused(problem.key, problem.message);
     c = std::move(changed);
     return {};
 }

@@ -3,10 +3,12 @@
 // Values changed on the command line or by a study.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/case_files/outside_path.h"
+#include "core/formats/input_problem.h"
 
 namespace touchdown {
 
@@ -25,9 +27,9 @@ struct CaseSetting {
     std::string value; // "10 ns"
     bool operator==(const CaseSetting&) const = default;
 };
-/// Sets these values, which stand in a file or in the program, and checks their combination. Returns "", or a sentence
-/// that names the key of the first problem, which may be a path out of the folder of the case; then the case is
-/// unchanged.
-std::string changeCase(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside = OutsidePaths::Refused);
+/// Sets these values, which stand in a file or in the program, and checks their combination. Returns the first problem
+/// with its key, which may be a path out of the folder of the case; then the case is unchanged.
+std::optional<InputProblem> changeCase(Case& c, const std::vector<CaseSetting>& settings,
+                                       OutsidePaths outside = OutsidePaths::Refused);
 
 } // namespace touchdown

@@ -43,7 +43,7 @@ private slots:
         QCOMPARE(problemsOf(again), std::string());
         QVERIFY(again.value.surface == expected.surface);
         Case changed = before.value;
-        QCOMPARE(changeCase(changed, {{"abs.rail[4].recess", "10 nm"}}), std::string());
+        QVERIFY(!changeCase(changed, {{"abs.rail[4].recess", "10 nm"}}));
         QCOMPARE(changed.surface.rails[3].recess[0], 10e-9);
     }
 
@@ -79,7 +79,7 @@ private slots:
         Case c = openCase("film_fig4_pico").value;
         const Case before = c;
         const qsizetype equals = setting.indexOf(QLatin1Char('='));
-        QVERIFY(!changeCase(c, {{setting.left(equals).toStdString(), setting.mid(equals + 1).toStdString()}}).empty());
+        QVERIFY(changeCase(c, {{setting.left(equals).toStdString(), setting.mid(equals + 1).toStdString()}}));
         QVERIFY(c == before);
     }
 

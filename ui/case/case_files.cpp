@@ -123,8 +123,8 @@ void CaseFiles::openChanged(const QString& sample, const std::vector<CaseSetting
     whenSettled([this, sample, settings, next] {
         if (!openNow(sample)) return;
         Case changed = saved_;
-        if (const std::string problem = changeCase(changed, settings); !problem.empty()) {
-            showProblems(tr("%1 could not be changed.").arg(sample), {QString::fromStdString(problem)});
+        if (const auto problem = changeCase(changed, settings)) {
+            showProblems(tr("%1 could not be changed.").arg(sample), {QString::fromStdString(problem->text())});
             return;
         }
         if (!settings.empty()) {

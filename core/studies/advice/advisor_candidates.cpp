@@ -123,13 +123,12 @@ std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
             }
             // Springs hold the roll at that of their static state.
             if (candidate.kind == CandidateKind::Springs && c.degreesOfFreedom == 3) on.c.initial.roll = roll;
-            if (wanted(task, candidate.kind) && changeCase(on.c, grid.settings).empty())
-                candidates.push_back(std::move(on));
+            if (wanted(task, candidate.kind) && !changeCase(on.c, grid.settings)) candidates.push_back(std::move(on));
         }
     if (!wanted(task, CandidateKind::Part) && !wanted(task, CandidateKind::Sum)) return candidates;
     for (const ModelPart& part : partsOf(c, roll)) {
         Candidate candidate{CandidateKind::Part, "film, " + part.name, part.leavesOut, {part}, c};
-        if (changeCase(candidate.c, part.settings).empty()) candidates.push_back(std::move(candidate));
+        if (!changeCase(candidate.c, part.settings)) candidates.push_back(std::move(candidate));
     }
     return candidates;
 }
@@ -145,7 +144,7 @@ std::optional<Candidate> sumOf(const AdvisorTask& task, const std::vector<ModelP
     Candidate candidate{CandidateKind::Sum, "film, " + listed(kept, &ModelPart::name),
                         listed(kept, &ModelPart::leavesOut), kept, task.start};
     for (const ModelPart& part : kept)
-        if (!changeCase(candidate.c, part.settings).empty()) return {};
+        if (changeCase(candidate.c, part.settings)) return {};
     return candidate;
 }
 

@@ -155,9 +155,9 @@ FilmMethod steadyMethod(std::string name, std::vector<CaseSetting> changes)
     return {std::move(name),
             [changes = std::move(changes)](const Case& slider, int nodes, const GoOn& goOn) -> FilmState {
                 Case c = slider;
-                if (std::string problem = changeCase(c, changes, OutsidePaths::Allowed); !problem.empty()) {
+                if (const auto problem = changeCase(c, changes, OutsidePaths::Allowed)) {
                     FilmState state;
-                    state.problem = std::move(problem);
+                    state.problem = problem->text();
                     return state;
                 }
                 return stateOf(std::move(c), nodes, goOn);

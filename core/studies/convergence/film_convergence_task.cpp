@@ -2,9 +2,11 @@
 #include "core/studies/convergence/film_convergence_task.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/case/case_document.h"
 #include "core/case/parameters.h"
+#include "core/formats/input_problem.h"
 #include "core/formats/quotation.h"
 #include "core/studies/convergence/established_film.h"
 #include "core/studies/study/study_head.h"
@@ -64,15 +66,18 @@ void readGrids(StudyReader& reader, FilmConvergenceTask& task)
                                     std::to_string(task.grids.back()));
 }
 
-/// The problem of a slider that does not allow the changes, or "".
-std::string problemOf(const FilmConvergenceTask& task, const std::vector<CaseSetting>& changes, OutsidePaths outside)
+/// The problem of a slider that does not allow the changes.
+std::optional<InputProblem> problemOf(const FilmConvergenceTask& task, const std::vector<CaseSetting>& changes,
+                                      OutsidePaths outside)
 {
     for (Case slider : task.sliders)
-        if (std::string problem = changeCase(slider, changes, outside); !problem.empty())
-            return (task.sliders.size() > 1 ? slider.title + ": " : "") + problem;
+        if (auto problem = changeCase(slider, changes, outside)) {
+            if (task.sliders.size() > 1) problem->message += " (" + slider.title + ")";
+            return problem;
+        }
     for (const CaseSetting& change : changes)
         if (change.key == "film.nodes" || change.key == "steady.fixed_attitude")
-            return change.key + ": is what the study itself sets; take grids and fixed_attitude";
+            return InputProblem{"", 0, change.key, "is what the study itself sets; take grids and fixed_attitude"};
     return {};
 }
 
@@ -89,8 +94,8 @@ void readMethodsOf(StudyReader& reader, FilmConvergenceTask& task)
             reader.add(table, "has no name");
         else if (std::ranges::find(task.methods, name, &FilmMethod::name) != task.methods.end())
             reader.add(table + ".name", inQuotes(name) + " is the name of another method, too");
-        if (const std::string problem = problemOf(task, changes, reader.outsidePaths()); !problem.empty())
-            reader.addOfSettings(table, {table + ".set"}, problem);
+        if (const auto problem = problemOf(task, changes, reader.outsidePaths()))
+            reader.addOfSettings(table, {table + ".set"}, *problem);
         task.methods.push_back(steadyMethod(name, changes));
     }
     if (tables.empty() && own != uniformPowerLaw)

@@ -51,8 +51,7 @@ Case firstCase(StudyReader& reader, const std::string& table, const std::vector<
 {
     if (runs.empty() || !runs.front().kind.empty()) return {};
     Case c = openCase(runs.front().name).value;
-    if (const std::string problem = changeCase(c, runs.front().settings); !problem.empty())
-        reader.add(table + ".run[1].set", problem);
+    if (const auto problem = changeCase(c, runs.front().settings)) reader.add(table + ".run[1].set", problem->text());
     return c;
 }
 

@@ -206,12 +206,12 @@ void readMethods(StudyReader& reader, PrecisionTask& task)
     const auto methodTable = [](std::size_t i) { return "method[" + std::to_string(i + 1) + ']'; };
     for (std::size_t i = 0; i < specs.size(); ++i) {
         SweptMethod method;
-        const std::string problem = makeMethod(task.start, specs[i], method);
+        const std::optional<InputProblem> problem = makeMethod(task.start, specs[i], method);
         // A default method that this case does not allow is left out.
-        if (problem.empty())
+        if (!problem)
             task.methods.push_back(std::move(method));
         else if (!own)
-            reader.addOfSettings(methodTable(i), {methodTable(i) + ".set"}, problem);
+            reader.addOfSettings(methodTable(i), {methodTable(i) + ".set"}, *problem);
     }
     const auto chosen = [](const SweptMethod& method) {
         return std::ranges::any_of(method.settings, &MethodSetting::chosen);
@@ -227,9 +227,8 @@ void readReferences(StudyReader& reader, PrecisionTask& task)
     for (const std::string& table : tables) {
         ReferenceCase reference{reader.text(table + ".name").value_or(table), task.start};
         if (reference.label.empty()) reader.add(table + ".name", "must not be empty");
-        if (const std::string problem = changeCase(reference.c, reader.settings(table + ".set"), reader.outsidePaths());
-            !problem.empty())
-            reader.addOfSettings(table, {table + ".set"}, problem);
+        if (const auto problem = changeCase(reference.c, reader.settings(table + ".set"), reader.outsidePaths()))
+            reader.addOfSettings(table, {table + ".set"}, *problem);
         task.references.push_back(std::move(reference));
     }
     if (tables.empty()) task.references = defaultReferences(task.start, task.inTime, task.methods);
@@ -264,9 +263,8 @@ void readEnsemble(StudyReader& reader, PrecisionTask& task)
     task.ensembleReference = {"", task.start};
     for (const CaseSetting& setting : settings)
         task.ensembleReference.label += (task.ensembleReference.label.empty() ? "" : ", ") + setting.value;
-    if (const std::string problem = changeCase(task.ensembleReference.c, settings, reader.outsidePaths());
-        !problem.empty())
-        reader.addOfSettings("ensemble.set", {"ensemble.set"}, problem);
+    if (const auto problem = changeCase(task.ensembleReference.c, settings, reader.outsidePaths()))
+        reader.addOfSettings("ensemble.set", {"ensemble.set"}, *problem);
 }
 
 } // namespace

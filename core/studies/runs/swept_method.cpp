@@ -66,23 +66,23 @@ std::string listText(const std::vector<std::string>& values)
 }
 
 /// Settings that would make runs which cannot be compared.
-std::string problemOfKey(const std::string& key)
+std::optional<InputProblem> problemOfKey(const std::string& key)
 {
     for (const char* fixed : {"model", "run.duration", "run.sample_interval"})
-        if (key == fixed) return key + ": must be the same for all methods; set it for the case";
+        if (key == fixed) return InputProblem{"", 0, key, "must be the same for all methods; set it for the case"};
     return {};
 }
 
 /// Applies and says where a setting would have no effect.
-std::string apply(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside)
+std::optional<InputProblem> apply(Case& c, const std::vector<CaseSetting>& settings, OutsidePaths outside)
 {
     for (const CaseSetting& setting : settings)
-        if (std::string problem = problemOfKey(setting.key); !problem.empty()) return problem;
-    if (std::string problem = changeCase(c, settings, outside); !problem.empty()) return problem;
+        if (auto problem = problemOfKey(setting.key)) return problem;
+    if (auto problem = changeCase(c, settings, outside)) return problem;
     for (const CaseSetting& setting : settings)
         if (const std::string message = unusedMessage(c, std::get<Parameter>(caseKey(c, setting.key)));
             !message.empty())
-            return setting.key + ": " + message;
+            return InputProblem{"", 0, setting.key, message};
     return {};
 }
 
@@ -141,11 +141,11 @@ std::string nameOf(const std::string& method, const std::string& setting)
     return setting.empty() ? method : method + " (" + setting + ")";
 }
 
-std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method, bool addOwn)
+std::optional<InputProblem> makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method, bool addOwn)
 {
     method = {.name = spec.name, .key = spec.key};
     Case base = start;
-    if (std::string problem = apply(base, spec.set, spec.outside); !problem.empty()) return problem;
+    if (auto problem = apply(base, spec.set, spec.outside)) return problem;
     const bool own = std::ranges::all_of(spec.set, [&](const CaseSetting& setting) {
         const auto parameter = caseKey(start, setting.key);
         return std::holds_alternative<Parameter>(parameter) &&
@@ -162,9 +162,7 @@ std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& m
     bool found = false;
     for (const std::string& value : spec.values) {
         MethodSetting setting{.label = value, .c = base};
-        if (std::string problem = apply(setting.c, {{spec.key, fullValue(*parameter, value)}}, spec.outside);
-            !problem.empty())
-            return problem;
+        if (auto problem = apply(setting.c, {{spec.key, fullValue(*parameter, value)}}, spec.outside)) return problem;
         setting.value = numberOf(*parameter, setting.c);
         setting.chosen = own && toText(setting.c, *parameter) == toText(start, *parameter);
         setting.inEnsemble = spec.ensemble.empty() || std::ranges::find(spec.ensemble, value) != spec.ensemble.end();

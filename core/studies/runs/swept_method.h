@@ -14,12 +14,14 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/case/case.h"
 #include "core/case_files/case_settings.h"
 #include "core/case_files/outside_path.h"
+#include "core/formats/input_problem.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
@@ -62,7 +64,8 @@ struct SweptMethod {
 std::string nameOf(const std::string& method, const std::string& setting);
 
 /// A method with a case for each of its values; `addOwn`: and for the value of the case itself where the method is its
-/// own. Of a list that has a fixed length, one number stands for all. The problem in a sentence, or "".
-std::string makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method, bool addOwn = true);
+/// own. Of a list that has a fixed length, one number stands for all. Returns the first problem.
+std::optional<InputProblem> makeMethod(const Case& start, const MethodSpec& spec, SweptMethod& method,
+                                       bool addOwn = true);
 
 } // namespace touchdown

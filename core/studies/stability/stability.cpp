@@ -104,7 +104,7 @@ std::vector<MethodSpec> defaultStabilityMethods(const Case& c)
     // A surface that moves may not allow the longest ones.
     std::erase_if(steps, [&](const std::string& step) {
         Case at = c;
-        return step != "1 ns" && !changeCase(at, {{"run.integrator", "rk4"}, {"run.step", step}}).empty();
+        return step != "1 ns" && changeCase(at, {{"run.integrator", "rk4"}, {"run.step", step}}).has_value();
     });
     return {{"rk4", {{"run.integrator", "rk4"}}, "run.step", steps, {}},
             {"rk4-events", {{"run.integrator", "rk4-events"}}, "run.step", steps, {}},
@@ -153,8 +153,8 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
         Case base = task.start;
         if (task.parameter != nullptr) {
             const std::vector<CaseSetting> value{{task.parameter->key, label}};
-            if (const std::string problem = changeCase(base, value, reader.outsidePaths()); !problem.empty()) {
-                reader.add("values", problem);
+            if (const auto problem = changeCase(base, value, reader.outsidePaths())) {
+                reader.add("values", problem->text());
                 continue;
             }
             if (task.parameterIsNumber) row.value = numberOf(*task.parameter, base);
@@ -164,8 +164,8 @@ void makeRows(StudyReader& reader, StabilityTask& task, const std::vector<std::s
                              : couplingReferences(base);
         for (const MethodSpec& spec : task.methods) {
             SweptMethod& method = row.methods.emplace_back();
-            if (const std::string problem = makeMethod(base, spec, method, false); !problem.empty()) {
-                reader.add("method", spec.name + ": " + problem);
+            if (const auto problem = makeMethod(base, spec, method, false)) {
+                reader.add("method", spec.name + ": " + problem->text());
                 return; // the others would say the same
             }
             runs += method.settings.size();

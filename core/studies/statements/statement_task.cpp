@@ -136,10 +136,11 @@ private:
     bool change(Case& c, const std::vector<CaseSetting>& changes, const std::string& table,
                 const std::vector<std::string>& keys)
     {
-        std::string problem = changeCase(c, changes, reader_.outsidePaths());
-        if (problem.empty()) problem = reasonNotToRun(c);
-        if (!problem.empty()) reader_.addOfSettings(table, keys, problem);
-        return problem.empty();
+        std::optional<InputProblem> problem = changeCase(c, changes, reader_.outsidePaths());
+        if (const std::string reason = problem ? "" : reasonNotToRun(c); !reason.empty())
+            problem = InputProblem{"", 0, "", reason};
+        if (problem) reader_.addOfSettings(table, keys, *problem);
+        return !problem;
     }
 
     Statement readStatement(const std::string& table, const Candidate& candidate)

@@ -209,17 +209,13 @@ std::vector<CaseSetting> StudyReader::settings(const std::string& table)
 }
 
 void StudyReader::addOfSettings(const std::string& owner, const std::vector<std::string>& tables,
-                                const std::string& problem)
+                                const InputProblem& problem)
 {
     for (const std::string& table : tables)
-        for (const TomlEntry& entry : toml_.entries) {
-            if (!entry.key.starts_with(table + '.')) continue;
-            const std::string beginning = settingKey(entry.key, table) + ": ";
-            if (!problem.starts_with(beginning)) continue;
-            addAt(entry.line, entry.key, problem.substr(beginning.size()));
-            return;
-        }
-    add(owner, problem);
+        for (const TomlEntry& entry : toml_.entries)
+            if (entry.key.starts_with(table + '.') && settingKey(entry.key, table) == problem.key)
+                return addAt(entry.line, entry.key, problem.message);
+    add(owner, problem.text());
 }
 
 std::vector<std::string> StudyReader::tables(const std::string& list)

@@ -74,9 +74,9 @@ public:
                                                const std::string& displayUnit, double minimum, double maximum);
     /// "key = value" pairs of a table within one: set = { "film.nodes" = [97, 97] }; each value as --set takes it.
     std::vector<CaseSetting> settings(const std::string& table);
-    /// A problem of values that these tables of settings gave: "run.step: is out of range" is one of the key in the
-    /// first table that has it, else of `owner`.
-    void addOfSettings(const std::string& owner, const std::vector<std::string>& tables, const std::string& problem);
+    /// A problem of values that these tables of settings gave: it belongs to its key in the first table that has it,
+    /// else to `owner`.
+    void addOfSettings(const std::string& owner, const std::vector<std::string>& tables, const InputProblem& problem);
     /// The tables of a list: "method[1]", "method[2]"; asking for "method[1].name" reads it.
     std::vector<std::string> tables(const std::string& list);
     /// A problem of a key, or of a table; reported once, however often it is added.

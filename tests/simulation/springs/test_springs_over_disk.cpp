@@ -126,7 +126,7 @@ Case caseOf(const DrawnSet& set, const QString& folder)
     c.run.duration = 60e-6;
     c.run.sampleInterval = 1e-6;
     c.run.tolerance = 1e-13;
-    if (const std::string problem = changeCase(c, set.settings); !problem.empty()) qFatal("%s", problem.c_str());
+    if (const auto problem = changeCase(c, set.settings)) qFatal("%s", problem->text().c_str());
     return c;
 }
 

@@ -127,7 +127,7 @@ private slots:
             for (const LessonRun& each : step.runs) {
                 if (each.kind.empty()) {
                     Case c = sample(each.name);
-                    QCOMPARE(changeCase(c, each.settings), std::string());
+                    QVERIFY(!changeCase(c, each.settings));
                 } else {
                     QVERIFY(each.settings.empty());
                     QVERIFY(openStudy(each.kind, each.name).valid());

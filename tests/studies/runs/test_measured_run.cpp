@@ -101,20 +101,20 @@ private slots:
     void settings()
     {
         Case c = sample("fig10a");
-        QCOMPARE(changeCase(c, {{"run.integrator", "rk4"}, {"run.step", "2 ns"}}), std::string());
+        QVERIFY(!changeCase(c, {{"run.integrator", "rk4"}, {"run.step", "2 ns"}}));
         QCOMPARE(c.run.integrator, IntegratorKind::Rk4);
         QVERIFY(std::abs(c.run.step - 2e-9) < 1e-20);
 
         const Case before = c;
         for (const CaseSetting& wrong :
              {CaseSetting{"run.stepp", "1 ns"}, {"run.step", "1 kg"}, {"run.step", "-1 ns"}}) {
-            const std::string problem = changeCase(c, {{"run.integrator", "dopri5"}, wrong});
-            QVERIFY2(problem.starts_with(wrong.key + ": "), problem.c_str());
+            const auto problem = changeCase(c, {{"run.integrator", "dopri5"}, wrong});
+            QVERIFY(problem && problem->key == wrong.key && !problem->message.empty());
             QCOMPARE(c.run.integrator, before.run.integrator);
         }
         // Each for itself is allowed, the pair is not: take-off below touch-down.
-        const std::string pair = changeCase(c, {{"ono_yamane.touch_down", "6 nm"}});
-        QVERIFY2(pair.starts_with("ono_yamane."), pair.c_str());
+        const auto pair = changeCase(c, {{"ono_yamane.touch_down", "6 nm"}});
+        QVERIFY(pair && pair->key.starts_with("ono_yamane."));
     }
 };
 

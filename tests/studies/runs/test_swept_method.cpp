@@ -52,7 +52,7 @@ private slots:
         MethodSpec spec{.name = "m", .set = {}, .key = key.toStdString()};
         for (const QString& value : values) spec.values.push_back(value.toStdString());
         SweptMethod method;
-        QCOMPARE(makeMethod(sample(name.toStdString()), spec, method, false), std::string());
+        QVERIFY(!makeMethod(sample(name.toStdString()), spec, method, false));
         std::vector<std::string> expected;
         for (const QString& label : order) expected.push_back(label.toStdString());
         QCOMPARE(labelsOf(method), expected);
@@ -65,7 +65,7 @@ private slots:
         Case c = sample("fig10a");
         c.run.tolerance = 0.1 * 3e-7; // 2.9999999999999997e-8
         SweptMethod method;
-        QCOMPARE(makeMethod(c, {"dopri5", {}, "run.tolerance", {"1e-6", "1e-10"}}, method), std::string());
+        QVERIFY(!makeMethod(c, {"dopri5", {}, "run.tolerance", {"1e-6", "1e-10"}}, method));
         QCOMPARE(labelsOf(method), (std::vector<std::string>{"1e-6", "3e-8", "1e-10"}));
         QVERIFY(method.settings[1].chosen && !method.settings[0].chosen);
         QCOMPARE(method.settings[1].c.run.tolerance, c.run.tolerance);

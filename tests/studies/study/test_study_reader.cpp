@@ -224,9 +224,12 @@ private slots:
         Read a(
             "[[method]]\nname = \"a\"\nset = { \"run.step\" = \"1 m\" }\n[common]\n[common.set]\nrun.duration = 1\n");
         for (int i = 0; i < 2; ++i) {
-            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"}, "run.step: is too long");
-            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"}, "run.duration: is too short");
-            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"}, "run.stepp: is another key");
+            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"},
+                                   InputProblem{"", 0, "run.step", "is too long"});
+            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"},
+                                   InputProblem{"", 0, "run.duration", "is too short"});
+            a.reader.addOfSettings("method[1]", {"method[1].set", "common.set"},
+                                   InputProblem{"", 0, "run.stepp", "is another key"});
         }
         QCOMPARE(text(a.said()), QString("a.toml:3: method[1].set.\"run.step\": is too long\n"
                                          "a.toml:6: common.set.run.duration: is too short\n"
