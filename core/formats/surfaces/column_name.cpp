@@ -113,10 +113,9 @@ struct Run {
 /// A number that may multiply: "10 z", "z x100", "z e-9"; not that of a channel, "height 2".
 bool holdsFactor(std::string_view name)
 {
-    constexpr std::string_view digits = "0123456789";
-    for (std::size_t at = name.find_first_of(digits); at != std::string_view::npos;
-         at = name.find_first_of(digits, at)) {
-        const std::size_t end = std::min(name.find_first_not_of(digits, at), name.size());
+    for (std::size_t at = name.find_first_of(decimalDigits); at != std::string_view::npos;
+         at = name.find_first_of(decimalDigits, at)) {
+        const std::size_t end = std::min(name.find_first_not_of(decimalDigits, at), name.size());
         const bool first = at == 0 && end < name.size();
         const bool joined = at > 0 && std::string_view("+-.").find(name[at - 1]) < 3;
         const bool power = end > at + 1 && name[at] == '1' && name.find_first_not_of('0', at + 1) >= end;

@@ -17,6 +17,8 @@
 
 namespace touchdown {
 
+inline constexpr std::string_view decimalDigits = "0123456789";
+
 enum class ColumnRole : std::uint8_t { Unknown, Any, X, Y, Height, None };
 
 struct ColumnName {

@@ -13,7 +13,6 @@ namespace touchdown {
 namespace {
 
 constexpr std::string_view aroundCell = " \t\"'";
-constexpr std::string_view digits = "0123456789";
 constexpr std::string_view brackets = "([{<";
 
 bool isLength(std::string_view word) { return spelledLength(word).has_value(); }
@@ -54,8 +53,8 @@ std::vector<std::string_view> divided(std::string_view text, char separator)
 /// A remark, "(forward)", "(2)", and no unit.
 bool isRemark(std::string_view content)
 {
-    if (content.find_first_not_of(digits) == std::string_view::npos) return true;
-    const bool mixed = content.find_first_of(digits) != std::string_view::npos;
+    if (content.find_first_not_of(decimalDigits) == std::string_view::npos) return true;
+    const bool mixed = content.find_first_of(decimalDigits) != std::string_view::npos;
     return !mixed && content.size() > 1 && !spellsOtherUnit(content) && columnName(content).known;
 }
 
@@ -76,7 +75,7 @@ std::string withoutBrackets(std::string_view text, HeadingCell& cell)
             cell.metres = metres;
         } else if (text[open] == '(' && isRemark(content)) {
             name.append(" ").append(content);
-        } else if (spellsOtherUnit(content) || content.find_first_of(digits) != std::string_view::npos) {
+        } else if (spellsOtherUnit(content) || content.find_first_of(decimalDigits) != std::string_view::npos) {
             spoiled = content;
         } else if (!content.empty()) {
             word = content;
@@ -114,7 +113,7 @@ bool endsWithFactor(std::string_view text)
     const std::size_t blank = text.find_last_of(" \t");
     const std::string word = lowerCase(text.substr(blank == std::string_view::npos ? 0 : blank + 1));
     const bool letter = word.size() == 1 && blank != std::string_view::npos && !columnName(text).known;
-    return letter || word.find_first_of(digits) != std::string::npos ||
+    return letter || word.find_first_of(decimalDigits) != std::string::npos ||
            std::ranges::find(prefixes, word) != std::end(prefixes);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/formats/cml_text.h"
 #include "core/formats/quotation.h"
+#include "core/formats/surfaces/column_name.h"
 #include "core/formats/words.h"
 #include "core/physics/disk/disk_surface_check.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::string_view cellEnds = " \t,;\v\f";
 constexpr std::string_view aroundCells = " \t\v\f\"'";
-constexpr std::string_view digits = "0123456789";
 constexpr std::size_t longestTableLine = 1 << 24;   // [byte]; room for a million numbers
 constexpr std::size_t mostBetweenNumbers = 1 << 26; // headings, comments and empty lines [byte]
 
@@ -62,8 +62,8 @@ bool isRow(std::string_view line)
 {
     const std::string_view first = trimmed(line.substr(0, line.find_first_of(cellEnds)), aroundCells);
     if (readCmlNumber(first)) return true;
-    if (standsForHole(first)) return line.find_first_of(digits) != std::string_view::npos || holesAlone(line);
-    if (isDate(first) || line.find_first_of(digits) == std::string_view::npos) return false;
+    if (standsForHole(first)) return line.find_first_of(decimalDigits) != std::string_view::npos || holesAlone(line);
+    if (isDate(first) || line.find_first_of(decimalDigits) == std::string_view::npos) return false;
     if (line.find_first_not_of("0123456789+-.,;eEdD \t\"'") == std::string_view::npos) return true;
     std::size_t cells = 0, numbers = 0; // a row of a matrix that begins with an unknown mark
     for (std::size_t at = line.find_first_not_of(cellEnds); at < line.size();
@@ -122,7 +122,7 @@ private:
         const std::string_view text = row.text;
         const auto note = [&](int& line) { line = line > 0 ? line : row.line; };
         const auto isDigitAt = [&](std::size_t i) {
-            return i < text.size() && digits.find(text[i]) != std::string_view::npos;
+            return i < text.size() && decimalDigits.find(text[i]) != std::string_view::npos;
         };
         bool quoted = false;
         for (std::size_t i = 0; i < text.size(); ++i) {
@@ -144,8 +144,8 @@ private:
             else
                 note(separating_);
             if (!after) continue;
-            const std::size_t begin = text.find_last_not_of(digits, i - (i > 0 ? 1 : 0)) + 1;
-            const std::size_t end = std::min(text.find_first_not_of(digits, i + 1), text.size());
+            const std::size_t begin = text.find_last_not_of(decimalDigits, i - (i > 0 ? 1 : 0)) + 1;
+            const std::size_t end = std::min(text.find_first_not_of(decimalDigits, i + 1), text.size());
             if (!before || !mayCountThousands(text.substr(begin, end - begin))) clearDecimal_ = true;
         }
     }
@@ -158,7 +158,7 @@ private:
         const auto separates = [](char c) { return c == ',' || c == ';'; };
         // ",5" after a tab is a number.
         const bool number =
-            text[right] == ',' && right + 1 < text.size() && digits.find(text[right + 1]) < digits.size();
+            text[right] == ',' && right + 1 < text.size() && decimalDigits.find(text[right + 1]) < decimalDigits.size();
         return !separates(text[left]) && (!separates(text[right]) || number);
     }
 
@@ -210,7 +210,7 @@ bool mayBePairs(const std::vector<std::string_view>& cells)
     for (std::size_t i = 0; i < cells.size(); ++i) {
         std::string_view cell = cells[i];
         if (i % 2 == 0 && !cell.empty() && (cell[0] == '-' || cell[0] == '+')) cell.remove_prefix(1);
-        const std::size_t end = std::min(cell.find_first_not_of(digits), cell.size());
+        const std::size_t end = std::min(cell.find_first_not_of(decimalDigits), cell.size());
         const bool exponent = i % 2 == 1 && end < cell.size() && (cell[end] == 'e' || cell[end] == 'E');
         if (end == 0 || (end < cell.size() && !exponent)) return false;
     }
@@ -256,7 +256,7 @@ bool mayCountThousands(std::string_view number)
     if (number.starts_with('-') || number.starts_with('+')) number.remove_prefix(1);
     const std::size_t comma = number.find(',');
     return comma != std::string_view::npos && comma >= 1 && comma <= 3 && number[0] != '0' &&
-           number.size() == comma + 4 && number.find_first_not_of(digits, comma + 1) == std::string_view::npos;
+           number.size() == comma + 4 && number.find_first_not_of(decimalDigits, comma + 1) == std::string_view::npos;
 }
 
 void refuseShortRow(const MapTable& table)
