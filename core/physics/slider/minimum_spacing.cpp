@@ -14,6 +14,7 @@ namespace {
 
 constexpr int lattice = 128;
 constexpr double shortestMove = 1e-13; // on the way down from the nearest point of the list [m]
+constexpr double worthMoving = 1e-13;  // more than the sides of an edge are off under a slope of 1 mrad [m]
 
 int partsOf(double edge, double sliderLength) { return std::clamp(static_cast<int>(64 * edge / sliderLength), 1, 64); }
 
@@ -172,7 +173,8 @@ MinimumSpacing::Place MinimumSpacing::nearestListed(const Attitude& attitude) co
 
 MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
 {
-    Place nearest = nearestListed(attitude);
+    const Place listed = nearestListed(attitude);
+    Place nearest = listed;
     if (!std::isfinite(nearest.spacing)) return nearest;
     for (double step = 2.0 * std::max(length_, width_) / lattice; step > shortestMove;) {
         const SurfacePoint from = nearest.at;
@@ -184,7 +186,7 @@ MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
         }
         if (nearest.at == from) step *= 0.5;
     }
-    return nearest;
+    return nearest.spacing < listed.spacing - worthMoving ? nearest : listed;
 }
 
 MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
