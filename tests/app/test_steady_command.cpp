@@ -113,14 +113,16 @@ void TestSteadyCommand::fixedAttitude()
     QCOMPARE(same.json()["net_force"].toDouble(), o.json()["net_force"].toDouble());
 }
 
-// Refused before anything is computed, in one line; numbers that nobody knows are null.
+// Refused before anything is computed, in one line; numbers that nobody knows are null. The top of the rear pad ends at
+// x = 1.2245 mm, 0.5 um inside the pad. There a trailing edge at -20 nm, a pitch of 150 urad, a crown of 15 nm and a
+// camber of 3 nm leave -20 + 150e-3 * 25.5 - 4 * 15 * 0.9796 * 0.0204 - 3 = -20.4 nm.
 void TestSteadyCommand::railsInsideTheDisk()
 {
     const QStringList settings = quick({"initial.nominal_trailing_edge_height=-20 nm"});
     const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--fixed-attitude", "--json"} + settings);
     QCOMPARE(o.code, 1);
     QCOMPARE(o.json()["status"].toString(), QString("failed"));
-    QVERIFY(o.json()["message"].toString().startsWith("the rails are inside the disk, 20 nm below"));
+    QVERIFY(o.json()["message"].toString().startsWith("the rails are inside the disk, 20.4 nm below"));
     for (const char* key : {"net_force", "residual", "load_error", "grid", "maximum_pressure", "minimum_spacing"})
         QVERIFY2(o.json().contains(key) && o.json()[key].isNull(), key);
     QCOMPARE(o.errorLines().size(), 1);

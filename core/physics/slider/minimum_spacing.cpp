@@ -7,6 +7,65 @@
 
 namespace touchdown {
 
+namespace {
+
+constexpr double beside = 1e-10; // [m], on either side of an edge
+
+/// Distances inside an edge at which its top may end: 0, and where a profile that reaches into the rail has a corner.
+std::vector<double> depthsOf(const RailPoint& edge, const std::vector<WallProfile>& walls)
+{
+    std::vector<double> depths{0.0};
+    if (edge.wall > 0)
+        for (const double distance : walls[static_cast<std::size_t>(edge.wall) - 1].distance)
+            if (distance < 0.0) depths.push_back(-distance);
+    return depths;
+}
+
+/// Points on either side of the lines at those distances, and where the lines of neighbours meet.
+std::vector<SurfacePoint> placesOf(const Rail& rail, const std::vector<WallProfile>& walls, double length)
+{
+    std::vector<SurfacePoint> places;
+    const std::size_t count = rail.points.size();
+    double area = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const RailPoint &a = rail.points[k], &b = rail.points[(k + 1) % count];
+        area += a.x * b.y - b.x * a.y;
+    }
+    const double turn = area < 0.0 ? -1.0 : 1.0;
+    SurfacePoint normal{0.0, 0.0}, before{0.0, 0.0}; // into the rail, of the edge and of the one before it
+    for (std::size_t k = 0; k <= count; ++k) {
+        const RailPoint &a = rail.points[k % count], &b = rail.points[(k + 1) % count];
+        const double dx = b.x - a.x, dy = b.y - a.y, edge = std::hypot(dx, dy);
+        if (!(edge > 0.0)) continue;
+        before = normal;
+        normal = {-turn * dy / edge, turn * dx / edge};
+        const std::vector<double> depths = depthsOf(a, walls);
+        const int parts = std::clamp(static_cast<int>(64 * edge / length), 1, 64);
+        for (std::size_t d = 0; k < count && d < depths.size(); ++d)
+            for (int m = 0; m <= parts; ++m)
+                for (const double in : {depths[d] - beside, depths[d] + beside}) {
+                    // Away from the corners by as much, so that both sides of both edges are met.
+                    const double along = std::clamp(edge * m / parts, std::min(beside, 0.5 * edge),
+                                                    std::max(edge - beside, 0.5 * edge)) /
+                                         edge;
+                    places.push_back({a.x + along * dx + in * normal.x, a.y + along * dy + in * normal.y});
+                }
+        const double sine = before.x * normal.y - before.y * normal.x;
+        if (k == 0 || std::abs(sine) < 1e-3) continue;
+        for (const double first : depthsOf(rail.points[k - 1], walls))
+            for (const double second : depths) {
+                if (first == 0.0 && second == 0.0) continue;
+                for (const double p : {first - beside, first + beside})
+                    for (const double q : {second - beside, second + beside})
+                        places.push_back(
+                            {a.x + (p * normal.y - q * before.y) / sine, a.y + (q * before.x - p * normal.x) / sine});
+            }
+    }
+    return places;
+}
+
+} // namespace
+
 MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& recess)
     : length_(recess.length()), width_(recess.width())
 {
@@ -15,24 +74,9 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
     constexpr int lattice = 128;
     for (int j = 0; j <= lattice; ++j)
         for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);
-    constexpr double beside = 1e-10; // [m], on either side of an edge
     for (const Rail& rail : surface.rails)
-        for (std::size_t k = 0; k < rail.points.size(); ++k) {
-            const RailPoint& a = rail.points[k];
-            const RailPoint& b = rail.points[(k + 1) % rail.points.size()];
-            const double dx = b.x - a.x, dy = b.y - a.y, edge = std::hypot(dx, dy);
-            if (!(edge > 0.0)) continue;
-            const int parts = std::clamp(static_cast<int>(64 * edge / length_), 1, 64);
-            for (int m = 0; m <= parts; ++m)
-                for (const double side : {-beside, beside}) {
-                    // Away from the corners by as much, so that both sides of both edges are met.
-                    const double along = std::clamp(edge * m / parts, std::min(beside, 0.5 * edge),
-                                                    std::max(edge - beside, 0.5 * edge)) /
-                                         edge;
-                    const double x = a.x + along * dx - side * dy / edge, y = a.y + along * dy + side * dx / edge;
-                    if (x >= 0.0 && y >= 0.0 && x <= length_ && y <= width_) add(x, y);
-                }
-        }
+        for (const SurfacePoint& point : placesOf(rail, surface.walls, length_))
+            if (point.x >= 0.0 && point.y >= 0.0 && point.x <= length_ && point.y <= width_) add(point.x, point.y);
     setBlocks();
 }
 

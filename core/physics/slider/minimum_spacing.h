@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The point of a surface nearest to the mean plane of the disk, independent of the film's grid: at corners and edges of
-// rails or, with crown and camber, inside.
+// rails, where a wall that reaches into its rail ends the rail's top, or, with crown and camber, inside.
 //
 // Several thousand points are compared, in blocks. A block's least recess at the lowest corner of its box is a lower
 // bound of its points, also in rounded numbers; so most blocks are skipped, and the result is that of all points.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include <QtTest>
 
 #include "core/physics/slider/minimum_spacing.h"
@@ -14,6 +16,8 @@ class TestMinimumSpacing : public QObject {
 private slots:
     void aPitchedPlaneIsNearestAtItsTrailingEdge();
     void aRailIsNearestAtItsRearCorner();
+    void aTopEndsWhereItsWallBegins_data();
+    void aTopEndsWhereItsWallBegins();
     void aCrownedSurfaceIsNearestInside();
     void isALowerCornerHoweverItIsTilted_data();
     void isALowerCornerHoweverItIsTilted();
@@ -58,6 +62,36 @@ void TestMinimumSpacing::aRailIsNearestAtItsRearCorner()
     QVERIFY(std::abs(place.spacing - 19.8e-9) < 2e-14);
     QVERIFY(std::abs(place.at.x - 0.9e-3) < 2e-10);
     QVERIFY(std::abs(place.at.y - 0.5e-3) < 2e-10);
+}
+
+void TestMinimumSpacing::aTopEndsWhereItsWallBegins_data()
+{
+    QTest::addColumn<double>("pitch");
+    QTest::addColumn<double>("roll");
+    QTest::addColumn<bool>("reversed");
+    for (const bool reversed : {false, true})
+        for (const double roll : {-3e-6, 0.0, 2e-6})
+            for (const double pitch : {-100e-6, 100e-6})
+                QTest::addRow("%g, %g urad, %d", 1e6 * pitch, 1e6 * roll, reversed) << pitch << roll << reversed;
+}
+
+/// A wall that reaches 0.5 um into its rail rises to 20 nm at the edge, far steeper than the rail is tilted: the lowest
+/// point is a corner of the rectangle that is left of the top, 0.5 um inside.
+void TestMinimumSpacing::aTopEndsWhereItsWallBegins()
+{
+    QFETCH(const double, pitch);
+    QFETCH(const double, roll);
+    QFETCH(const bool, reversed);
+    AirBearingSurface surface = withRail();
+    surface.walls = {{{-0.5e-6, 0.0, 1e-6}, {0.0, 20e-9, 1e-6}}};
+    for (RailPoint& point : surface.rails[0].points) point.wall = 1;
+    if (reversed) std::ranges::reverse(surface.rails[0].points);
+    double lowest = 1.0;
+    for (const double x : {0.2005e-3, 0.8995e-3})
+        for (const double y : {0.1005e-3, 0.4995e-3})
+            lowest = std::min(lowest, 10e-9 + pitch * (length - x) - roll * (y - 0.5 * width));
+    const auto place = nearest(surface, {10e-9, pitch, roll});
+    QVERIFY2(std::abs(place.spacing - lowest) < 3e-14, qPrintable(QString::number(place.spacing - lowest)));
 }
 
 void TestMinimumSpacing::aCrownedSurfaceIsNearestInside()
