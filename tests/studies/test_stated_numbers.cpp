@@ -590,6 +590,8 @@ const std::vector<Given>& given()
         {grid, "From 10 nm", ends},
         {grid, "= 3.62 mN", "fig05_fm_3_62mN"},
         {grid, "from 9.8 to about 10.1 nm", ends},
+        {grid, "flies from 20.3 nm", slow},
+        {grid, "from 19.75 and 20 nm on all", slow},
         {"film_fig5_to_8", "0.1 to 1.6 pJ", search},
         {"film_fig5_to_8", "up to 2 %", search},
         {"film_fig5_to_8", "flies from 10 nm", search},

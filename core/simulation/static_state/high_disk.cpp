@@ -37,6 +37,17 @@ std::string nearestDisk(const DiskClearance::Place& place)
            placeOf(place) + ", is " + fewDigits(place.gap, "nm", 2) + " below the slider";
 }
 
+std::string noteOnHighDisk(const Case& c, double minimumSpacing)
+{
+    const DiskSurface& surface = c.diskSurface;
+    if (surface.kind == DiskSurfaceKind::Flat || c.contact != ContactKind::None) return {};
+    constexpr double peaks = 4.0; // of Gaussian heights on some 10,000 places
+    const double highest = surface.kind == DiskSurfaceKind::Rough ? peaks * surface.rms : diskTopography(c).highest();
+    if (highest < minimumSpacing) return {};
+    return "the state is one above the mean plane of the disk, whose surface rises up to " +
+           fewDigits(highest, "nm", 3) + " above it: in time it may reach the slider, and no law of contact acts";
+}
+
 DiskAtStart diskAtStart(const Case& c)
 {
     DiskAtStart found;

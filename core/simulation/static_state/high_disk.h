@@ -19,6 +19,10 @@ std::string diskReachesSlider(const Case& c, const DiskClearance::Place& place, 
 /// "the disk, 9.3 nm above its mean plane at x = ..., y = ..., is 0.2 nm below the slider".
 std::string nearestDisk(const DiskClearance::Place& place);
 
+/// What a static state with this minimum spacing [m], which is one above the mean plane, does not say of a disk that is
+/// higher, where no law of contact acts; "" if there is nothing. Roughness counts as four times its RMS height.
+std::string noteOnHighDisk(const Case& c, double minimumSpacing);
+
 /// What a run of a valid case with the model "film" would find out about its disk at the start, without a solution.
 struct DiskAtStart {
     std::string problem; // why it cannot start; "" if it may

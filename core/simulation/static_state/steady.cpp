@@ -12,6 +12,7 @@
 #include "core/physics/film/film_line_multigrid.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/grid_error.h"
+#include "core/simulation/static_state/high_disk.h"
 #include "core/simulation/static_state/ridge_error.h"
 #include "core/simulation/static_state/sensitivity.h"
 #include "core/simulation/static_state/static_check.h"
@@ -376,6 +377,10 @@ SteadyResult steady(const Case& c, const SteadyCallback& callback)
         held.initial.roll = rest->roll;
     }
     SteadyResult result = SteadySolver(held, callback).solve();
+    // Not of the states that runs and searches ask for.
+    if (result.status == SteadyStatus::Converged && c.steady.stiffness)
+        if (const std::string note = noteOnHighDisk(c, result.minimumSpacing); !note.empty())
+            result.message += (result.message.empty() ? "" : "; ") + note;
     result.wallSeconds = wallClock() - start;
     return result;
 }

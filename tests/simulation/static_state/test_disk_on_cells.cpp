@@ -11,6 +11,7 @@
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/film/film_grid.h"
 #include "core/simulation/static_state/high_disk.h"
+#include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 
@@ -32,6 +33,7 @@ private slots:
     void aStepFollowsNoWaveThatDoesNotMatter();
     void saysBothNumbers();
     void saysWhereADiskReachesTheSlider();
+    void aStaticStateSaysThatTheDiskIsHigher();
 };
 
 constexpr double length = 1e-3, width = 0.8e-3;
@@ -225,6 +227,24 @@ void TestDiskOnCells::saysWhereADiskReachesTheSlider()
     QVERIFY(diskAtStart(touching).problem.empty());
     QVERIFY(diskAtStart(plane()).problem.empty() && diskAtStart(plane()).warnings.empty());
     QVERIFY(!diskAtStart(overWaves(30e-6, 0.0)).warnings.empty()); // 2.4 cells
+}
+
+void TestDiskOnCells::aStaticStateSaysThatTheDiskIsHigher()
+{
+    const Case c = overWaves(100e-6, 0.0, 14e-9);
+    QVERIFY(noteOnHighDisk(c, 13.9e-9).find("14 nm") != std::string::npos);
+    QVERIFY(noteOnHighDisk(c, 14.1e-9).empty());
+    Case touching = c;
+    touching.contact = ContactKind::Elastic;
+    QVERIFY(noteOnHighDisk(touching, 1e-9).empty());
+    QVERIFY(noteOnHighDisk(plane(), 1e-9).empty());
+    Case flying = test::smallSlider(33);
+    flying.contact = ContactKind::None;
+    flying.steady.stiffness = true;
+    QCOMPARE(steady(flying).message.find("mean plane"), std::string::npos);
+    flying.diskSurface = overWaves(100e-6, 0.0, 1e-6).diskSurface;
+    QVERIFY(steady(flying).message.find("rises up to 1000 nm") != std::string::npos);
+    QCOMPARE(steady(attitudeCase(flying)).message.find("mean plane"), std::string::npos);
 }
 
 TOUCHDOWN_TEST(TestDiskOnCells)
