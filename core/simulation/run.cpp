@@ -73,14 +73,16 @@ void addCharacteristicFigures(const OnoYamane& parameters, Summary& summary)
                                static_cast<double>(touchDowns) * each});
 }
 
-/// How much the flying height above the disk changes in the last tenth of a run.
-void addModulation(Summary& summary)
+/// How much the flying height above a disk that is not flat changes in the last tenth of a run. One that holds few
+/// samples does not tell.
+void addModulation(const Case& c, Summary& summary)
 {
+    constexpr double fewestSamples = 10.0;
+    if (summary.status != RunStatus::Completed || 0.1 * c.run.duration < fewestSamples * c.run.sampleInterval) return;
     const auto named = [&](const char* name) {
         return std::ranges::find(summary.tail, name, &std::pair<std::string, Statistics>::first);
     };
-    auto height = named("flying_height_above_disk");
-    if (height == summary.tail.end()) height = named("flying_height"); // the disk is flat
+    const auto height = named("flying_height_above_disk");
     if (height == summary.tail.end()) return;
     const Statistics& s = height->second;
     summary.figures.push_back({{"flying_height_modulation", "m", "nm",
@@ -120,7 +122,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         break;
     }
     summary.model = toText(c, *findParameter("model"));
-    if (c.model != ModelKind::Contact) addModulation(summary);
+    addModulation(c, summary);
     if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
     for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.message);
     for (const InputProblem& warning : disk.warnings) summary.warnings.push_back(warning.text());

@@ -92,6 +92,16 @@ void Bumps::forCopies(double left, double right, double inner, double outer, con
     }
 }
 
+double Bumps::upperBound(double x0, double x1, double y0, double y1) const
+{
+    double sum = 0.0;
+    forCopies(x0, x1, y0, y1, [&](const Bump& b, double cx, double cy) {
+        const double u = (std::clamp(cx, x0, x1) - cx) / b.halfLength, v = (std::clamp(cy, y0, y1) - cy) / b.halfWidth;
+        sum += std::max(b.height, 0.0) * shape(u * u + v * v);
+    });
+    return sum;
+}
+
 double Bumps::height(double x, double y) const
 {
     double sum = 0.0;

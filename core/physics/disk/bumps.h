@@ -35,6 +35,8 @@ public:
     /// Bounds of the height [m], from the sums of overlapping bumps.
     double highest() const { return highest_; }
     double lowest() const { return lowest_; }
+    /// A bound of the height in a rectangle [m].
+    double upperBound(double x0, double x1, double y0, double y1) const;
 
 private:
     struct Bump {

@@ -108,6 +108,13 @@ double DiskTopography::height(double x, double y) const
     return sum;
 }
 
+double DiskTopography::upperBound(double x0, double x1, double y0, double y1) const
+{
+    double sum = waves_.upperBound(x0, x1, y0, y1) + bumps_.upperBound(x0, x1, y0, y1);
+    for (const PeriodicSpline& map : maps_) sum += map.upperBound(x0, x1, y0, y1);
+    return sum;
+}
+
 DiskPoint DiskTopography::point(double x, double y) const
 {
     DiskPoint at;

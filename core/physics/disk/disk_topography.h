@@ -59,6 +59,8 @@ public:
     /// Bounds of w [m], a little beyond the extremes.
     double highest() const { return highest_; }
     double lowest() const { return lowest_; }
+    /// A bound of w in a rectangle [m], closer the smaller it is.
+    double upperBound(double x0, double x1, double y0, double y1) const;
 
     /// One period of the surface for plots and statistics, the cells' centres on the points of its finest map; without
     /// a map, the given track with the given cell.

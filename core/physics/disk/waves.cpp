@@ -55,6 +55,21 @@ Waves::Waves(const DiskSurface& surface)
     }
 }
 
+double Waves::upperBound(double x0, double x1, double y0, double y1) const
+{
+    constexpr double pi = std::numbers::pi;
+    double sum = 0.0;
+    for (const Wave& wave : waves_) {
+        const double middle = 0.5 * (wave.kx * (x0 + x1) + wave.ky * (y0 + y1)) + wave.phase;
+        const double half = 0.5 * (std::abs(wave.kx) * (x1 - x0) + std::abs(wave.ky) * (y1 - y0));
+        // From the phase in the middle to the nearest crest.
+        const double crest = wave.amplitude > 0.0 ? 0.5 * pi : -0.5 * pi;
+        const double away = std::max(std::abs(std::remainder(middle - crest, 2.0 * pi)) - half, 0.0);
+        sum += std::abs(wave.amplitude) * std::cos(away);
+    }
+    return sum;
+}
+
 double Waves::height(double x, double y) const
 {
     double sum = 0.0;

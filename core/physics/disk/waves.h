@@ -26,6 +26,8 @@ public:
     /// Adds the means over the cells: of a wave the height in the middle times sin(u)/u along x and y, u = k width/2.
     void addMeans(const CellGrid& grid, double shiftX, double shiftY, std::span<double> out) const;
     double amplitude() const; // the sum of all [m]
+    /// A bound of the height in a rectangle [m]: each wave's own highest point there.
+    double upperBound(double x0, double x1, double y0, double y1) const;
 
 private:
     struct Wave {

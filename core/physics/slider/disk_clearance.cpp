@@ -2,47 +2,53 @@
 #include "core/physics/slider/disk_clearance.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace touchdown {
 
 namespace {
 
-constexpr std::size_t mostSampled = 32768;         // points of all tiles, where fewer points of each reach so few
-constexpr std::array<int, 4> strides{1, 3, 5, 15}; // over the samples of a tile; all meet its corners
-constexpr std::size_t mostFollowed = 6;            // of the lowest samples, each of another tile
-constexpr double finestStep = 1.0 / 256.0;         // of the distance between samples
-constexpr double curvature = 1e-12;                // of the form within a smooth tile, at most [m]
+constexpr int knownLevels = 7;               // the recess is sampled in 128 x 128 tiles
+constexpr int deepest = 11;                  // level of the smallest boxes
+constexpr int samples = 16;                  // of a tile that edges cross, along each side
+constexpr double curvature = 1e-12;          // of the form within a smooth tile, at most [m]
+constexpr double allowed = 1.0 / 2000.0;     // of the disk's range of heights
+constexpr std::size_t mostBoxes = 200000;    // looked at; beyond, the least gap found so far counts
+constexpr double firstStep = 0x1p-11;        // of the search downhill, of the slider's sides
+constexpr double lastStep = firstStep / 512; // and where it ends
 
 } // namespace
 
 DiskClearance::DiskClearance(const Recess& recess, const MinimumSpacing& spacing, const DiskTopography& disk,
                              const Velocity& velocity)
-    : recess_(recess),
-      spacing_(spacing),
-      disk_(disk),
-      velocity_(velocity),
-      tileLength_(recess.length() / tiles),
-      tileWidth_(recess.width() / tiles)
+    : recess_(recess), spacing_(spacing), disk_(disk), velocity_(velocity)
 {
     if (disk_.flat()) return;
-    least_.assign(tiles * tiles, 0.0F);
-    recessSamples_.resize(least_.size());
+    for (int level = 0; level <= knownLevels; ++level) least_.emplace_back(std::size_t{1} << (2 * level), 0.0F);
+    const int tiles = 1 << knownLevels;
+    const double length = recess_.length() / tiles, width = recess_.width() / tiles;
+    const auto leastOf = [&](int i, int j) {
+        const double x = i * length, y = j * width;
+        const bool smooth = recess_.isSmooth(x, x + length, y, y + width);
+        const int count = smooth ? 2 : samples;
+        double least = recess_.at(x, y);
+        for (int m = 0; m < count; ++m)
+            for (int k = 0; k < count; ++k)
+                least = std::min(least, recess_.at(x + length * k / (count - 1), y + width * m / (count - 1)));
+        return static_cast<float>(least - curvature);
+    };
     for (int j = 0; j < tiles; ++j)
-        for (int i = 0; i < tiles; ++i) {
-            const double x0 = i * tileLength_, x1 = x0 + tileLength_, y0 = j * tileWidth_, y1 = y0 + tileWidth_;
-            float& least = least_[static_cast<std::size_t>(j * tiles + i)];
-            if (recess_.isSmooth(x0, x1, y0, y1)) {
-                least = static_cast<float>(
-                    std::min({recess_.at(x0, y0), recess_.at(x1, y0), recess_.at(x0, y1), recess_.at(x1, y1)}) -
-                    curvature);
-            } else {
-                const std::vector<float>& all = recessOf(j * tiles + i);
-                least = *std::ranges::min_element(all);
+        for (int i = 0; i < tiles; ++i) least_.back()[static_cast<std::size_t>(j * tiles + i)] = leastOf(i, j);
+    for (int level = knownLevels; level-- > 0;)
+        for (int j = 0; j < 1 << level; ++j)
+            for (int i = 0; i < 1 << level; ++i) {
+                const auto& below = least_[static_cast<std::size_t>(level) + 1];
+                const auto child = [&](int right, int up) {
+                    return below[static_cast<std::size_t>((2 * j + up) * (2 << level) + 2 * i + right)];
+                };
+                least_[static_cast<std::size_t>(level)][static_cast<std::size_t>(j * (1 << level) + i)] =
+                    std::min({child(0, 0), child(1, 0), child(0, 1), child(1, 1)});
             }
-        }
 }
 
 double DiskClearance::lift(const Attitude& a, double x, double y) const
@@ -50,40 +56,33 @@ double DiskClearance::lift(const Attitude& a, double x, double y) const
     return a.height + a.pitch * (recess_.length() - x) - a.roll * (y - 0.5 * recess_.width());
 }
 
-double DiskClearance::gapAt(const Attitude& attitude, double x, double y, double time) const
+DiskClearance::Found DiskClearance::gapAt(const Attitude& attitude, double x, double y, double time) const
 {
-    return recess_.at(x, y) + lift(attitude, x, y) - diskHeight({x, y}, time);
+    return {recess_.at(x, y) + lift(attitude, x, y) - diskHeight({x, y}, time), x, y};
 }
 
-/// A lower bound of the gap to the highest point of the disk.
-double DiskClearance::bound(const Attitude& attitude, int tile) const
+DiskClearance::Box DiskClearance::boxOf(int level, int i, int j, const Attitude& attitude, double time) const
 {
-    const double x = tileLength_ * (tile % tiles + (attitude.pitch > 0.0 ? 1 : 0));
-    const double y = tileWidth_ * (tile / tiles + (attitude.roll > 0.0 ? 1 : 0));
-    return least_[static_cast<std::size_t>(tile)] + lift(attitude, x, y) - disk_.highest();
+    const int boxes = 1 << level, known = std::min(level, knownLevels), finer = level - known;
+    const double x0 = recess_.length() * i / boxes, x1 = recess_.length() * (i + 1) / boxes;
+    const double y0 = recess_.width() * j / boxes, y1 = recess_.width() * (j + 1) / boxes;
+    const double least =
+        least_[static_cast<std::size_t>(known)][static_cast<std::size_t>((j >> finer) * (1 << known) + (i >> finer))];
+    const double shiftX = velocity_.x * time, shiftY = velocity_.y * time;
+    return {least + lift(attitude, attitude.pitch > 0.0 ? x1 : x0, attitude.roll > 0.0 ? y1 : y0) -
+                disk_.upperBound(x0 - shiftX, x1 - shiftX, y0 - shiftY, y1 - shiftY),
+            level, i, j};
 }
 
-const std::vector<float>& DiskClearance::recessOf(int tile)
-{
-    std::vector<float>& all = recessSamples_[static_cast<std::size_t>(tile)];
-    if (all.empty())
-        for (int m = 0; m < samples; ++m)
-            for (int k = 0; k < samples; ++k)
-                all.push_back(static_cast<float>(recess_.at(tileLength_ * (tile % tiles + k / (samples - 1.0)),
-                                                            tileWidth_ * (tile / tiles + m / (samples - 1.0)))));
-    return all;
-}
-
-DiskClearance::Found DiskClearance::followed(Found from, double step, const Attitude& attitude, double time) const
+DiskClearance::Found DiskClearance::followed(Found from, const Attitude& attitude, double time) const
 {
     const double length = recess_.length(), width = recess_.width();
-    const double dx = tileLength_ / (samples - 1), dy = tileWidth_ / (samples - 1);
-    while (step >= finestStep) {
+    for (double step = firstStep; step >= lastStep;) {
         Found lowest = from;
         for (const auto& [right, up] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-            const double x = std::clamp(from.x + right * step * dx, 0.0, length),
-                         y = std::clamp(from.y + up * step * dy, 0.0, width);
-            if (const double gap = gapAt(attitude, x, y, time); gap < lowest.gap) lowest = {gap, x, y};
+            const Found here = gapAt(attitude, std::clamp(from.x + right * step * length, 0.0, length),
+                                     std::clamp(from.y + up * step * width, 0.0, width), time);
+            if (here.gap < lowest.gap) lowest = here;
         }
         if (lowest.gap < from.gap)
             from = lowest;
@@ -97,45 +96,38 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
 {
     const MinimumSpacing::Place plane = spacing_.at(attitude);
     if (disk_.flat()) return {plane.spacing, plane.at, 0.0};
-    Found least{plane.spacing - diskHeight(plane.at, time), plane.at.x, plane.at.y};
-    open_.clear();
-    for (int tile = 0; tile < tiles * tiles; ++tile)
-        if (bound(attitude, tile) < least.gap) open_.push_back(tile);
-    int stride = strides.front();
-    for (const int each : strides) {
-        const auto along = static_cast<std::size_t>((samples - 1) / (stride = each) + 1);
-        if (open_.size() * along * along <= mostSampled) break;
+    Found least = gapAt(attitude, plane.at.x, plane.at.y, time);
+    const auto look = [&](const Found& found) {
+        if (found.gap < least.gap) least = found;
+    };
+    if (last_) { // where it was under the slider, and where it has moved with the disk
+        look(followed(gapAt(attitude, last_->x, last_->y, time), attitude, time));
+        const double passed = time - lastTime_, x = last_->x + velocity_.x * passed,
+                     y = last_->y + velocity_.y * passed;
+        if (x >= 0.0 && x <= recess_.length() && y >= 0.0 && y <= recess_.width())
+            look(followed(gapAt(attitude, x, y, time), attitude, time));
     }
-
-    // The lowest sample of each of the lowest tiles, ascending.
-    std::array<Found, mostFollowed> lowest{};
-    std::size_t count = 0;
-    for (const int tile : open_) {
-        if (bound(attitude, tile) >= least.gap) continue;
-        const std::vector<float>& recess = recessOf(tile);
-        Found here{std::numeric_limits<double>::infinity(), 0.0, 0.0};
-        for (int m = 0; m < samples; m += stride)
-            for (int k = 0; k < samples; k += stride) {
-                const double x = tileLength_ * (tile % tiles + k / (samples - 1.0)),
-                             y = tileWidth_ * (tile / tiles + m / (samples - 1.0));
-                const double above = recess[static_cast<std::size_t>(m * samples + k)] + lift(attitude, x, y);
-                if (above - disk_.highest() >= here.gap) continue;
-                if (const double gap = above - diskHeight({x, y}, time); gap < here.gap) here = {gap, x, y};
+    const double tolerance = allowed * (disk_.highest() - disk_.lowest());
+    heap_.assign(1, boxOf(0, 0, 0, attitude, time));
+    for (std::size_t count = 0; !heap_.empty() && count < mostBoxes; ++count) {
+        std::pop_heap(heap_.begin(), heap_.end());
+        const Box box = heap_.back();
+        heap_.pop_back();
+        if (box.bound >= least.gap - tolerance) break;
+        const int boxes = 1 << box.level;
+        look(gapAt(attitude, recess_.length() * (box.i + 0.5) / boxes, recess_.width() * (box.j + 0.5) / boxes, time));
+        if (box.level == deepest) continue;
+        for (const int up : {0, 1})
+            for (const int right : {0, 1}) {
+                const Box child = boxOf(box.level + 1, 2 * box.i + right, 2 * box.j + up, attitude, time);
+                if (child.bound >= least.gap - tolerance) continue;
+                heap_.push_back(child);
+                std::push_heap(heap_.begin(), heap_.end());
             }
-        if (here.gap < least.gap) least = here;
-        if (std::isinf(here.gap)) continue;
-        const auto place = std::ranges::find_if(lowest.begin(), lowest.begin() + static_cast<std::ptrdiff_t>(count),
-                                                [&](const Found& each) { return here.gap < each.gap; });
-        if (count < mostFollowed) ++count;
-        if (place == lowest.begin() + static_cast<std::ptrdiff_t>(count)) continue;
-        std::move_backward(place, lowest.begin() + static_cast<std::ptrdiff_t>(count) - 1,
-                           lowest.begin() + static_cast<std::ptrdiff_t>(count));
-        *place = here;
     }
-    const double step = 0.5 * stride; // of the distance between samples
-    least = followed(least, step, attitude, time);
-    for (std::size_t k = 0; k < count; ++k)
-        if (const Found found = followed(lowest[k], step, attitude, time); found.gap < least.gap) least = found;
+    least = followed(least, attitude, time);
+    last_ = SurfacePoint{least.x, least.y};
+    lastTime_ = time;
     return {least.gap, {least.x, least.y}, diskHeight({least.x, least.y}, time)};
 }
 

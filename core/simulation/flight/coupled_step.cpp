@@ -266,7 +266,8 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         }
         before = size;
         const double left = contraction_ < 1.0 ? contraction_ / (1.0 - contraction_) * size : size;
-        const double load = std::max(std::abs(body_.load()[0]), 1e-300);
+        const double preload = std::abs(body_.load()[0]);
+        const double load = preload > 0.0 ? preload : film_.ambient() * film_.gaps().length * film_.gaps().width;
         result.forceBalance =
             (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
         if (monolithic) {

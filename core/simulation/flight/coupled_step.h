@@ -53,7 +53,8 @@ struct CoupledStepResult {
     int linearisations = 0;    // of the film
     int solves = 0;            // preconditioned iterations
     double positionLeft = 0.0; // estimated distance of the corners from the step's solution [m]
-    double forceBalance = 0.0; // |G| against the load: force, and torques over the slider's length [-]
+    double forceBalance = 0.0; // |G| against the load, or ambient pressure times area where there is none: force, and
+                               // torques over the slider's length [-]
     double filmError = 0.0;    // FilmStepResult::error [-]
     double timeError = 0.0;    // of the discretisation in time, as a displacement of the corners [m]
     bool converged() const { return failure == CoupledFailure::None; }

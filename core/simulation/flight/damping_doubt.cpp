@@ -24,18 +24,20 @@ constexpr double sameFrequency = 0.03;
 constexpr int harmonics = 3;
 
 /// A motion that the waves of a moving disk force, and its harmonics: its size does not hang on damping.
-bool isForced(const Case& c, double frequency)
+bool isForced(const Case& c, double frequency, double duration)
 {
     const DiskSurface& surface = c.diskSurface;
     if (!hasWaves(surface) || surface.motion != SurfaceMotion::Moving) return false;
     const Velocity velocity =
         diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
+    const double same = std::max(sameFrequency * frequency, 1.0 / duration); // a spectrum tells no closer ones apart
     for (std::size_t k = 0; k < surface.waveLengths.size(); ++k) {
+        if (surface.waveAmplitudes[k] == 0.0) continue;
         const double angle = surface.waveAngles.empty() ? 0.0 : surface.waveAngles[k];
         const double passing =
             std::abs(velocity.x * std::cos(angle) + velocity.y * std::sin(angle)) / surface.waveLengths[k];
         const double order = std::clamp(std::round(frequency / passing), 1.0, double{harmonics});
-        if (std::abs(frequency - order * passing) <= sameFrequency * frequency) return true;
+        if (std::abs(frequency - order * passing) <= same) return true;
     }
     return false;
 }
@@ -64,9 +66,9 @@ std::vector<std::string> doubtsOnDamping(const Case& c, const std::vector<Peak>&
     if (peaks.empty()) return doubts;
     double fastest = 0.0;
     for (const Peak& peak : peaks)
-        if (peak.amplitude >= largeShare * peaks.front().amplitude && !isForced(c, peak.frequency))
+        if (peak.amplitude >= largeShare * peaks.front().amplitude && !isForced(c, peak.frequency, duration))
             fastest = std::max(fastest, peak.frequency);
-    if (fastest > resolved)
+    if (fastest > resolved && resolved > 0.0) // a disk at rest carries no waves
         doubts.push_back("the damping of the motion at " + kilohertz(fastest) + " depends on the grid: above " +
                          kilohertz(resolved) +
                          " a wave that the air carries along the slider spans fewer than six cells; the modes of the "

@@ -36,6 +36,8 @@ constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first o
 constexpr double chatterSpan = 1e-7;     // within which many switches are chattering [s]
 constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
+constexpr double lowerForCells = 0.8;    // of the spacing at which the cells were last compared with the disk [-]
+constexpr double leastForCells = 1e-9;   // below which they need no comparison [m]
 
 std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
@@ -175,7 +177,8 @@ private:
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);
         takeFields();
-        return true;
+        lowestForCells_ = scene_.spacing.at(scene_.start).spacing;
+        return lookAtDisk(scene_.start);
     }
 
     void advance()
@@ -262,9 +265,15 @@ private:
     /// False where the disk reaches the slider and no law of contact acts.
     bool lookAtDisk(const Attitude& attitude)
     {
+        const double spacing = scene_.spacing.at(attitude).spacing;
+        if (const double low = std::max(spacing, leastForCells); low < lowerForCells * lowestForCells_) {
+            scene_.lookAtCells(attitude);
+            lowestForCells_ = low;
+        }
         const bool none = case_.contact == ContactKind::None;
         if (!none && (case_.contact != ContactKind::OnoYamane || scene_.topography.flat() || !unseenDisk_.empty()))
             return true;
+        if (spacing > scene_.topography.highest()) return true;
         const DiskClearance::Place place = scene_.clearance->at(attitude, point_.time);
         if (place.gap > 0.0) return true;
         const std::string reached = diskReachesSlider(case_, place, point_.time);
@@ -405,7 +414,8 @@ private:
     double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
     int snapshots_ = 0;                                             // taken
     ChatterWatch switches_;
-    std::string unseenDisk_; // where its surface first reached the slider under a law that does not see it
+    double lowestForCells_ = 0.0; // the spacing then [m]
+    std::string unseenDisk_;      // where its surface first reached the slider under a law that does not see it
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     UnfittedSteps unfitted_;
     RunEnd end_;

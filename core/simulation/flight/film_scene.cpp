@@ -80,10 +80,15 @@ bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>&
     return goOn();
 }
 
+void FilmScene::lookAtCells(const Attitude& attitude)
+{
+    diskOnCells = touchdown::diskOnCells(case_, topography, recess, level->gaps.grid, attitude);
+}
+
 FilmScene::State FilmScene::checkDisk()
 {
     clearance.emplace(recess, spacing, topography, disk->velocity());
-    diskOnCells = touchdown::diskOnCells(case_, topography, recess, level->gaps.grid, start);
+    lookAtCells(start);
     if (case_.contact != ContactKind::None) return State::Ready;
     const DiskClearance::Place place = clearance->at(start, 0.0);
     return place.gap > 0.0 ? State::Ready : fail(diskReachesSlider(case_, place, 0.0) + "; " + startHigher());

@@ -34,6 +34,8 @@ public:
     enum class State : std::uint8_t { Ready, Stopped, Failed };
     /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
     State prepare(const std::function<bool()>& goOn);
+    /// Sets diskOnCells.
+    void lookAtCells(const Attitude& attitude);
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded), of a case that records them.
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
 
@@ -43,7 +45,7 @@ public:
     MinimumSpacing spacing;
     DiskTopography topography;
     std::optional<DiskClearance> clearance; // of slider and topography
-    DiskOnCells diskOnCells;                // at the start
+    DiskOnCells diskOnCells;                // at the lowest attitude that was looked at
     std::optional<SliderBody> body;
     std::unique_ptr<FilmLevel> level; // its pressure: at the start
     std::optional<DiskUnderFilm> disk;

@@ -19,9 +19,10 @@ constexpr double cellsForWaves = 6.0;
 constexpr double cellsToBeKnown = 2.0;  // below, the means keep less than 64 % of a wave
 constexpr double nearestShare = 0.1;    // of the least gap, below which a gap counts no more
 constexpr double thinnest = 1e-9;       // the least gap counts as at least this [m]
-constexpr double worthSaying = 0.01;    // of a film's force
+constexpr double worthSaying = 0.01;    // of a film's force; of the least gap, for the height of a wave
 constexpr double large = 0.3;           // of it, beyond which its size is not known
 constexpr double perSquare = 3.0;       // change of the force by (RMS height/gap)^2
+constexpr int windows = 8;              // parts of a map that are looked at
 constexpr int columns = 512, rows = 64; // of blocks or points at which a map is looked at, at most
 constexpr double wavePerBlock = 2.26;   // a wave of so many blocks loses half of its variance in their means
 constexpr double coarsening = 1.25;     // from one length of blocks to the next
@@ -77,8 +78,9 @@ public:
     {}
 
     /// A wave along a direction, or a bump along an axis.
-    void look(bool isWave, double length, double cosine, double sine)
+    void look(bool isWave, double height, double length, double cosine, double sine)
     {
+        if (!(std::abs(height) > worthSaying * found_.leastGap)) return;
         const double along = std::abs(cosine), across = std::abs(sine);
         const double count = length / cells_.mean([&](double x, double y) { return std::max(along * x, across * y); });
         const double k = 2.0 * std::numbers::pi / length;
@@ -93,12 +95,23 @@ public:
     void lookAtMap()
     {
         const UniformGrid period = disk_.period();
-        length_ = std::min(period.nx * period.dx, columns * cells_.dx);
-        width_ = std::min(period.ny * period.dy, rows * cells_.dy);
-        const double all = varianceOfPoints();
+        const double wholeLength = period.nx * period.dx, wholeWidth = period.ny * period.dy;
+        length_ = std::min(wholeLength, columns * cells_.dx);
+        width_ = std::min(wholeWidth, rows * cells_.dy);
         found_.hasMap = true;
-        found_.rms = std::sqrt(all);
-        found_.lost = std::sqrt(std::max(all - varianceOfMeans(0.5 * cellsForWaves), 0.0));
+        // That of its parts, spread over the whole map, which loses most.
+        double originX = 0.0, originY = 0.0;
+        for (int k = 0; k < windows; ++k) {
+            x_ = (wholeLength - length_) * k / (windows - 1);
+            y_ = (wholeWidth - width_) * (k * 3 % windows) / (windows - 1);
+            const double all = varianceOfPoints(),
+                         lost = std::sqrt(std::max(all - varianceOfMeans(0.5 * cellsForWaves), 0.0));
+            if (k > 0 && lost <= found_.lost) continue;
+            found_.rms = std::sqrt(all);
+            found_.lost = lost;
+            originX = x_, originY = y_;
+        }
+        x_ = originX, y_ = originY;
         found_.sixCells = cellsForWaves * std::max(cells_.dx, cells_.dy);
         const double speed = std::hypot(velocity_.x, velocity_.y);
         if (speed == 0.0) return;
@@ -138,6 +151,8 @@ private:
                            .ny = clampedCount(width_ / period.dy, 4 * rows)};
         points.dx = length_ / points.nx;
         points.dy = width_ / points.ny;
+        points.x0 = x_;
+        points.y0 = y_;
         std::vector<double> heights(points.cells());
         disk_.heights(points, 0.0, 0.0, heights);
         return variance(heights);
@@ -146,11 +161,11 @@ private:
     double varianceOfMeans(double cells) const
     {
         CellGrid blocks;
-        const auto divide = [](std::vector<double>& lines, double length, int count) {
-            for (int k = 0; k <= count; ++k) lines.push_back(length * k / count);
+        const auto divide = [](std::vector<double>& lines, double from, double length, int count) {
+            for (int k = 0; k <= count; ++k) lines.push_back(from + length * k / count);
         };
-        divide(blocks.x, length_, clampedCount(length_ / (cells * cells_.dx), columns));
-        divide(blocks.y, width_, clampedCount(width_ / (cells * cells_.dy), rows));
+        divide(blocks.x, x_, length_, clampedCount(length_ / (cells * cells_.dx), columns));
+        divide(blocks.y, y_, width_, clampedCount(width_ / (cells * cells_.dy), rows));
         std::vector<double> means(blocks.cells());
         disk_.cellMeans(blocks, 0.0, 0.0, means);
         return variance(means);
@@ -160,7 +175,7 @@ private:
     const WeightedCells& cells_;
     Velocity velocity_;
     DiskOnCells& found_;
-    double length_ = 0.0, width_ = 0.0; // of the part of a map that is looked at [m]
+    double x_ = 0.0, y_ = 0.0, length_ = 0.0, width_ = 0.0; // of the part of a map that is looked at [m]
 };
 
 } // namespace
@@ -181,15 +196,15 @@ DiskOnCells diskOnCells(const Case& c, const DiskTopography& disk, const Recess&
     const DiskSurface& surface = c.diskSurface;
     if (hasWaves(surface))
         for (std::size_t k = 0; k < surface.waveLengths.size(); ++k) {
-            if (surface.waveAmplitudes[k] == 0.0) continue;
             const double angle = surface.waveAngles.empty() ? 0.0 : surface.waveAngles[k];
-            looker.look(true, surface.waveLengths[k], std::cos(angle), std::sin(angle));
+            looker.look(true, surface.waveAmplitudes[k], surface.waveLengths[k], std::cos(angle), std::sin(angle));
         }
     if (hasBumps(surface))
         for (std::size_t k = 0; k < surface.bumpLengths.size(); ++k) {
-            if (surface.bumpHeights[k] == 0.0) continue;
-            looker.look(false, surface.bumpLengths[k], 1.0, 0.0);
-            looker.look(false, surface.bumpWidths.empty() ? surface.bumpLengths[k] : surface.bumpWidths[k], 0.0, 1.0);
+            const double height = surface.bumpHeights[k];
+            looker.look(false, height, surface.bumpLengths[k], 1.0, 0.0);
+            looker.look(false, height, surface.bumpWidths.empty() ? surface.bumpLengths[k] : surface.bumpWidths[k], 0.0,
+                        1.0);
         }
     if (hasRoughness(surface) || hasFile(surface)) looker.lookAtMap();
     return found;
@@ -204,17 +219,19 @@ std::vector<std::string> doubtsOnDisk(const DiskOnCells& disk, double step)
         doubts.push_back(std::string(feature.isWave ? "the waves of the disk, " : "a bump of the disk, ") +
                          fewDigits(feature.length, "um", 3) + (feature.isWave ? " long, span " : " wide, spans ") +
                          fewDigits(feature.cells, "", 2) +
-                         " cells of the film where its gap is small; at least 6 are needed: the means over the cells "
-                         "keep " +
-                         percent(feature.kept) + " of " + (feature.isWave ? "their" : "its") +
-                         " height, and the film's force over them is not resolved" + cure);
+                         " cells of the film where its gap is small; at least 6 are needed: " +
+                         (feature.isWave ? "the means over the cells keep " + percent(feature.kept) +
+                                               " of their height, and the film's force over them is not resolved"
+                                         : std::string("the film's force over it is not resolved")) +
+                         cure);
     }
     const double change = perSquare * disk.lost * disk.lost / (disk.leastGap * disk.leastGap);
     if (disk.hasMap && change > worthSaying)
-        doubts.push_back("of the disk's surface, " + fewDigits(disk.rms, "nm", 3) + " RMS, " +
-                         fewDigits(disk.lost, "nm", 3) + " lie in waves shorter than six cells of the film, " +
-                         fewDigits(disk.sixCells, "um", 2) + ", which the means over the cells lose: under a gap of " +
-                         fewDigits(disk.leastGap, "nm", 3) + " they would change the film's force by " +
+        doubts.push_back("the cells of the film do not see " + fewDigits(disk.lost, "nm", 3) + " of the " +
+                         fewDigits(disk.rms, "nm", 3) +
+                         " RMS of the disk's surface, in waves shorter than six cells, " +
+                         fewDigits(disk.sixCells, "um", 2) + ": under a gap of " + fewDigits(disk.leastGap, "nm", 3) +
+                         " they would change the film's force by " +
                          (change < large ? "about " + percent(change, 1) : "more than " + percent(large)) + cure);
     if (step > disk.longestStep)
         doubts.push_back("steps of " + fewDigitsOfTime(step, 3) + " (run.step) are longer than " +

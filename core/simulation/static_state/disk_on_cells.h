@@ -8,9 +8,10 @@
 //   waves, bumps   known by their lengths; at least six cells span a wave, or the base of a bump
 //   maps           by the RMS height that means over three cells lose: half of the height of a wave of six cells
 //
-// Waves of zero mean and RMS height s change the mean force of a film by about 3 (s/gap)^2: what is lost matters where
-// that is above 1 %. A step is at most a sixteenth of the time in which the shortest wave that the cells know, and that
-// matters in that sense, passes: as for springs (core/physics/disk/disk_passage.h).
+// Waves of zero mean and RMS height s change the mean force of a film by about 3 (s/gap)^2: what a map loses matters
+// where that is above 1 %. A wave or bump matters where its height is above 1 % of the least gap, as the film answers
+// to it in proportion. A step is at most a sixteenth of the time in which the shortest wave that the cells know, and
+// that matters in that sense, passes: as for springs (core/physics/disk/disk_passage.h).
 #pragma once
 
 #include <limits>

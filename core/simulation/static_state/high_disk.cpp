@@ -25,7 +25,8 @@ std::string diskReachesSlider(const Case& c, const DiskClearance::Place& place, 
                                 : "; no law of contact acts there (contact = \"none\")";
     const double slider = place.gap + place.diskHeight;
     if (place.diskHeight == 0.0)
-        return "the slider reaches the mean plane of the disk" + when + ": at " + placeOf(place) + law;
+        return "the slider reaches the mean plane of the disk" + when + ": at " + placeOf(place) + " it is " +
+               fewDigits(-slider, "nm", 3) + " below it" + law;
     return "the disk's surface reaches the slider" + when + ": at " + placeOf(place) + " it is " +
            fewDigits(place.diskHeight, "nm", 4) + " above its mean plane, and the slider " +
            fewDigits(slider, "nm", 4) + law;
@@ -52,16 +53,22 @@ DiskAtStart diskAtStart(const Case& c)
 {
     DiskAtStart found;
     const DiskTopography disk = diskTopography(c);
-    if (disk.flat()) return found;
+    const bool given = c.initial.state == InitialState::Given;
     const Recess recess(c.surface, c.slider.length, c.slider.width);
     const Attitude start{c.initial.nominalTrailingEdgeHeight, c.initial.pitch, c.initial.roll};
-    found.warnings =
-        doubtsOnDisk(diskOnCells(c, disk, recess, unadaptedGrid(c, {c.film.nodes[0] - 1, c.film.nodes[1] - 1}), start),
-                     c.run.steps == StepControl::Fixed ? c.run.step : 0.0);
-    if (c.contact != ContactKind::None || c.initial.state == InitialState::Static) return found;
+    DiskOnCells cells =
+        diskOnCells(c, disk, recess, unadaptedGrid(c, {c.film.nodes[0] - 1, c.film.nodes[1] - 1}), start);
+    if (!given) cells.hasMap = false; // what matters of a map depends on the gap
+    found.warnings = doubtsOnDisk(cells, c.run.steps == StepControl::Fixed ? c.run.step : 0.0);
+    if (!given || (c.contact != ContactKind::None && (c.contact != ContactKind::OnoYamane || disk.flat())))
+        return found;
     const MinimumSpacing spacing(c.surface, recess);
     const DiskClearance::Place place = DiskClearance(recess, spacing, disk, {}).at(start, 0.0);
-    if (place.gap <= 0.0) found.problem = diskReachesSlider(c, place, 0.0) + "; start higher";
+    if (place.gap > 0.0) return found;
+    if (c.contact == ContactKind::None)
+        found.problem = diskReachesSlider(c, place, 0.0) + "; start higher";
+    else
+        found.warnings.push_back(diskReachesSlider(c, place, 0.0));
     return found;
 }
 

@@ -16,7 +16,7 @@ struct Case;
 /// "the disk's surface reaches the slider at 12 ns: at x = 1.2 mm, y = 0.5 mm it is 15 nm above its mean plane and the
 /// slider 14 nm; no law of contact acts there (contact = "none")". `place`: where the gap is least, not positive.
 std::string diskReachesSlider(const Case& c, const DiskClearance::Place& place, double time);
-/// "the disk, 9.3 nm above its mean plane at x = ..., y = ..., is 0.2 nm below the slider".
+/// "the disk's surface, 9.3 nm above its mean plane at x = ..., y = ..., is 0.2 nm below the slider".
 std::string nearestDisk(const DiskClearance::Place& place);
 
 /// What a static state with this minimum spacing [m], which is one above the mean plane, does not say of a disk that is
@@ -28,7 +28,8 @@ struct DiskAtStart {
     std::string problem; // why it cannot start; "" if it may
     std::vector<std::string> warnings;
 };
-/// May generate the disk's roughness and read its file. Of a start from the static state only the cells are checked.
+/// May generate the disk's roughness and read its file. Of a start from the static state the gap is not known: only the
+/// cells under waves and bumps are checked.
 DiskAtStart diskAtStart(const Case& c);
 
 } // namespace touchdown

@@ -116,10 +116,17 @@ void TestDiskClearance::noPointIsLower()
     }
     DiskSurface disk;
     double rms = 0.0;
-    if (seed % 3 == 0) {
-        const double amplitude = draw(0.1e-9, 10e-9);
-        disk = wave(amplitude, std::exp(draw(std::log(5e-6), std::log(500e-6))), draw(0.0, 1.6));
-        rms = amplitude / std::numbers::sqrt2;
+    if (seed % 3 == 0) { // one to eight waves
+        disk.kind = DiskSurfaceKind::Waves;
+        double squares = 0.0;
+        for (int k = 0; k < 1 + seed % 8; ++k) {
+            disk.waveAmplitudes.push_back(draw(-3e-9, 3e-9));
+            disk.waveLengths.push_back(std::exp(draw(std::log(1.3e-6), std::log(300e-6))));
+            disk.waveAngles.push_back(draw(-1.6, 1.6));
+            disk.wavePhases.push_back(draw(0.0, 6.28));
+            squares += 0.5 * disk.waveAmplitudes.back() * disk.waveAmplitudes.back();
+        }
+        rms = std::sqrt(squares);
     } else if (seed % 3 == 1) {
         disk.kind = DiskSurfaceKind::Rough;
         rms = disk.rms = std::exp(draw(std::log(0.1e-9), std::log(3e-9)));

@@ -48,6 +48,7 @@ private slots:
         QVERIFY(told(c, 300e3, {500, 0.05e-3}).empty()); // a short contact
         QVERIFY(told(c, 300e3, all(61.0)).empty());      // short steps
         QVERIFY(doubtsOnDamping(c, {}, 1.0, all(10.0), duration).empty());
+        QVERIFY(told(c, 0.0, {}).empty()); // a disk at rest
     }
     /// Of the peaks of at least a tenth of the largest, the fastest counts.
     void cells()
@@ -75,6 +76,9 @@ private slots:
         QVERIFY(told(forcedAt(230e3), 200e3, {}).find("at 250 kHz") != std::string::npos);
         QVERIFY(told(forcedAt(250e3), 90e3, {}).find("at 100 kHz") != std::string::npos);
         forcedAt(250e3);
+        c.diskSurface.waveAmplitudes = {0.0};
+        QVERIFY(told(c, 200e3, {}).find("at 250 kHz") != std::string::npos);
+        c.diskSurface.waveAmplitudes = {1e-9};
         c.diskSurface.motion = SurfaceMotion::Still;
         QVERIFY(told(c, 200e3, {}).find("at 250 kHz") != std::string::npos);
     }

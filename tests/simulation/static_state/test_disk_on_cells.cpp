@@ -31,6 +31,7 @@ private slots:
     void knowsWhatMeansLoseOfARoughSurface();
     void aStepIsASixteenthOfAWave();
     void aStepFollowsNoWaveThatDoesNotMatter();
+    void looksAtAllOfAMap();
     void saysBothNumbers();
     void saysWhereADiskReachesTheSlider();
     void aStaticStateSaysThatTheDiskIsHigher();
@@ -172,6 +173,9 @@ void TestDiskOnCells::aStepIsASixteenthOfAWave()
     Case c = overWaves(100e-6, 0.0);
     const double speed = diskVelocity(c.disk, length, width, 0.5 * length, 0.5 * width).x;
     QVERIFY(std::abs(seen(c).longestStep - 100e-6 / 16.0 / speed) < 1e-6 * seen(c).longestStep);
+    c.diskSurface.waveAmplitudes = {0.09e-9}; // less than a hundredth of the gap
+    QVERIFY(std::isinf(seen(c).longestStep) && !seen(c).coarsest);
+    c.diskSurface.waveAmplitudes = {1e-9};
     c.diskSurface.waveLengths = {1.9 * 12.5e-6}; // of which the cells know too little
     QVERIFY(std::isinf(seen(c).longestStep));
     c.diskSurface.waveLengths = {100e-6};
@@ -197,6 +201,19 @@ void TestDiskOnCells::aStepFollowsNoWaveThatDoesNotMatter()
     // 3 (RMS/gap)^2 is below 1 % of 0.5 nm over 10 nm; the larger the rest, the shorter the waves that matter.
     QVERIFY(std::isinf(stepOf(0.5e-9)));
     QVERIFY(std::isfinite(stepOf(2e-9)) && stepOf(4e-9) <= stepOf(2e-9) && stepOf(8e-9) < stepOf(2e-9));
+}
+
+/// A profile that is quiet for 7/8 of its length and rough at its end.
+void TestDiskOnCells::looksAtAllOfAMap()
+{
+    Case c = plane();
+    c.diskSurface.kind = DiskSurfaceKind::File;
+    HeightMap map{.nx = 65536, .ny = 1, .dx = 1e-6, .closedX = true};
+    for (int i = 0; i < map.nx; ++i) map.heights.push_back(i < 7 * map.nx / 8 ? 0.0 : i % 8 < 4 ? 2e-9 : -2e-9);
+    const Recess recess(c.surface, length, width);
+    const DiskOnCells found = diskOnCells(c, DiskTopography(c.diskSurface, map), recess,
+                                          uniformGrid(length, width, cells, cells), {10e-9, 0.0, 0.0});
+    QVERIFY(!found.isResolved() && found.lost > 1e-9);
 }
 
 void TestDiskOnCells::saysBothNumbers()
@@ -225,6 +242,14 @@ void TestDiskOnCells::saysWhereADiskReachesTheSlider()
     Case touching = c; // a law of contact carries it
     touching.contact = ContactKind::Elastic;
     QVERIFY(diskAtStart(touching).problem.empty());
+    touching.contact = ContactKind::OnoYamane; // acts on the mean plane
+    QVERIFY(diskAtStart(touching).problem.empty());
+    QVERIFY(std::ranges::any_of(diskAtStart(touching).warnings, [](const std::string& each) {
+        return each.find("does not see it") != std::string::npos;
+    }));
+    Case low = plane();
+    low.initial.nominalTrailingEdgeHeight = -1e-9;
+    QVERIFY(diskAtStart(low).problem.find("1 nm below it") != std::string::npos);
     QVERIFY(diskAtStart(plane()).problem.empty() && diskAtStart(plane()).warnings.empty());
     QVERIFY(!diskAtStart(overWaves(30e-6, 0.0)).warnings.empty()); // 2.4 cells
 }
