@@ -113,15 +113,16 @@ void TestSteadyCommand::fixedAttitude()
     QCOMPARE(same.json()["net_force"].toDouble(), o.json()["net_force"].toDouble());
 }
 
-// Refused before anything is computed, in one line; numbers that nobody knows are null. The trailing pad is lowest where
-// its walls begin, at (1.2245, 0.4505) mm: -20 nm + 150 urad 25.5 um - 1.20 nm of crown - 2.97 nm of camber.
+// Refused before anything is computed, in one line; numbers that nobody knows are null. The trailing pad is lowest
+// where its walls begin, at (1.2245, 0.5) mm: -20 nm + 150 urad 25.5 um - 1.20 nm of crown - 3 nm of camber = -20.37
+// nm.
 void TestSteadyCommand::railsInsideTheDisk()
 {
     const QStringList settings = quick({"initial.nominal_trailing_edge_height=-20 nm"});
     const Outcome o = folder_->touchdown(QStringList{"steady", "film_pico", "--fixed-attitude", "--json"} + settings);
     QCOMPARE(o.code, 1);
     QCOMPARE(o.json()["status"].toString(), QString("failed"));
-    QVERIFY(o.json()["message"].toString().startsWith("the rails are inside the disk, 20.3 nm below"));
+    QVERIFY(o.json()["message"].toString().startsWith("the rails are inside the disk, 20.4 nm below"));
     for (const char* key : {"net_force", "residual", "load_error", "grid", "maximum_pressure", "minimum_spacing"})
         QVERIFY2(o.json().contains(key) && o.json()[key].isNull(), key);
     QCOMPARE(o.errorLines().size(), 1);

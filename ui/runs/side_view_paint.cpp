@@ -56,10 +56,18 @@ void SideView::paintSlider(QPainter& painter, const PlotTheme& theme) const
     drawn.paintSlider(painter, penOf(first_, theme).color(), heights);
     if (first_.springs) return; // their pad has a picture of its own
 
-    const auto lowestAt = std::ranges::min_element(heights) - heights.begin();
-    const double lowest = static_cast<double>(lowestAt) / SliderProfile::along;
-    const QPointF tip = drawn.toPixel(lowest * first_.length, heightAt(lowest));
-    const QPointF foot = drawn.toPixel(lowest * first_.length, 0.0);
+    const bool uneven = disk_->state() == DiskProfile::State::Uneven;
+    const auto diskAt = [&](int column) {
+        return uneven ? disk_->heightAt(column * first_.length / SliderProfile::along, first_.state->time) : 0.0;
+    };
+    int lowest = 0;
+    for (int i = 1; i <= SliderProfile::along; ++i)
+        if (heights[static_cast<std::size_t>(i)] - diskAt(i) <
+            heights[static_cast<std::size_t>(lowest)] - diskAt(lowest))
+            lowest = i;
+    const double x = lowest * first_.length / SliderProfile::along;
+    const QPointF tip = drawn.toPixel(x, heights[static_cast<std::size_t>(lowest)]);
+    const QPointF foot = drawn.toPixel(x, diskAt(lowest));
     const QColor mark = first_.state->contactForce > 0.0 ? theme.curves[1] : theme.text;
     painter.setPen(QPen(mark, 2.0));
     painter.drawLine(tip, foot);

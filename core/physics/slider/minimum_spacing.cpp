@@ -14,6 +14,7 @@ namespace {
 
 constexpr int lattice = 128;
 constexpr double shortestMove = 1e-13; // on the way down from the nearest point of the list [m]
+constexpr double beside = 1e-10;       // of the list, on either side of an edge [m]
 
 int partsOf(double edge, double sliderLength) { return std::clamp(static_cast<int>(64 * edge / sliderLength), 1, 64); }
 
@@ -77,7 +78,6 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
     // Crown and camber are some tens of nanometres over the length: less than a thousandth of that between neighbours.
     for (int j = 0; j <= lattice; ++j)
         for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);
-    constexpr double beside = 1e-10; // [m], on either side of an edge
     std::vector<Line> lines;
     for (std::size_t r = 0; r < surface.rails.size(); ++r) {
         const Rail& rail = surface.rails[r];
@@ -172,7 +172,8 @@ MinimumSpacing::Place MinimumSpacing::nearestListed(const Attitude& attitude) co
 
 MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
 {
-    Place nearest = nearestListed(attitude);
+    const Place listed = nearestListed(attitude);
+    Place nearest = listed;
     if (!std::isfinite(nearest.spacing)) return nearest;
     for (double step = 2.0 * std::max(length_, width_) / lattice; step > shortestMove;) {
         const SurfacePoint from = nearest.at;
@@ -184,7 +185,9 @@ MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
         }
         if (nearest.at == from) step *= 0.5;
     }
-    return nearest;
+    // The way from the side of an edge to the edge itself counts for nothing.
+    const bool same = std::hypot(nearest.at.x - listed.at.x, nearest.at.y - listed.at.y) < 3.0 * beside;
+    return same ? listed : nearest;
 }
 
 MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
@@ -203,7 +206,7 @@ MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double d
             y += weight * c.y;
         }
     }
-    return {least, {x / weights, y / weights}};
+    return {at(attitude).spacing, {x / weights, y / weights}};
 }
 
 } // namespace touchdown

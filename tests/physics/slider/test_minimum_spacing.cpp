@@ -204,7 +204,7 @@ void TestMinimumSpacing::noPointOfASliderWithWallsIsLower()
         for (int turn = 0; turn < 4; ++turn)
             for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}})
                 look(std::clamp(x0 + dx * step, 0.0, length), std::clamp(y0 + dy * step, 0.0, width));
-    QVERIFY2(place.spacing <= least + 1e-14, qPrintable(QStringLiteral("%1 nm at (%2, %3) um, but %4 nm at (%5, %6) um")
+    QVERIFY2(place.spacing <= least + 1e-13, qPrintable(QStringLiteral("%1 nm at (%2, %3) um, but %4 nm at (%5, %6) um")
                                                             .arg(place.spacing * 1e9)
                                                             .arg(place.at.x * 1e6)
                                                             .arg(place.at.y * 1e6)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <QtTest>
 
@@ -94,16 +95,18 @@ void TestSpringFit::takesTheCharacteristicOver()
     QCOMPARE(fit.springs.onoYamane.meniscusForce, 12e-3);
 }
 
-/// A wave of 5 mm passes in some 0.4 ms: slider and film follow it, so that the minimum spacing above the mean plane
-/// is that of the static state and the height of the disk under it. Of the fitted springs it is the same.
+/// A wave of 20 mm, sixteen sliders long, passes in 1.4 ms: slider and film follow it, so that the minimum spacing
+/// above the mean plane is that of the static state and the height of the disk under it. Of the fitted springs it is
+/// the same, but for what a moving slope does to the film: half of the disk's speed carries its pressure, so that it
+/// leads by a part of a slider's length, 1.26 nm/mm 0.35 mm.
 void TestSpringFit::followsTheDiskAsTheFilmDoes()
 {
     Case c = taperFlat();
     c.initial.state = InitialState::Static;
     c.diskSurface.kind = DiskSurfaceKind::Waves;
-    c.diskSurface.waveAmplitudes = {2e-9};
-    c.diskSurface.waveLengths = {5e-3};
-    c.diskSurface.wavePhases = {1.0};
+    c.diskSurface.waveAmplitudes = {4e-9};
+    c.diskSurface.waveLengths = {20e-3};
+    c.diskSurface.wavePhases = {-std::numbers::pi / 16.0}; // a node under the middle of the slider at the start
     c.diskSurface.track = 20e-3;
     const SpringFit fit = fitSprings(c);
     QVERIFY2(fit.problem.empty(), fit.problem.c_str());
@@ -119,8 +122,7 @@ void TestSpringFit::followsTheDiskAsTheFilmDoes()
         high = std::max(high, film.samples.spacing[k]);
     }
     QVERIFY(high - low > 0.5e-9);
-    QVERIFY2(apart < 0.1 * (high - low),
-             qPrintable(QStringLiteral("%1 of %2 nm").arg(apart * 1e9).arg((high - low) * 1e9)));
+    QVERIFY2(apart < 0.44e-9, qPrintable(QStringLiteral("%1 of %2 nm").arg(apart * 1e9).arg((high - low) * 1e9)));
     c.diskSurface.kind = DiskSurfaceKind::Bumps;
     c.diskSurface.bumpHeights = {1e-9};
     c.diskSurface.bumpLengths = {100e-6};

@@ -147,8 +147,8 @@ private slots:
         QVERIFY(sectionsAsText(attitudeSections(c, sampleResult(c))).startsWith(QStringLiteral("Attitude")));
     }
 
-    /// A change is printed with the decimals of its value, and with up to two more where these show less than two digits
-    /// of it. Four digits of a stiffness, be it 2.5e6 N/m = 2.500 mN/nm or 0.08 N m/rad.
+    /// A change is printed with the decimals of its value, and with up to two more where these show less than two
+    /// digits of it. Four digits of a stiffness, be it 2.5e6 N/m = 2.500 mN/nm or 0.08 N m/rad.
     void digitsOfChanges()
     {
         SolutionsModel model;
