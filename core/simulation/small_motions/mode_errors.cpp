@@ -15,32 +15,13 @@ using Complex = std::complex<double>;
 namespace {
 
 constexpr double tolerance = 1e-6; // of a rate on a coarser grid [-]
-constexpr double ofQuarter = 0.25; // share of the difference of the coarser grids that counts [-]
-constexpr double ofLargest = 0.5;  // share of the largest difference of the slider's modes that counts [-]
+constexpr double perHalving = 0.5; // of an error of first order, when cells are halved [-]
 constexpr int multiple = 16;       // of which numbers of cells are multiples
-
-double damping(Complex s) { return -s.real() / std::abs(s); }
 
 Complex nearest(std::span<const Complex> rates, Complex rate)
 {
     return *std::ranges::min_element(rates, {}, [&](Complex other) { return std::abs(other - rate); });
 }
-
-/// Differences of a mode: damping ratio, frequency relative to itself [-].
-struct Difference {
-    double damping = 0.0, frequency = 0.0;
-    Difference(Complex a, Complex b)
-        : damping(std::abs(touchdown::damping(a) - touchdown::damping(b))),
-          frequency(std::abs(a.imag() - b.imag()) / a.imag())
-    {}
-    Difference() = default;
-    /// The larger of each.
-    void cover(const Difference& other, double share)
-    {
-        damping = std::max(damping, share * other.damping);
-        frequency = std::max(frequency, share * other.frequency);
-    }
-};
 
 } // namespace
 
@@ -79,19 +60,16 @@ void setErrors(std::vector<AirBearingMode>& modes, std::span<const Complex> fine
                std::span<const Complex> quarter)
 {
     if (half.empty()) return;
-    std::vector<Difference> differences;
-    Difference largest;
-    for (const Complex s : finest) {
-        const Complex s2 = nearest(half, s);
-        Difference x(s, s2);
-        if (!quarter.empty()) x.cover(Difference(s2, nearest(quarter, s2)), ofQuarter);
-        largest.cover(x, 1.0);
-        differences.push_back(x);
-    }
     for (std::size_t k = 0; k < modes.size(); ++k) {
-        differences[k].cover(largest, ofLargest);
-        modes[k].dampingError = dampingErrorFactor * differences[k].damping;
-        modes[k].frequencyError = frequencyErrorFactor * differences[k].frequency * modes[k].frequency;
+        const Complex s = finest[k], s2 = nearest(half, s);
+        double apart = std::abs(s - s2);
+        if (quarter.empty())
+            apart /= perHalving;
+        else
+            apart = std::max(apart, perHalving * std::abs(s2 - nearest(quarter, s2)));
+        apart /= std::abs(s);
+        modes[k].dampingError = dampingErrorFactor * apart;
+        modes[k].frequencyError = frequencyErrorFactor * apart * modes[k].frequency;
     }
 }
 
