@@ -13,8 +13,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr int boundBlock = 8;      // cells along each side for which a bound is kept
-constexpr int mostBlocks = 16;     // along a side of a rectangle; a larger one has the bound of all
+constexpr int boundBlock = 4;      // cells along each side for which a bound is kept
+constexpr int mostBlocks = 24;     // along a side of a rectangle; a larger one has the bound of all
 constexpr int chunk = 128;         // columns whose weights are kept at a time
 constexpr double finest = 0x1p-30; // positions are multiples of this or of a larger power of two [cell]
 
@@ -192,16 +192,18 @@ PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector
     upper_ = *highest;
     blocksX_ = (nx + boundBlock - 1) / boundBlock;
     blocksY_ = (ny + boundBlock - 1) / boundBlock;
-    blockUpper_.assign(static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_), lower_);
+    blockUpper_.assign(static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_), 0.0F);
     const auto around = [](int index, int count) { return ((index % count) + count) % count; };
     for (int q = 0; q < blocksY_; ++q)
         for (int p = 0; p < blocksX_; ++p) {
-            double& most = blockUpper_[static_cast<std::size_t>(q * blocksX_ + p)];
+            double most = lower_;
             // A value between two points has the coefficients from one before to one behind them.
             for (int j = q * boundBlock - 1; j <= std::min((q + 1) * boundBlock, ny) + 1; ++j)
                 for (int i = p * boundBlock - 1; i <= std::min((p + 1) * boundBlock, nx) + 1; ++i)
                     most = std::max(most, sums_[static_cast<std::size_t>(around(j, ny)) * columns +
                                                 static_cast<std::size_t>(around(i, nx))]);
+            blockUpper_[static_cast<std::size_t>(q * blocksX_ + p)] =
+                std::nextafter(static_cast<float>(most), std::numeric_limits<float>::max());
         }
     for (std::size_t j = 0; j < rows; ++j)
         for (std::size_t i = 1; i < columns; ++i) sums_[j * columns + i] += sums_[j * columns + i - 1];
@@ -216,7 +218,7 @@ double PeriodicSpline::upperBound(double x0, double x1, double y0, double y1) co
                        j1 = cellOf(y1 / dy_ + slack);
     if (i1 - i0 > mostBlocks * boundBlock || j1 - j0 > mostBlocks * boundBlock) return upper_;
     double most = lower_;
-    // From a cell to the first one of the next boundBlock.
+    // From a cell to the first one of the next block.
     const auto next = [](std::int64_t index, int count) {
         const std::int64_t in = ((index % count) + count) % count;
         return index + std::min<std::int64_t>(boundBlock - in % boundBlock, count - in);
@@ -224,7 +226,7 @@ double PeriodicSpline::upperBound(double x0, double x1, double y0, double y1) co
     for (std::int64_t j = j0; j <= j1; j = next(j, ny_))
         for (std::int64_t i = i0; i <= i1; i = next(i, nx_)) {
             const std::int64_t q = (((j % ny_) + ny_) % ny_) / boundBlock, p = (((i % nx_) + nx_) % nx_) / boundBlock;
-            most = std::max(most, blockUpper_[static_cast<std::size_t>(q * blocksX_ + p)]);
+            most = std::max(most, static_cast<double>(blockUpper_[static_cast<std::size_t>(q * blocksX_ + p)]));
         }
     return most;
 }

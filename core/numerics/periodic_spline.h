@@ -41,7 +41,7 @@ public:
     /// Bounds of all values: the extremes of the coefficients.
     double upperBound() const { return upper_; }
     double lowerBound() const { return lower_; }
-    /// A bound of the values in a rectangle: the largest coefficient of the blocks of 8 x 8 cells that it meets.
+    /// A bound of the values in a rectangle: the largest coefficient of the blocks of 4 x 4 cells that it meets.
     double upperBound(double x0, double x1, double y0, double y1) const;
 
 private:
@@ -50,7 +50,7 @@ private:
     std::vector<double> sums_; // S
     double upper_ = 0.0, lower_ = 0.0;
     int blocksX_ = 0, blocksY_ = 0;
-    std::vector<double> blockUpper_; // row by row
+    std::vector<float> blockUpper_; // row by row
 };
 
 } // namespace touchdown

@@ -7,7 +7,7 @@
 // Branch and bound (Land & Doig 1960): the slider is divided into boxes, halved along both sides from all of it to
 // 1/2048. In a box the gap is at least its least recess, plus the lift at its lowest corner, less a bound of the disk
 // under it. The box with the least bound is looked at in its middle and divided, until no bound is below the least gap
-// found by more than 1/2000 of the disk's range of heights. From there a search by halved steps goes downhill. The last
+// found by more than 1/1000 of the disk's range of heights. From there a search by halved steps goes downhill. The last
 // place found, and the nearest point to the mean plane (minimum_spacing.h), are looked at first. Under 36 drawn sliders
 // over one to eight waves of 1.3 to 300 um or roughness, two million other points and a search from their lowest found
 // none lower by more than 0.4 % of the disk's RMS height.

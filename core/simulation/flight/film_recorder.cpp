@@ -125,7 +125,7 @@ void FilmRecorder::add(const FilmPoint& point)
         for (double time; (time = static_cast<double>(samples_) * interval) <= std::min(until, end) + slack;)
             record(point, time);
         if (until > end) break;
-        evaluate(point, until);
+        evaluate(point, until, k == pointsOfStep);
         run_.addPoint(until, values_);
     }
     if (point.time >= case_.run.duration) run_.keepPoints();
@@ -151,7 +151,7 @@ void FilmRecorder::record(const FilmPoint& to, double time)
 
 /// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none,
 /// where it was nearer, or where one of them is zero or the parabola changes sign, as where a contact begins or ends.
-void FilmRecorder::evaluate(const FilmPoint& to, double time)
+void FilmRecorder::evaluate(const FilmPoint& to, double time, bool seek)
 {
     const FilmPoint& from = last_;
     const double h = to.time - from.time, h0 = from.time - earlier_.time,
@@ -183,7 +183,8 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time)
     s.area = ofContact(&SliderContactForces::area);
     s.peakPressure = ofContact(&SliderContactForces::peakPressure);
     if (clearance_) {
-        s.gap = clearance_->at(attitude, time).gap;
+        if (seek) belowSpacing_ = s.spacing - clearance_->at(attitude, time).gap;
+        s.gap = s.spacing - belowSpacing_;
         s.diskHeight = clearance_->diskHeight(points_.front().at, time);
         double* further = values_.data() + rows_.size();
         for (std::size_t k = 1; k < points_.size(); ++k) {

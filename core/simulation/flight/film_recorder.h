@@ -57,8 +57,9 @@ private:
         double recess = 0.0; // [m]
     };
     void record(const FilmPoint& to, double time);
-    /// Sets values_, between the last point and `to`.
-    void evaluate(const FilmPoint& to, double time);
+    /// Sets values_, between the last point and `to`. `seek`: the minimum gap; else it is that found last, changed as
+    /// the minimum spacing has changed since.
+    void evaluate(const FilmPoint& to, double time, bool seek = true);
     double heightOf(const Point& point, const Attitude& attitude) const; // above the mean plane [m]
     void addToEnergy(const FilmPoint& point);
 
@@ -69,6 +70,7 @@ private:
     RunRecorder& run_;
     std::vector<FilmQuantity> rows_;
     std::vector<Point> points_; // of interest; the flying height is taken at the first
+    double belowSpacing_ = 0.0; // the minimum gap found last, against the minimum spacing then [m]
     FilmPoint last_, earlier_;  // the same where forces have jumped
     long long samples_ = 0;
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]

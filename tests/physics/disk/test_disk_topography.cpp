@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <thread>
 
 #include "core/physics/disk/roughness.h"
@@ -71,6 +72,8 @@ class TestDiskTopography : public QObject {
     Q_OBJECT
 
 private slots:
+    void boundsHeightsInARectangle_data();
+    void boundsHeightsInARectangle();
     void aFlatDiskIsFlat()
     {
         DiskSurface withoutTrack;
@@ -312,6 +315,54 @@ private slots:
         for (const auto& out : together) QVERIFY(out == alone);
     }
 };
+
+void TestDiskTopography::boundsHeightsInARectangle_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 9; ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+/// Waves, a generated map and bumps, in drawn rectangles of all sizes, far from the origin, too: no height is above the
+/// bound, and that of a small rectangle is close to its highest point.
+void TestDiskTopography::boundsHeightsInARectangle()
+{
+    QFETCH(int, seed);
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    DiskSurface s;
+    s.kind = seed % 3 == 0 ? DiskSurfaceKind::Waves : seed % 3 == 1 ? DiskSurfaceKind::Rough : DiskSurfaceKind::Bumps;
+    for (int k = 0; k < 3; ++k) {
+        s.waveAmplitudes.push_back(draw(-2e-9, 2e-9));
+        s.waveLengths.push_back(draw(5e-6, 200e-6));
+        s.waveAngles.push_back(draw(-2.0, 2.0));
+        s.wavePhases.push_back(draw(-4.0, 4.0));
+        s.bumpHeights.push_back(draw(-5e-9, 5e-9));
+        s.bumpLengths.push_back(draw(5e-6, 60e-6));
+        s.bumpX.push_back(draw(0.0, 200e-6));
+        s.bumpY.push_back(draw(0.0, 60e-6));
+    }
+    s.bumpShape = BumpShape::Gaussian;
+    s.rms = 1e-9;
+    s.correlationLength = 5e-6;
+    s.cell = 1e-6;
+    s.track = 203e-6; // no multiple of the blocks of the bound
+    s.trackWidth = 61e-6;
+    s.seed = seed;
+    const DiskTopography disk(s);
+    const double range = disk.highest() - disk.lowest();
+    for (int box = 0; box < 200; ++box) {
+        const double x0 = draw(-2e-3, 2e-3), y0 = draw(-1e-3, 1e-3),
+                     side = std::exp(draw(std::log(0.1e-6), std::log(200e-6))), x1 = x0 + side,
+                     y1 = y0 + draw(0.1, 1.0) * side;
+        double highest = -1.0;
+        for (int j = 0; j <= 20; ++j)
+            for (int i = 0; i <= 20; ++i)
+                highest = std::max(highest, disk.height(x0 + (x1 - x0) * i / 20, y0 + (y1 - y0) * j / 20));
+        const double bound = disk.upperBound(x0, x1, y0, y1);
+        QVERIFY2(bound >= highest - 1e-18, qPrintable(QString::number(bound - highest)));
+        if (side < 0.2e-6 && s.kind != DiskSurfaceKind::Rough) QVERIFY(bound < highest + 0.1 * range);
+    }
+}
 
 TOUCHDOWN_TEST(TestDiskTopography)
 

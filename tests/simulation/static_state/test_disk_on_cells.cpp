@@ -208,7 +208,11 @@ void TestDiskOnCells::looksAtAllOfAMap()
 {
     Case c = plane();
     c.diskSurface.kind = DiskSurfaceKind::File;
-    HeightMap map{.nx = 65536, .ny = 1, .dx = 1e-6, .closedX = true};
+    HeightMap map;
+    map.nx = 65536;
+    map.ny = 1;
+    map.dx = 1e-6;
+    map.closedX = true;
     for (int i = 0; i < map.nx; ++i) map.heights.push_back(i < 7 * map.nx / 8 ? 0.0 : i % 8 < 4 ? 2e-9 : -2e-9);
     const Recess recess(c.surface, length, width);
     const DiskOnCells found = diskOnCells(c, DiskTopography(c.diskSurface, map), recess,
