@@ -108,6 +108,7 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
             look(followed(gapAt(attitude, x, y, time), attitude, time));
     }
     const double tolerance = allowed * (disk_.highest() - disk_.lowest());
+    const double tilt = std::abs(attitude.pitch) * recess_.length() + std::abs(attitude.roll) * recess_.width(); // [m]
     heap_.assign(1, boxOf(0, 0, 0, attitude, time));
     for (std::size_t count = 0; !heap_.empty() && count < mostBoxes; ++count) {
         std::pop_heap(heap_.begin(), heap_.end());
@@ -115,8 +116,14 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
         heap_.pop_back();
         if (box.bound >= least.gap - tolerance) break;
         const int boxes = 1 << box.level;
-        look(gapAt(attitude, recess_.length() * (box.i + 0.5) / boxes, recess_.width() * (box.j + 0.5) / boxes, time));
-        if (box.level == deepest) continue;
+        const Found middle =
+            gapAt(attitude, recess_.length() * (box.i + 0.5) / boxes, recess_.width() * (box.j + 0.5) / boxes, time);
+        look(middle);
+        if (box.level == deepest) {
+            // At the corner of a rail the gap is less than in the middle of the box by the tilt.
+            if (middle.gap - tilt / boxes < least.gap - tolerance) look(followed(middle, attitude, time));
+            continue;
+        }
         for (const int up : {0, 1})
             for (const int right : {0, 1}) {
                 const Box child = boxOf(box.level + 1, 2 * box.i + right, 2 * box.j + up, attitude, time);

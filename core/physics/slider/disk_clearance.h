@@ -10,7 +10,7 @@
 // found by more than 1/1000 of the disk's range of heights. From there a search by halved steps goes downhill. The last
 // place found, and the nearest point to the mean plane (minimum_spacing.h), are looked at first. Under 36 drawn sliders
 // over one to eight waves of 1.3 to 300 um or roughness, two million other points and a search from their lowest found
-// none lower by more than 0.4 % of the disk's RMS height.
+// none lower by more than 0.5 % of the disk's RMS height.
 #pragma once
 
 #include <optional>
