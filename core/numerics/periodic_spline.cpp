@@ -177,6 +177,25 @@ void findCoefficients(double* values, int points, std::size_t stride, std::size_
     for (int k = points - 2; k >= 0; --k) add(run(k), -z, run(k + 1), z);
 }
 
+/// The spline's second derivatives are means of the differences of its coefficients, with weights of sum 1; no
+/// direction has more than the larger of those along x and y with the mixed one (Gershgorin 1931).
+double largestCurvature(const std::vector<double>& coefficients, int nx, int ny, double dx, double dy)
+{
+    const auto columns = static_cast<std::size_t>(nx), rows = static_cast<std::size_t>(ny);
+    double along = 0.0, across = 0.0, mixed = 0.0;
+    for (std::size_t j = 0; j < rows; ++j) {
+        const std::size_t up = j + 1 < rows ? j + 1 : 0, down = j > 0 ? j - 1 : rows - 1;
+        for (std::size_t i = 0; i < columns; ++i) {
+            const std::size_t right = i + 1 < columns ? i + 1 : 0, left = i > 0 ? i - 1 : columns - 1;
+            const auto c = [&](std::size_t row, std::size_t column) { return coefficients[row * columns + column]; };
+            along = std::max(along, std::abs(c(j, left) - 2.0 * c(j, i) + c(j, right)));
+            across = std::max(across, std::abs(c(down, i) - 2.0 * c(j, i) + c(up, i)));
+            mixed = std::max(mixed, std::abs(c(up, right) - c(up, i) - c(j, right) + c(j, i)));
+        }
+    }
+    return std::max(along / (dx * dx), across / (dy * dy)) + mixed / (dx * dy);
+}
+
 } // namespace
 
 PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector<double> values)
@@ -190,6 +209,7 @@ PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector
     const auto [lowest, highest] = std::ranges::minmax_element(sums_);
     lower_ = *lowest;
     upper_ = *highest;
+    curvature_ = largestCurvature(sums_, nx, ny, dx, dy);
     blocksX_ = (nx + boundBlock - 1) / boundBlock;
     blocksY_ = (ny + boundBlock - 1) / boundBlock;
     blockUpper_.assign(static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_), 0.0F);

@@ -43,12 +43,14 @@ public:
     double lowerBound() const { return lower_; }
     /// A bound of the values in a rectangle: the largest coefficient of the blocks of 4 x 4 cells that it meets.
     double upperBound(double x0, double x1, double y0, double y1) const;
+    /// A bound of the second derivative in any direction [unit of the values/m^2], from those of the coefficients.
+    double curvature() const { return curvature_; }
 
 private:
     int nx_ = 0, ny_ = 0;
     double dx_ = 0.0, dy_ = 0.0;
     std::vector<double> sums_; // S
-    double upper_ = 0.0, lower_ = 0.0;
+    double upper_ = 0.0, lower_ = 0.0, curvature_ = 0.0;
     int blocksX_ = 0, blocksY_ = 0;
     std::vector<float> blockUpper_; // row by row
 };

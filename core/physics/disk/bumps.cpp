@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace touchdown {
@@ -98,6 +99,29 @@ double Bumps::upperBound(double x0, double x1, double y0, double y1) const
     forCopies(x0, x1, y0, y1, [&](const Bump& b, double cx, double cy) {
         const double u = (std::clamp(cx, x0, x1) - cx) / b.halfLength, v = (std::clamp(cy, y0, y1) - cy) / b.halfWidth;
         sum += std::max(b.height, 0.0) * shape(u * u + v * v);
+    });
+    return sum;
+}
+
+double Bumps::curvature(double x0, double x1, double y0, double y1) const
+{
+    const auto squares = [](double u, double v) { return u * u + v * v; };
+    const auto mostBent = [&](double rr) { // by r, up to there
+        switch (shape_) {
+        case BumpShape::Ellipsoid: break;
+        case BumpShape::Cosine: return 0.5 * std::numbers::pi * std::numbers::pi;
+        case BumpShape::Gaussian: return 9.0;
+        }
+        return rr < 1.0 ? std::pow(1.0 - rr, -1.5) : std::numeric_limits<double>::infinity();
+    };
+    double sum = 0.0;
+    forCopies(x0, x1, y0, y1, [&](const Bump& b, double cx, double cy) {
+        const double near =
+            squares((std::clamp(cx, x0, x1) - cx) / b.halfLength, (std::clamp(cy, y0, y1) - cy) / b.halfWidth);
+        if (near >= reach_ * reach_) return;
+        const double far = squares(std::max(cx - x0, x1 - cx) / b.halfLength, std::max(cy - y0, y1 - cy) / b.halfWidth),
+                     half = std::min(b.halfLength, b.halfWidth);
+        sum += std::abs(b.height) * mostBent(far) / (half * half);
     });
     return sum;
 }

@@ -37,6 +37,8 @@ public:
     double lowest() const { return lowest_; }
     /// A bound of the height in a rectangle [m].
     double upperBound(double x0, double x1, double y0, double y1) const;
+    /// A bound of the second derivative in any direction there [1/m]: infinity at the base of an ellipsoid.
+    double curvature(double x0, double x1, double y0, double y1) const;
 
 private:
     struct Bump {

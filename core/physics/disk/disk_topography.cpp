@@ -85,9 +85,11 @@ DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightM
 
     highest_ = waves_.amplitude() + bumps_.highest();
     lowest_ = -waves_.amplitude() + bumps_.lowest();
+    curvature_ = waves_.curvature();
     for (const PeriodicSpline& map : maps_) {
         highest_ += map.upperBound();
         lowest_ += map.lowerBound();
+        curvature_ += map.curvature();
     }
     const auto finest = std::ranges::min_element(maps_, {}, &PeriodicSpline::dx);
     if (finest != maps_.end()) period_ = gridOf(*finest);

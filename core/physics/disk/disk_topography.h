@@ -61,6 +61,11 @@ public:
     double lowest() const { return lowest_; }
     /// A bound of w in a rectangle [m], closer the smaller it is.
     double upperBound(double x0, double x1, double y0, double y1) const;
+    /// A bound of the second derivative in any direction there [1/m]: infinity at the base of an ellipsoid.
+    double curvature(double x0, double x1, double y0, double y1) const
+    {
+        return curvature_ + bumps_.curvature(x0, x1, y0, y1);
+    }
 
     /// One period of the surface for plots and statistics, the cells' centres on the points of its finest map; without
     /// a map, the given track with the given cell.
@@ -78,6 +83,7 @@ private:
     std::vector<PeriodicSpline> maps_;
     Bumps bumps_;
     double highest_ = 0.0, lowest_ = 0.0; // [m]
+    double curvature_ = 0.0;              // of waves and maps [1/m]
     UniformGrid period_;
     bool repeats_ = true;
     UniformGrid measured_;

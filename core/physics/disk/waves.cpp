@@ -70,6 +70,13 @@ double Waves::upperBound(double x0, double x1, double y0, double y1) const
     return sum;
 }
 
+double Waves::curvature() const
+{
+    double sum = 0.0;
+    for (const Wave& w : waves_) sum += std::abs(w.amplitude) * (w.kx * w.kx + w.ky * w.ky);
+    return sum;
+}
+
 double Waves::height(double x, double y) const
 {
     double sum = 0.0;

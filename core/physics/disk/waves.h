@@ -28,6 +28,8 @@ public:
     double amplitude() const; // the sum of all [m]
     /// A bound of the height in a rectangle [m]: each wave's own highest point there.
     double upperBound(double x0, double x1, double y0, double y1) const;
+    /// A bound of the second derivative in any direction [1/m].
+    double curvature() const;
 
 private:
     struct Wave {

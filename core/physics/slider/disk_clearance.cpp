@@ -9,13 +9,15 @@ namespace touchdown {
 namespace {
 
 constexpr int knownLevels = 7;               // the recess is sampled in 128 x 128 tiles
-constexpr int deepest = 11;                  // level of the smallest boxes
-constexpr int samples = 16;                  // of a tile that edges cross, along each side
-constexpr double curvature = 1e-12;          // of the form within a smooth tile, at most [m]
+constexpr int deepest = 20;                  // level of the smallest boxes
+constexpr int edgeLevel = 9;                 // from which edges are left to lookAlong
+constexpr int deepestOfEdges = 10;           // halvings of such a part
+constexpr int tileParts = 16;                // along each side of a tile that edges cross, for its least recess
 constexpr double allowed = 1.0 / 1000.0;     // of the disk's range of heights
 constexpr std::size_t mostBoxes = 200000;    // looked at; beyond, the least gap found so far counts
 constexpr double firstStep = 0x1p-11;        // of the search downhill, of the slider's sides
 constexpr double lastStep = firstStep / 512; // and where it ends
+constexpr double rounding = 1e-15;           // of a recess [m]
 
 } // namespace
 
@@ -26,19 +28,19 @@ DiskClearance::DiskClearance(const Recess& recess, const MinimumSpacing& spacing
     if (disk_.flat()) return;
     for (int level = 0; level <= knownLevels; ++level) least_.emplace_back(std::size_t{1} << (2 * level), 0.0F);
     const int tiles = 1 << knownLevels;
-    const double length = recess_.length() / tiles, width = recess_.width() / tiles;
-    const auto leastOf = [&](int i, int j) {
-        const double x = i * length, y = j * width;
-        const bool smooth = recess_.isSmooth(x, x + length, y, y + width);
-        const int count = smooth ? 2 : samples;
-        double least = recess_.at(x, y);
-        for (int m = 0; m < count; ++m)
-            for (int k = 0; k < count; ++k)
-                least = std::min(least, recess_.at(x + length * k / (count - 1), y + width * m / (count - 1)));
-        return static_cast<float>(least - curvature);
-    };
     for (int j = 0; j < tiles; ++j)
-        for (int i = 0; i < tiles; ++i) least_.back()[static_cast<std::size_t>(j * tiles + i)] = leastOf(i, j);
+        for (int i = 0; i < tiles; ++i) {
+            const Sides tile = sidesOf({0.0, knownLevels, i, j});
+            double least;
+            if (isSmooth(tile)) {
+                const Plane plane = planeOf(tile);
+                least = plane.recess - std::abs(plane.slopeX) * tile.halfLength -
+                        std::abs(plane.slopeY) * tile.halfWidth - plane.slack;
+            } else {
+                least = leastRecess(tile, tileParts);
+            }
+            least_.back()[static_cast<std::size_t>(j * tiles + i)] = std::nextafter(static_cast<float>(least), -1.0F);
+        }
     for (int level = knownLevels; level-- > 0;)
         for (int j = 0; j < 1 << level; ++j)
             for (int i = 0; i < 1 << level; ++i) {
@@ -51,6 +53,42 @@ DiskClearance::DiskClearance(const Recess& recess, const MinimumSpacing& spacing
             }
 }
 
+DiskClearance::Sides DiskClearance::sidesOf(const Box& box) const
+{
+    const double halfLength = 0.5 * recess_.length() / (1 << box.level),
+                 halfWidth = 0.5 * recess_.width() / (1 << box.level);
+    return {(2 * box.i + 1) * halfLength, (2 * box.j + 1) * halfWidth, halfLength, halfWidth};
+}
+
+bool DiskClearance::isSmooth(const Sides& s) const
+{
+    return recess_.isSmooth(s.x - s.halfLength, s.x + s.halfLength, s.y - s.halfWidth, s.y + s.halfWidth);
+}
+
+/// Of a smooth box, where the recess is a quadratic form.
+DiskClearance::Plane DiskClearance::planeOf(const Sides& s) const
+{
+    const auto at = [&](double right, double up) {
+        return recess_.at(s.x + right * s.halfLength, s.y + up * s.halfWidth);
+    };
+    const double middle = at(0.0, 0.0), left = at(-1.0, 0.0), right = at(1.0, 0.0), down = at(0.0, -1.0),
+                 up = at(0.0, 1.0);
+    const double bent = std::abs(left + right - 2.0 * middle) + std::abs(down + up - 2.0 * middle) +
+                        2.0 * std::abs(at(1.0, 1.0) - right - up + middle);
+    return {middle, 0.5 * (right - left) / s.halfLength, 0.5 * (up - down) / s.halfWidth, 0.5 * bent + rounding};
+}
+
+/// Of the corners of `parts` by `parts` parts of a box.
+double DiskClearance::leastRecess(const Sides& s, int parts) const
+{
+    double least = recess_.at(s.x, s.y);
+    for (int m = 0; m <= parts; ++m)
+        for (int k = 0; k <= parts; ++k)
+            least = std::min(least, recess_.at(s.x + (2.0 * k / parts - 1.0) * s.halfLength,
+                                               s.y + (2.0 * m / parts - 1.0) * s.halfWidth));
+    return least;
+}
+
 double DiskClearance::lift(const Attitude& a, double x, double y) const
 {
     return a.height + a.pitch * (recess_.length() - x) - a.roll * (y - 0.5 * recess_.width());
@@ -61,17 +99,82 @@ DiskClearance::Found DiskClearance::gapAt(const Attitude& attitude, double x, do
     return {recess_.at(x, y) + lift(attitude, x, y) - diskHeight({x, y}, time), x, y};
 }
 
+double DiskClearance::highestUnder(const Sides& s, double time) const
+{
+    const double x = s.x - velocity_.x * time, y = s.y - velocity_.y * time;
+    return disk_.upperBound(x - s.halfLength, x + s.halfLength, y - s.halfWidth, y + s.halfWidth);
+}
+
+DiskClearance::DiskUnder DiskClearance::under(const Sides& s, double time) const
+{
+    const double x = s.x - velocity_.x * time, y = s.y - velocity_.y * time;
+    return {disk_.point(x, y), disk_.curvature(x - s.halfLength, x + s.halfLength, y - s.halfWidth, y + s.halfWidth)};
+}
+
+double DiskClearance::leastOf(const Box& box) const
+{
+    const int known = std::min(box.level, knownLevels), finer = box.level - known;
+    return least_[static_cast<std::size_t>(known)]
+                 [static_cast<std::size_t>((box.j >> finer) * (1 << known) + (box.i >> finer))];
+}
+
 DiskClearance::Box DiskClearance::boxOf(int level, int i, int j, const Attitude& attitude, double time) const
 {
-    const int boxes = 1 << level, known = std::min(level, knownLevels), finer = level - known;
-    const double x0 = recess_.length() * i / boxes, x1 = recess_.length() * (i + 1) / boxes;
-    const double y0 = recess_.width() * j / boxes, y1 = recess_.width() * (j + 1) / boxes;
-    const double least =
-        least_[static_cast<std::size_t>(known)][static_cast<std::size_t>((j >> finer) * (1 << known) + (i >> finer))];
-    const double shiftX = velocity_.x * time, shiftY = velocity_.y * time;
-    return {least + lift(attitude, attitude.pitch > 0.0 ? x1 : x0, attitude.roll > 0.0 ? y1 : y0) -
-                disk_.upperBound(x0 - shiftX, x1 - shiftX, y0 - shiftY, y1 - shiftY),
-            level, i, j};
+    Box box{0.0, level, i, j};
+    const Sides s = sidesOf(box);
+    box.bound = leastOf(box) +
+                lift(attitude, s.x + std::copysign(s.halfLength, attitude.pitch),
+                     s.y + std::copysign(s.halfWidth, attitude.roll)) -
+                highestUnder(s, time);
+    return box;
+}
+
+/// From the tangents in the middle of a box, where the disk is at `disk`.
+double DiskClearance::boundOf(const Plane& plane, const Sides& s, const Attitude& attitude, const DiskUnder& disk) const
+{
+    return plane.recess + lift(attitude, s.x, s.y) - disk.height -
+           std::abs(plane.slopeX - attitude.pitch - disk.slopeX) * s.halfLength -
+           std::abs(plane.slopeY - attitude.roll - disk.slopeY) * s.halfWidth -
+           0.5 * disk.curvature * (s.halfLength * s.halfLength + s.halfWidth * s.halfWidth) - plane.slack;
+}
+
+/// Whether the gap may be below `below` [m] in the box, and not only on edges.
+bool DiskClearance::canHold(double below, const Box& box, const Sides& s, const Attitude& attitude,
+                            const DiskUnder& disk) const
+{
+    if (boundOf({.recess = leastOf(box)}, s, attitude, disk) >= below) return false;
+    if (isSmooth(s)) return boundOf(planeOf(s), s, attitude, disk) < below;
+    if (box.level >= edgeLevel && s.x - s.halfLength > recess_.taperLength()) {
+        const Recess::Slopes form = recess_.formSlopes(s.x, s.y);
+        const double changes = disk.curvature * (s.halfLength + s.halfWidth);
+        if (std::abs(form.x - attitude.pitch - disk.slopeX) > changes ||
+            std::abs(form.y - attitude.roll - disk.slopeY) > changes)
+            return false; // nowhere level
+    }
+    return box.level == knownLevels || boundOf({.recess = leastRecess(s, 2)}, s, attitude, disk) < below;
+}
+
+void DiskClearance::lookAlong(const MinimumSpacing::EdgePart& edge, int level, const Attitude& attitude, double time,
+                              double tolerance, Found& least) const
+{
+    const SurfacePoint from = edge.from, to = edge.to, at{0.5 * (from.x + to.x), 0.5 * (from.y + to.y)};
+    const double dx = to.x - from.x, dy = to.y - from.y, mean = 0.5 * (edge.recess + edge.recessTo);
+    const double here = lift(attitude, at.x, at.y), below = least.gap - tolerance;
+    const double tilt = 0.5 * (edge.recessTo - edge.recess - attitude.pitch * dx - attitude.roll * dy);
+    const double lowest = mean + here - std::abs(tilt) - edge.slack;
+    if (lowest - disk_.highest() >= below) return;
+    const Sides sides{at.x, at.y, 0.5 * std::abs(dx), 0.5 * std::abs(dy)};
+    if (lowest - highestUnder(sides, time) >= below) return;
+    const DiskUnder disk = under(sides, time);
+    const double recess = recess_.at(at.x, at.y);
+    if (std::min(mean, recess) + here - disk.height - std::abs(tilt - 0.5 * (disk.slopeX * dx + disk.slopeY * dy)) -
+            0.125 * disk.curvature * (dx * dx + dy * dy) >=
+        below)
+        return;
+    if (const double gap = recess + here - disk.height; gap < least.gap) least = {gap, at.x, at.y};
+    if (level == deepestOfEdges) return;
+    lookAlong({from, at, edge.recess, recess, edge.slack}, level + 1, attitude, time, tolerance, least);
+    lookAlong({at, to, recess, edge.recessTo, edge.slack}, level + 1, attitude, time, tolerance, least);
 }
 
 DiskClearance::Found DiskClearance::followed(Found from, const Attitude& attitude, double time) const
@@ -101,29 +204,26 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
         if (found.gap < least.gap) least = found;
     };
     if (last_) { // where it was under the slider, and where it has moved with the disk
-        look(followed(gapAt(attitude, last_->x, last_->y, time), attitude, time));
-        const double passed = time - lastTime_, x = last_->x + velocity_.x * passed,
-                     y = last_->y + velocity_.y * passed;
-        if (x >= 0.0 && x <= recess_.length() && y >= 0.0 && y <= recess_.width())
-            look(followed(gapAt(attitude, x, y, time), attitude, time));
+        const double passed = time - lastTime_;
+        look(gapAt(attitude, last_->x, last_->y, time));
+        look(gapAt(attitude, std::clamp(last_->x + velocity_.x * passed, 0.0, recess_.length()),
+                   std::clamp(last_->y + velocity_.y * passed, 0.0, recess_.width()), time));
     }
+    least = followed(least, attitude, time);
     const double tolerance = allowed * (disk_.highest() - disk_.lowest());
-    const double tilt = std::abs(attitude.pitch) * recess_.length() + std::abs(attitude.roll) * recess_.width(); // [m]
+    for (const MinimumSpacing::EdgePart& edge : spacing_.edges()) lookAlong(edge, 0, attitude, time, tolerance, least);
     heap_.assign(1, boxOf(0, 0, 0, attitude, time));
     for (std::size_t count = 0; !heap_.empty() && count < mostBoxes; ++count) {
         std::pop_heap(heap_.begin(), heap_.end());
         const Box box = heap_.back();
         heap_.pop_back();
         if (box.bound >= least.gap - tolerance) break;
-        const int boxes = 1 << box.level;
-        const Found middle =
-            gapAt(attitude, recess_.length() * (box.i + 0.5) / boxes, recess_.width() * (box.j + 0.5) / boxes, time);
-        look(middle);
-        if (box.level == deepest) {
-            // At the corner of a rail the gap is less than in the middle of the box by the tilt.
-            if (middle.gap - tilt / boxes < least.gap - tolerance) look(followed(middle, attitude, time));
-            continue;
-        }
+        const Sides sides = sidesOf(box);
+        const DiskUnder disk = under(sides, time);
+        const double middle = recess_.at(sides.x, sides.y);
+        look({middle + lift(attitude, sides.x, sides.y) - disk.height, sides.x, sides.y});
+        if (box.level >= knownLevels && !canHold(least.gap - tolerance, box, sides, attitude, disk)) continue;
+        if (box.level == deepest) continue;
         for (const int up : {0, 1})
             for (const int right : {0, 1}) {
                 const Box child = boxOf(box.level + 1, 2 * box.i + right, 2 * box.j + up, attitude, time);

@@ -78,6 +78,12 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
     // Crown and camber are some tens of nanometres over the length: less than a thousandth of that between neighbours.
     for (int j = 0; j <= lattice; ++j)
         for (int i = 0; i <= lattice; ++i) add(length_ * i / lattice, width_ * j / lattice);
+    const auto addAlong = [&](int parts, const auto& at) {
+        for (int m = 0; m <= parts; ++m) {
+            add(at(m).x, at(m).y);
+            if (m > 0) addEdgePart(at(m - 1), at(m));
+        }
+    };
     std::vector<Line> lines;
     for (std::size_t r = 0; r < surface.rails.size(); ++r) {
         const Rail& rail = surface.rails[r];
@@ -88,14 +94,14 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
             if (!(edge > 0.0)) continue;
             lines.emplace_back(SurfacePoint{a.x, a.y}, SurfacePoint{b.x, b.y}, r);
             const int parts = partsOf(edge, length_);
-            for (int m = 0; m <= parts; ++m)
-                for (const double side : {-beside, beside}) {
+            for (const double side : {-beside, beside})
+                addAlong(parts, [&](int m) {
                     // Away from the corners by as much, so that both sides of both edges are met.
                     const double along = std::clamp(edge * m / parts, std::min(beside, 0.5 * edge),
                                                     std::max(edge - beside, 0.5 * edge)) /
                                          edge;
-                    add(a.x + along * dx - side * dy / edge, a.y + along * dy + side * dx / edge);
-                }
+                    return SurfacePoint{a.x + along * dx - side * dy / edge, a.y + along * dy + side * dx / edge};
+                });
         }
     }
     // Where walls begin, bend or end, on both sides, since a profile may jump there.
@@ -110,11 +116,9 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
                 if (distance != 0.0)
                     lines.emplace_back(wall.onOffsetLine(distance, 0.0, 0.0), wall.onOffsetLine(distance, 1.0, 0.0), r);
                 for (const double side : {-besideWall, besideWall})
-                    for (int m = 0; m <= parts; ++m) {
-                        const SurfacePoint at =
-                            wall.onOffsetLine(distance + side, static_cast<double>(m) / parts, besideWall);
-                        add(at.x, at.y);
-                    }
+                    addAlong(parts, [&](int m) {
+                        return wall.onOffsetLine(distance + side, static_cast<double>(m) / parts, besideWall);
+                    });
             }
         }
     // The quadrants of a crossing.
@@ -126,6 +130,18 @@ MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& r
                         add(at->x + first * lines[n].ux + second * lines[k].ux,
                             at->y + first * lines[n].uy + second * lines[k].uy);
     setBlocks();
+}
+
+void MinimumSpacing::addEdgePart(SurfacePoint from, SurfacePoint to)
+{
+    const auto onSlider = [&](SurfacePoint at) {
+        return SurfacePoint{std::clamp(at.x, 0.0, length_), std::clamp(at.y, 0.0, width_)};
+    };
+    from = onSlider(from);
+    to = onSlider(to);
+    const double first = recess_.at(from.x, from.y), last = recess_.at(to.x, to.y),
+                 middle = recess_.at(0.5 * (from.x + to.x), 0.5 * (from.y + to.y));
+    edges_.push_back({from, to, first, last, std::max(0.5 * (first + last) - middle, 0.0)});
 }
 
 void MinimumSpacing::setBlocks()

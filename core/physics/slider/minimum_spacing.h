@@ -32,6 +32,14 @@ public:
     /// nearest to 0 at that depth. Unlike the nearest point it moves continuously with the attitude.
     Place bearing(const Attitude& attitude, double depth) const;
 
+    /// Part of an edge, or of a line where a wall kinks, just beside it: there the recess is that of a straight line,
+    /// less the slack at most.
+    struct EdgePart {
+        SurfacePoint from, to;          // [m]
+        double recess, recessTo, slack; // [m]
+    };
+    const std::vector<EdgePart>& edges() const { return edges_; }
+
 private:
     struct Candidate {
         double x, y, recess; // [m]
@@ -43,6 +51,7 @@ private:
     };
     Place nearestListed(const Attitude& attitude) const;
     void setBlocks();
+    void addEdgePart(SurfacePoint from, SurfacePoint to);
     double above(const Candidate& c, const Attitude& attitude) const
     {
         return c.recess + attitude.height + attitude.pitch * (length_ - c.x) - attitude.roll * (c.y - 0.5 * width_);
@@ -56,6 +65,7 @@ private:
     double length_, width_; // [m]
     std::vector<Candidate> candidates_;
     std::vector<Block> blocks_;
+    std::vector<EdgePart> edges_;
 };
 
 } // namespace touchdown

@@ -189,6 +189,16 @@ void Recess::breaksAlongY(double x, double y0, double y1, std::vector<double>& o
     prepared_->breaksAlong({ScanAxis::Y, prepared_->onSliderX(x), y0, y1}, out);
 }
 
+Recess::Slopes Recess::formSlopes(double x, double y) const
+{
+    const Prepared& p = *prepared_;
+    const double X = x / length(), Y = y / width();
+    return {-4.0 * (p.crown * (1.0 - 2.0 * X) + p.twist * (Y - 0.5)) / length(),
+            -4.0 * (p.camber * (1.0 - 2.0 * Y) + p.twist * (X - 0.5)) / width()};
+}
+
+double Recess::taperLength() const { return prepared_->taperLength; }
+
 bool Recess::isSmooth(double x0, double x1, double y0, double y1) const
 {
     const Prepared& p = *prepared_;

@@ -44,6 +44,13 @@ public:
     /// Whether no edge, wall or end of taper meets the box; may also be false just beside one.
     bool isSmooth(double x0, double x1, double y0, double y1) const;
 
+    struct Slopes {
+        double x, y; // [-]
+    };
+    /// Those of the recess where neither edge, wall nor ramp is, behind the taper.
+    Slopes formSlopes(double x, double y) const;
+    double taperLength() const; // [m]
+
 private:
     struct Prepared;
     std::shared_ptr<const Prepared> prepared_;

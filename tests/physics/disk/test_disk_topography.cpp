@@ -74,6 +74,8 @@ class TestDiskTopography : public QObject {
 private slots:
     void boundsHeightsInARectangle_data();
     void boundsHeightsInARectangle();
+    void boundsItsCurvature_data();
+    void boundsItsCurvature();
     void aFlatDiskIsFlat()
     {
         DiskSurface withoutTrack;
@@ -362,6 +364,59 @@ void TestDiskTopography::boundsHeightsInARectangle()
         QVERIFY2(bound >= highest - 1e-18, qPrintable(QString::number(bound - highest)));
         if (side < 0.2e-6 && s.kind != DiskSurfaceKind::Rough) QVERIFY(bound < highest + 0.1 * range);
     }
+}
+
+void TestDiskTopography::boundsItsCurvature_data()
+{
+    QTest::addColumn<int>("seed");
+    for (int seed = 1; seed <= 12; ++seed) QTest::addRow("seed %d", seed) << seed;
+}
+
+/// Second differences along drawn directions, at drawn places of waves, of a generated map and of bumps: none is above
+/// the bound, and some come near it.
+void TestDiskTopography::boundsItsCurvature()
+{
+    QFETCH(int, seed);
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const auto draw = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    DiskSurface s;
+    s.kind = seed % 3 == 0 ? DiskSurfaceKind::Waves : seed % 3 == 1 ? DiskSurfaceKind::Rough : DiskSurfaceKind::Bumps;
+    for (int k = 0; k < 2; ++k) {
+        s.waveAmplitudes.push_back(draw(-2e-9, 2e-9));
+        s.waveLengths.push_back(draw(20e-6, 60e-6));
+        s.waveAngles.push_back(draw(-2.0, 2.0));
+        s.wavePhases.push_back(draw(-4.0, 4.0));
+        s.bumpHeights.push_back(draw(-5e-9, 5e-9));
+        s.bumpLengths.push_back(draw(20e-6, 60e-6));
+        s.bumpWidths.push_back(draw(20e-6, 60e-6));
+        s.bumpX.push_back(draw(0.0, 300e-6));
+        s.bumpY.push_back(draw(0.0, 200e-6));
+    }
+    s.bumpShape = static_cast<BumpShape>(seed / 3 % 3);
+    s.rms = 1e-9;
+    s.correlationLength = 8e-6;
+    s.cell = 2e-6;
+    s.track = 300e-6;
+    s.trackWidth = 200e-6;
+    s.seed = seed;
+    const DiskTopography disk(s);
+    // In rectangles of drawn sizes; no bound is infinite but at the base of an ellipsoid.
+    constexpr double step = 0.1e-6;
+    double most = 0.0, least = 1e300; // share of a bound that is reached [-], bound [1/m]
+    for (int box = 0; box < 1000; ++box) {
+        const double x0 = draw(0.0, s.track), y0 = draw(0.0, s.trackWidth), side = draw(0.5e-6, 20e-6);
+        const double bound = disk.curvature(x0 - step, x0 + side + step, y0 - step, y0 + side + step);
+        least = std::min(least, bound);
+        for (int place = 0; place < 30; ++place) {
+            const double x = x0 + draw(0.0, side), y = y0 + draw(0.0, side), angle = draw(0.0, 3.2),
+                         dx = step * std::cos(angle), dy = step * std::sin(angle);
+            const double bent =
+                disk.height(x - dx, y - dy) + disk.height(x + dx, y + dy) - 2.0 * disk.height(x, y); // [m]
+            QVERIFY(std::abs(bent) <= 1.0001 * bound * step * step + 1e-23);
+            if (bound > 0.0) most = std::max(most, std::abs(bent) / (bound * step * step));
+        }
+    }
+    QVERIFY2(most > 0.4 && std::isfinite(least), qPrintable(QString::number(most)));
 }
 
 TOUCHDOWN_TEST(TestDiskTopography)

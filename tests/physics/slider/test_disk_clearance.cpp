@@ -96,11 +96,11 @@ void TestDiskClearance::mayBeNegative()
 void TestDiskClearance::noPointIsLower_data()
 {
     QTest::addColumn<int>("seed");
-    for (int seed = 1; seed <= 12; ++seed) QTest::addRow("seed %d", seed) << seed;
+    for (int seed = 1; seed <= 18; ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 
-/// Rails, tilts and disks drawn at random: the clearance is the gap of a point, and no point of a lattice, nor of a
-/// finer one around it, lies lower by a hundredth of the RMS height of the disk.
+/// Rails with and without walls, tilts and disks drawn at random: the clearance is the gap of a point, and no point of
+/// a lattice, nor of a finer one around it, lies lower by a thousandth of the RMS height of the disk.
 void TestDiskClearance::noPointIsLower()
 {
     QFETCH(int, seed);
@@ -109,10 +109,12 @@ void TestDiskClearance::noPointIsLower()
     AirBearingSurface surface;
     surface.baseRecess = 1e-6;
     surface.crown = draw(0.0, 20e-9);
+    surface.walls.push_back({.distance = {-1e-6, 0.0, 3e-6}, .recess = {0.0, 20e-9, 1e-6}});
     for (int rail = 0; rail < 4; ++rail) {
         const double x0 = draw(0.0, 0.8) * length, x1 = x0 + draw(0.02, 0.2) * length, y0 = draw(0.0, 0.8) * width,
                      y1 = y0 + draw(0.02, 0.2) * width, slant = draw(-0.05, 0.05) * width;
-        surface.rails.push_back({.points = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1 + slant}}});
+        surface.rails.push_back(
+            {.points = {{x0, y0, seed % 2}, {x1, y0, seed % 2}, {x1, y1, seed % 2}, {x0, y1 + slant, seed % 2}}});
     }
     DiskSurface disk;
     double rms = 0.0;
@@ -171,7 +173,7 @@ void TestDiskClearance::noPointIsLower()
                          y = std::clamp(y0 + j * 0.02 * width / lattice, 0.0, width);
             least = std::min(least, gapAt(x, y));
         }
-    QVERIFY2(place.gap <= least + 0.01 * rms,
+    QVERIFY2(place.gap <= least + 1e-3 * rms,
              qPrintable(QStringLiteral("%1 nm found, %2 nm there").arg(place.gap * 1e9).arg(least * 1e9)));
 }
 
