@@ -177,25 +177,6 @@ void findCoefficients(double* values, int points, std::size_t stride, std::size_
     for (int k = points - 2; k >= 0; --k) add(run(k), -z, run(k + 1), z);
 }
 
-/// The spline's second derivatives are means of the differences of its coefficients, with weights of sum 1; no
-/// direction has more than the larger of those along x and y with the mixed one (Gershgorin 1931).
-double largestCurvature(const std::vector<double>& coefficients, int nx, int ny, double dx, double dy)
-{
-    const auto columns = static_cast<std::size_t>(nx), rows = static_cast<std::size_t>(ny);
-    double along = 0.0, across = 0.0, mixed = 0.0;
-    for (std::size_t j = 0; j < rows; ++j) {
-        const std::size_t up = j + 1 < rows ? j + 1 : 0, down = j > 0 ? j - 1 : rows - 1;
-        for (std::size_t i = 0; i < columns; ++i) {
-            const std::size_t right = i + 1 < columns ? i + 1 : 0, left = i > 0 ? i - 1 : columns - 1;
-            const auto c = [&](std::size_t row, std::size_t column) { return coefficients[row * columns + column]; };
-            along = std::max(along, std::abs(c(j, left) - 2.0 * c(j, i) + c(j, right)));
-            across = std::max(across, std::abs(c(down, i) - 2.0 * c(j, i) + c(up, i)));
-            mixed = std::max(mixed, std::abs(c(up, right) - c(up, i) - c(j, right) + c(j, i)));
-        }
-    }
-    return std::max(along / (dx * dx), across / (dy * dy)) + mixed / (dx * dy);
-}
-
 } // namespace
 
 PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector<double> values)
@@ -209,35 +190,66 @@ PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector
     const auto [lowest, highest] = std::ranges::minmax_element(sums_);
     lower_ = *lowest;
     upper_ = *highest;
-    curvature_ = largestCurvature(sums_, nx, ny, dx, dy);
-    blocksX_ = (nx + boundBlock - 1) / boundBlock;
-    blocksY_ = (ny + boundBlock - 1) / boundBlock;
-    blockUpper_.assign(static_cast<std::size_t>(blocksX_) * static_cast<std::size_t>(blocksY_), 0.0F);
-    const auto around = [](int index, int count) { return ((index % count) + count) % count; };
-    for (int q = 0; q < blocksY_; ++q)
-        for (int p = 0; p < blocksX_; ++p) {
-            double most = lower_;
-            // A value between two points has the coefficients from one before to one behind them.
-            for (int j = q * boundBlock - 1; j <= std::min((q + 1) * boundBlock, ny) + 1; ++j)
-                for (int i = p * boundBlock - 1; i <= std::min((p + 1) * boundBlock, nx) + 1; ++i)
-                    most = std::max(most, sums_[static_cast<std::size_t>(around(j, ny)) * columns +
-                                                static_cast<std::size_t>(around(i, nx))]);
-            blockUpper_[static_cast<std::size_t>(q * blocksX_ + p)] =
-                std::nextafter(static_cast<float>(most), std::numeric_limits<float>::max());
-        }
+    setBlocks();
     for (std::size_t j = 0; j < rows; ++j)
         for (std::size_t i = 1; i < columns; ++i) sums_[j * columns + i] += sums_[j * columns + i - 1];
     for (std::size_t k = columns; k < sums_.size(); ++k) sums_[k] += sums_[k - columns];
 }
 
+/// From the coefficients. A value between two points has those from one before to one behind them. Its second
+/// derivatives are means of second differences among them, with weights of sum 1; no direction has more than the larger
+/// of those along x and y with the mixed one (Gershgorin 1931).
+void PeriodicSpline::setBlocks()
+{
+    blocksX_ = (nx_ + boundBlock - 1) / boundBlock;
+    blocksY_ = (ny_ + boundBlock - 1) / boundBlock;
+    const auto atLeast = [](double value) {
+        return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::max());
+    };
+    const auto around = [](int index, int count) {
+        return static_cast<std::size_t>(((index % count) + count) % count);
+    };
+    const auto c = [&](int i, int j) { return sums_[around(j, ny_) * static_cast<std::size_t>(nx_) + around(i, nx_)]; };
+    for (int q = 0; q < blocksY_; ++q)
+        for (int p = 0; p < blocksX_; ++p) {
+            const int i0 = p * boundBlock - 1, i1 = std::min((p + 1) * boundBlock, nx_) + 1, j0 = q * boundBlock - 1,
+                      j1 = std::min((q + 1) * boundBlock, ny_) + 1;
+            double most = lower_, along = 0.0, across = 0.0, mixed = 0.0;
+            for (int j = j0; j <= j1; ++j)
+                for (int i = i0; i <= i1; ++i) {
+                    const double here = c(i, j);
+                    most = std::max(most, here);
+                    if (i > i0 && i < i1) along = std::max(along, std::abs(c(i - 1, j) - 2.0 * here + c(i + 1, j)));
+                    if (j > j0 && j < j1) across = std::max(across, std::abs(c(i, j - 1) - 2.0 * here + c(i, j + 1)));
+                    if (i < i1 && j < j1)
+                        mixed = std::max(mixed, std::abs(c(i + 1, j + 1) - c(i, j + 1) - c(i + 1, j) + here));
+                }
+            blockUpper_.push_back(atLeast(most));
+            blockCurvature_.push_back(
+                atLeast(std::max(along / (dx_ * dx_), across / (dy_ * dy_)) + mixed / (dx_ * dy_)));
+        }
+    mostCurved_ = std::ranges::max(blockCurvature_);
+}
+
 double PeriodicSpline::upperBound(double x0, double x1, double y0, double y1) const
+{
+    return mostOf(blockUpper_, upper_, x0, x1, y0, y1);
+}
+
+double PeriodicSpline::curvature(double x0, double x1, double y0, double y1) const
+{
+    return mostOf(blockCurvature_, mostCurved_, x0, x1, y0, y1);
+}
+
+double PeriodicSpline::mostOf(const std::vector<float>& blocks, double all, double x0, double x1, double y0,
+                              double y1) const
 {
     constexpr double slack = 1e-6; // of a cell, for rounding
     const auto cellOf = [](double cells) { return static_cast<std::int64_t>(std::floor(cells)); };
     const std::int64_t i0 = cellOf(x0 / dx_ - slack), i1 = cellOf(x1 / dx_ + slack), j0 = cellOf(y0 / dy_ - slack),
                        j1 = cellOf(y1 / dy_ + slack);
-    if (i1 - i0 > mostBlocks * boundBlock || j1 - j0 > mostBlocks * boundBlock) return upper_;
-    double most = lower_;
+    if (i1 - i0 > mostBlocks * boundBlock || j1 - j0 > mostBlocks * boundBlock) return all;
+    float most = std::numeric_limits<float>::lowest();
     // From a cell to the first one of the next block.
     const auto next = [](std::int64_t index, int count) {
         const std::int64_t in = ((index % count) + count) % count;
@@ -246,7 +258,7 @@ double PeriodicSpline::upperBound(double x0, double x1, double y0, double y1) co
     for (std::int64_t j = j0; j <= j1; j = next(j, ny_))
         for (std::int64_t i = i0; i <= i1; i = next(i, nx_)) {
             const std::int64_t q = (((j % ny_) + ny_) % ny_) / boundBlock, p = (((i % nx_) + nx_) % nx_) / boundBlock;
-            most = std::max(most, static_cast<double>(blockUpper_[static_cast<std::size_t>(q * blocksX_ + p)]));
+            most = std::max(most, blocks[static_cast<std::size_t>(q * blocksX_ + p)]);
         }
     return most;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/physics/disk/disk_surface_check.h"
+#include "core/physics/disk/disk_topography.h"
 
 namespace touchdown {
 
@@ -15,6 +16,12 @@ namespace {
 double passing(double length, double speed)
 {
     return speed != 0.0 ? length / std::abs(speed) : std::numeric_limits<double>::infinity();
+}
+
+/// The time in which half a cell of a map passes, of these sides [s].
+double cellPassage(double dx, double dy, const Velocity& velocity)
+{
+    return std::min(passing(0.5 * dx, velocity.x), passing(0.5 * dy, velocity.y));
 }
 
 } // namespace
@@ -39,9 +46,12 @@ double finestPassage(const DiskSurface& surface, const Velocity& velocity)
     return finest;
 }
 
-double cellPassage(double dx, double dy, const Velocity& velocity)
+double finestPassage(const DiskSurface& surface, const DiskTopography& topography, const Velocity& velocity)
 {
-    return std::min(passing(0.5 * dx, velocity.x), passing(0.5 * dy, velocity.y));
+    const double finest = finestPassage(surface, velocity);
+    if (!hasFile(surface)) return finest;
+    const UniformGrid map = topography.period(); // of the finest map; the same across where it is a profile
+    return std::min(finest, cellPassage(map.dx, map.dy, {velocity.x, map.ny > 1 ? velocity.y : 0.0}));
 }
 
 } // namespace touchdown

@@ -8,14 +8,15 @@
 
 namespace touchdown {
 
+class DiskTopography;
+
 /// Into so many parts a wave and the base of a bump are divided; a cell of a map into two.
 inline constexpr double passageParts = 16.0;
 
 /// The time in which a sixteenth of the shortest wave, a sixteenth of the base of the smallest bump, or half a cell of
-/// the generated map passes [s]; infinite where nothing does. A measured map is not known here: see cellPassage.
+/// the generated map passes [s]; infinite where nothing does.
 double finestPassage(const DiskSurface& surface, const Velocity& velocity);
-
-/// The time in which half a cell of a map passes, of these sides [s].
-double cellPassage(double dx, double dy, const Velocity& velocity);
+/// Of a measured map, too.
+double finestPassage(const DiskSurface& surface, const DiskTopography& topography, const Velocity& velocity);
 
 } // namespace touchdown

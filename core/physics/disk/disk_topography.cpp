@@ -85,11 +85,9 @@ DiskTopography::DiskTopography(const DiskSurface& surface, std::optional<HeightM
 
     highest_ = waves_.amplitude() + bumps_.highest();
     lowest_ = -waves_.amplitude() + bumps_.lowest();
-    curvature_ = waves_.curvature();
     for (const PeriodicSpline& map : maps_) {
         highest_ += map.upperBound();
         lowest_ += map.lowerBound();
-        curvature_ += map.curvature();
     }
     const auto finest = std::ranges::min_element(maps_, {}, &PeriodicSpline::dx);
     if (finest != maps_.end()) period_ = gridOf(*finest);
@@ -114,6 +112,13 @@ double DiskTopography::upperBound(double x0, double x1, double y0, double y1) co
 {
     double sum = waves_.upperBound(x0, x1, y0, y1) + bumps_.upperBound(x0, x1, y0, y1);
     for (const PeriodicSpline& map : maps_) sum += map.upperBound(x0, x1, y0, y1);
+    return sum;
+}
+
+double DiskTopography::curvature(double x0, double x1, double y0, double y1) const
+{
+    double sum = waves_.curvature() + bumps_.curvature(x0, x1, y0, y1);
+    for (const PeriodicSpline& map : maps_) sum += map.curvature(x0, x1, y0, y1);
     return sum;
 }
 

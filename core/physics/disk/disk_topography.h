@@ -62,10 +62,7 @@ public:
     /// A bound of w in a rectangle [m], closer the smaller it is.
     double upperBound(double x0, double x1, double y0, double y1) const;
     /// A bound of the second derivative in any direction there [1/m]: infinity at the base of an ellipsoid.
-    double curvature(double x0, double x1, double y0, double y1) const
-    {
-        return curvature_ + bumps_.curvature(x0, x1, y0, y1);
-    }
+    double curvature(double x0, double x1, double y0, double y1) const;
 
     /// One period of the surface for plots and statistics, the cells' centres on the points of its finest map; without
     /// a map, the given track with the given cell.
@@ -83,7 +80,6 @@ private:
     std::vector<PeriodicSpline> maps_;
     Bumps bumps_;
     double highest_ = 0.0, lowest_ = 0.0; // [m]
-    double curvature_ = 0.0;              // of waves and maps [1/m]
     UniformGrid period_;
     bool repeats_ = true;
     UniformGrid measured_;

@@ -37,6 +37,8 @@ public:
         double diskHeight; // of the disk there, above its mean plane [m]
     };
     Place at(const Attitude& attitude, double time);
+    /// Whether the disk's highest point is as high as a minimum spacing above the mean plane [m].
+    bool mayReach(double spacing) const { return !disk_.flat() && spacing <= disk_.highest(); }
     /// Height of the disk under a point of the slider, above its mean plane [m].
     double diskHeight(SurfacePoint under, double time) const
     {

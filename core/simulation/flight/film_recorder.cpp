@@ -17,6 +17,7 @@ namespace {
 
 constexpr double nearest = 0.6; // earlier point, in steps
 constexpr int pointsOfStep = 4;
+constexpr int mostLooks = 256; // in a step
 
 } // namespace
 
@@ -90,11 +91,12 @@ std::vector<Quantity> filmQuantities(const Case& c)
 }
 
 FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
-                           DiskClearance* clearance, RunRecorder& run)
+                           DiskClearance* clearance, double lookInterval, RunRecorder& run)
     : case_(c),
       body_(body),
       spacing_(spacing),
       clearance_(c.diskSurface.kind != DiskSurfaceKind::Flat ? clearance : nullptr),
+      lookInterval_(lookInterval),
       run_(run),
       rows_(filmRows(c)),
       values_(rows_.size() + furtherPoints(c).size())
@@ -120,12 +122,18 @@ void FilmRecorder::add(const FilmPoint& point)
 {
     const double interval = case_.run.sampleInterval, slack = 1e-9 * interval;
     const double begin = last_.time, end = std::min(point.time, case_.run.duration);
-    for (int k = 1; k <= pointsOfStep; ++k) {
-        const double until = begin + (point.time - begin) * k / pointsOfStep;
+    const auto spacing = [&](const FilmPoint& of) { return spacing_.at(body_.attitude(of.motion.q)).spacing; };
+    const bool near = clearance_ && clearance_->mayReach(std::min(spacing(last_), spacing(point)));
+    const int parts =
+        near ? std::clamp(static_cast<int>(std::min((point.time - begin) / lookInterval_, 1.0 * mostLooks)) + 1,
+                          pointsOfStep, mostLooks)
+             : pointsOfStep;
+    for (int k = 1; k <= parts; ++k) {
+        const double until = begin + (point.time - begin) * k / parts;
         for (double time; (time = static_cast<double>(samples_) * interval) <= std::min(until, end) + slack;)
             record(point, time);
         if (until > end) break;
-        evaluate(point, until, k == pointsOfStep);
+        evaluate(point, until, near || k == parts);
         run_.addPoint(until, values_);
     }
     if (point.time >= case_.run.duration) run_.keepPoints();
@@ -183,8 +191,12 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time, bool seek)
     s.area = ofContact(&SliderContactForces::area);
     s.peakPressure = ofContact(&SliderContactForces::peakPressure);
     if (clearance_) {
-        if (seek) belowSpacing_ = s.spacing - clearance_->at(attitude, time).gap;
-        s.gap = s.spacing - belowSpacing_;
+        s.gap = std::numeric_limits<double>::quiet_NaN();
+        if (seek) {
+            const DiskClearance::Place place = clearance_->at(attitude, time);
+            s.gap = place.gap;
+            if (!(place.gap > 0.0) && !reached_) reached_ = {place, time};
+        }
         s.diskHeight = clearance_->diskHeight(points_.front().at, time);
         double* further = values_.data() + rows_.size();
         for (std::size_t k = 1; k < points_.size(); ++k) {

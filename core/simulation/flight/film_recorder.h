@@ -6,15 +6,16 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "core/physics/slider/air_bearing_surface.h"
+#include "core/physics/slider/disk_clearance.h"
 #include "core/simulation/flight/film_point.h"
 #include "core/simulation/recording/run_recorder.h"
 
 namespace touchdown {
 
-class DiskClearance;
 class MinimumSpacing;
 class Recess;
 struct Case;
@@ -36,15 +37,23 @@ std::vector<Quantity> furtherPoints(const Case& c);
 
 class FilmRecorder {
 public:
-    /// All must last. `clearance` may be null over a flat disk.
+    /// All must last. `clearance` may be null over a flat disk. Where the disk may reach the slider, the gap is sought
+    /// at least once every `lookInterval` [s].
     FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
-                 DiskClearance* clearance, RunRecorder& run);
+                 DiskClearance* clearance, double lookInterval, RunRecorder& run);
 
     void begin(const FilmPoint& start);
     /// A step from the last point to this one.
     void add(const FilmPoint& point);
     /// The forces at the last point have jumped to these.
     void jump(const FilmPoint& point);
+
+    /// Where and when the disk was first found to reach the slider.
+    struct Reached {
+        DiskClearance::Place place;
+        double time; // [s]
+    };
+    const std::optional<Reached>& reached() const { return reached_; }
 
     /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].
     double energyImbalance() const;
@@ -57,8 +66,7 @@ private:
         double recess = 0.0; // [m]
     };
     void record(const FilmPoint& to, double time);
-    /// Sets values_, between the last point and `to`. `seek`: the minimum gap; else it is that found last, changed as
-    /// the minimum spacing has changed since.
+    /// Sets values_, between the last point and `to`. `seek`: the minimum gap; else it is not known (NaN).
     void evaluate(const FilmPoint& to, double time, bool seek = true);
     double heightOf(const Point& point, const Attitude& attitude) const; // above the mean plane [m]
     void addToEnergy(const FilmPoint& point);
@@ -67,11 +75,12 @@ private:
     const SliderBody& body_;
     const MinimumSpacing& spacing_;
     DiskClearance* clearance_; // null: the disk is flat
+    double lookInterval_;      // [s]
     RunRecorder& run_;
     std::vector<FilmQuantity> rows_;
     std::vector<Point> points_; // of interest; the flying height is taken at the first
-    double belowSpacing_ = 0.0; // the minimum gap found last, against the minimum spacing then [m]
-    FilmPoint last_, earlier_;  // the same where forces have jumped
+    std::optional<Reached> reached_;
+    FilmPoint last_, earlier_; // the same where forces have jumped
     long long samples_ = 0;
     std::array<double, 4> leastParts_{}, mostParts_{}; // of the energy: slider, suspension, air, contact [J]
     double firstEnergy_ = 0.0, mostMissing_ = 0.0;     // at the points [J]

@@ -9,6 +9,7 @@
 
 #include "core/formats/units.h"
 #include "core/numerics/events.h"
+#include "core/physics/disk/disk_passage.h"
 #include "core/simulation/flight/coupled_step.h"
 #include "core/simulation/flight/damping_doubt.h"
 #include "core/simulation/flight/film_energy_balance.h"
@@ -37,6 +38,7 @@ constexpr double chatterSpan = 1e-7;     // within which many switches are chatt
 constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
 constexpr double lowerForCells = 0.8;    // of the spacing at which the cells were last compared with the disk [-]
+constexpr double looksEach = 4.0;        // of the finest passage: a quarter of a wave, two cells of a map
 constexpr double leastForCells = 1e-9;   // below which they need no comparison [m]
 
 std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
@@ -170,7 +172,9 @@ private:
             return fail(RunFailure::Other, "the forces at the start are no numbers; start higher "
                                            "(initial.nominal_trailing_edge_height) or on a smoother disk");
         balance_.emplace(level.film, *body_, scene_.restEnergy);
-        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance, run_);
+        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance,
+                          looksEach * finestPassage(case_.diskSurface, scene_.topography, scene_.disk->velocity()),
+                          run_);
         run_.moveOver(surfaceRecurrence(case_.diskSurface, scene_.topography, scene_.disk->velocity(),
                                         {0.0, case_.slider.width}));
         point_ = pointNow(0.0);
@@ -270,15 +274,11 @@ private:
             scene_.lookAtCells(attitude);
             lowestForCells_ = low;
         }
-        const bool none = case_.contact == ContactKind::None;
-        if (!none && (case_.contact != ContactKind::OnoYamane || scene_.topography.flat() || !unseenDisk_.empty()))
-            return true;
-        if (spacing > scene_.topography.highest()) return true;
-        const DiskClearance::Place place = scene_.clearance->at(attitude, point_.time);
-        if (place.gap > 0.0) return true;
-        const std::string reached = diskReachesSlider(case_, place, point_.time);
-        if (none) return fail(RunFailure::Other, reached);
-        unseenDisk_ = reached;
+        const std::optional<FilmRecorder::Reached>& reached = recorder_->reached();
+        if (!reached || !unseenDisk_.empty()) return true;
+        std::string message = diskReachesSlider(case_, reached->place, reached->time);
+        if (case_.contact == ContactKind::None) return fail(RunFailure::Other, std::move(message));
+        if (case_.contact == ContactKind::OnoYamane) unseenDisk_ = std::move(message);
         return true;
     }
 
@@ -387,6 +387,7 @@ private:
     }
     bool fail(RunFailure failure, std::string message)
     {
+        if (recorder_) run_.keepPoints();
         return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure,
                    std::move(message));
     }

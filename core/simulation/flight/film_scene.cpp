@@ -2,6 +2,7 @@
 #include "core/simulation/flight/film_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -68,12 +69,18 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
 
 bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
 {
-    const bool known = !rest.pressure.empty(); // not where no static state can exist
-    FilmGaps gaps(recess, known ? rest.grid : unadaptedGrid(case_, {case_.film.nodes[0] - 1, case_.film.nodes[1] - 1}),
-                  goOn);
+    // Of a state that was not found the grid may be one of the coarser ones, or none.
+    const std::array<int, 2> cells{case_.film.nodes[0] - 1, case_.film.nodes[1] - 1};
+    const bool known = !rest.pressure.empty();
+    const bool finest = known && rest.grid.nx() == cells[0] && rest.grid.ny() == cells[1];
+    FilmGaps gaps(recess, finest ? rest.grid : unadaptedGrid(case_, cells), goOn);
     if (!goOn()) return false;
     level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
-    if (known) level->gaps.pad.pad<double>(rest.pressure, level->pressure);
+    if (finest)
+        level->gaps.pad.pad<double>(rest.pressure, level->pressure);
+    else if (known)
+        level->gaps.pad.pad<double>(transfer(rest.grid, rest.pressure, level->film.ambient(), level->gaps.grid),
+                                    level->pressure);
     disk.emplace(case_, topography, level->gaps.grid, level->gaps.pad);
     if (!goOn()) return false;
     contact = makeSliderContact(case_, spacing, topography, level->gaps.grid, level->gaps.pad, goOn);

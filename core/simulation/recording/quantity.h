@@ -14,7 +14,7 @@ struct Quantity {
     std::string name;        // "flying_height"
     std::string unit;        // SI, "m"
     std::string displayUnit; // "nm"
-    std::string longName;    // "Flying height at the contact pad"
+    std::string longName;    // "Real contact force"
 };
 
 /// A quantity with its value in a state, so that names and columns cannot disagree.

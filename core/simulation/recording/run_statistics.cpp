@@ -116,7 +116,7 @@ void RunStatistics::addSample(double time, std::span<const double> values, std::
                               std::span<const double> most)
 {
     // The extremes before the first sample of the tail may be older than the tail.
-    const double tail = 0.9 * case_.run.duration;
+    const double tail = 0.9 * case_.run.duration - 1e-6 * case_.run.sampleInterval; // less what rounding may take
     const bool entersTail = time >= tail && time - case_.run.sampleInterval < tail;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::size_t column = columns_[i];

@@ -2,7 +2,9 @@
 //
 // Extremes of recorded quantities between two samples. A run evaluates its quantities at more points of its dense
 // output than it samples. Where three points in a row follow one law, a parabola through them finds an extreme between
-// them: on a sine with 20 points in a period it is off by less than 3e-4 of the amplitude.
+// them: on a sine with 20 points in a period it is off by less than 3e-4 of the amplitude. There is no parabola where
+// two of the points are nearly at one time, so that it does not enlarge their errors, nor where a value is not known
+// (NaN).
 #pragma once
 
 #include <cstddef>

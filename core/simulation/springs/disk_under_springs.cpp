@@ -14,17 +14,13 @@ namespace touchdown {
 DiskUnderSprings::DiskUnderSprings(const Case& c)
     : surface_(diskTopography(c)),
       velocity_(surfaceVelocity(c, surface_)),
-      longestStep_(finestPassage(c.diskSurface, velocity_))
+      longestStep_(finestPassage(c.diskSurface, surface_, velocity_))
 {
     const double middle = 0.5 * c.slider.length, across = 0.5 * c.slider.width;
     place_[SpringModel::Pad] = {middle + c.onoYamane.padDistance, across};
     place_[SpringModel::Front] = {middle - c.springs.frontDistance, across};
     place_[SpringModel::Rear] = {middle + c.springs.rearDistance, across};
     recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across});
-    if (!hasFile(c.diskSurface)) return;
-    const UniformGrid finest = surface_.period(); // of the finest map; the same across where it is a profile
-    const Velocity along{velocity_.x, finest.ny > 1 ? velocity_.y : 0.0};
-    longestStep_ = std::min(longestStep_, cellPassage(finest.dx, finest.dy, along));
 }
 
 double DiskUnderSprings::passage() const

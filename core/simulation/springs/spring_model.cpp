@@ -241,8 +241,8 @@ const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(cons
     using S = const Sample&;
     using List = std::vector<RecordedQuantity<Sample>>;
     static const List free{
-        {{"flying_height", "m", "nm", "Flying height at the contact pad"}, [](S s) { return s.d; }},
-        {{"minimum_spacing", "m", "nm", "Minimum spacing of pad and pressure centres"},
+        {{"flying_height", "m", "nm", "Flying height at the contact pad above the disk"}, [](S s) { return s.d; }},
+        {{"minimum_spacing", "m", "nm", "Minimum spacing of pad and pressure centres above the disk"},
          [](S s) {
              return std::min({s.d, s.zf, s.zr});
          }},

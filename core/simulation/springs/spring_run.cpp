@@ -229,7 +229,7 @@ std::string otherMotion(const Case& c, const DiskUnderSprings& disk, const Summa
     if (first == count && summary.status == full.status) return {};
     const bool another = most > sameFlyingHeight || summary.status != full.status;
     std::string text = another ? "run.tolerance does not determine the motion: with " : "with run.tolerance = ";
-    text += formatNumber(other.run.tolerance);
+    text += formatNumber(roundedTo(other.run.tolerance, 6));
     if (first < count)
         text += " the flying height differs from " + time(double(first) * c.run.sampleInterval) + " on, by up to " +
                 fewDigits(most, "nm", 2);

@@ -41,13 +41,13 @@ const ResponseJump* jumpBetween(const ResponseTask& task, const ResponseResult& 
                                 std::size_t next, bool down)
 {
     const double from = task.frequencies[place], to = task.frequencies[next];
-    const ResponseJump* nearest = nullptr;
+    const ResponseJump* last = nullptr;
     for (const ResponseJump& jump : result.jumps) {
         const double at = jump.frequency();
         if (jump.down != down || jump.other != 0 || at < std::min(from, to) || at > std::max(from, to)) continue;
-        if (nearest == nullptr || std::abs(at - from) < std::abs(nearest->frequency() - from)) nearest = &jump;
+        if (last == nullptr || std::abs(at - from) > std::abs(last->frequency() - from)) last = &jump;
     }
-    return nearest;
+    return last;
 }
 
 double PhaseTurn::of(const std::complex<double>& harmonic) const

@@ -87,8 +87,8 @@ const ResponsePoint& pointAt(const ResponseResult& result, std::size_t place, bo
 /// The places between which both ways have settled into different motions: the first and the last of each range.
 std::vector<std::pair<std::size_t, std::size_t>> twoStates(const ResponseResult& result);
 
-/// The sweep's jump on a way between the frequencies of two neighbouring places, the nearest to the first of them; null
-/// where there is none.
+/// The sweep's last jump on a way from the frequency of a place to that of its neighbour; null where there is none. Two
+/// states at the place, of which there is one at the neighbour, end there.
 const ResponseJump* jumpBetween(const ResponseTask& task, const ResponseResult& result, std::size_t place,
                                 std::size_t next, bool down);
 

@@ -181,7 +181,9 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
 bool sameMotion(const ForcedMotion& a, const ForcedMotion& b)
 {
     return a.settled() && b.settled() && a.period == b.period &&
-           std::abs(a.harmonic - b.harmonic) <= sameHarmonic * std::max(a.amplitude(), b.amplitude());
+           std::abs(a.harmonic - b.harmonic) <= sameHarmonic * std::max(a.amplitude(), b.amplitude()) &&
+           std::abs(a.leastSpacing - b.leastSpacing) <= sameHarmonic * std::max(a.size[0], b.size[0]) &&
+           std::abs(a.contactShare - b.contactShare) <= sameHarmonic;
 }
 
 } // namespace touchdown

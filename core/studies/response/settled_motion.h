@@ -68,8 +68,9 @@ double apart(const ForcedState& a, const ForcedState& b, const SpringModel::Stat
 /// With the figures of its n periods.
 ForcedMotion measured(const ForcedSprings& springs, const RepeatingMotion& motion);
 
-/// Whether two motions at the same frequency are the same: both have settled, with the same period, and their harmonics
-/// differ by less than a thousandth.
+/// Whether two motions at the same frequency are the same: both have settled, with the same period, and differ by less
+/// than a thousandth in their harmonics, and, as a quantity may not tell them apart, in their least spacing (of their
+/// size) and share of contact.
 bool sameMotion(const ForcedMotion& a, const ForcedMotion& b);
 
 } // namespace touchdown

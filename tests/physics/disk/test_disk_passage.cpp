@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/physics/disk/disk_topography.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -32,7 +33,11 @@ private slots:
         s.kind = DiskSurfaceKind::Rough;
         s.cell = 0.25e-6;
         QVERIFY(std::abs(finestPassage(s, {10.0, -2.0}) - 12.5e-9) < 1e-20);
-        QVERIFY(std::abs(cellPassage(2e-6, 0.1e-6, {10.0, -2.0}) - 25e-9) < 1e-20);
+        s.kind = DiskSurfaceKind::File;
+        const HeightMap map{.nx = 8, .ny = 4, .dx = 2e-6, .dy = 0.1e-6, .heights = std::vector(32, 1e-9)};
+        QVERIFY(std::abs(finestPassage(s, DiskTopography(s, map), {10.0, -2.0}) - 25e-9) < 1e-20);
+        const HeightMap profile{.nx = 8, .ny = 1, .dx = 2e-6, .dy = 0.1e-6, .heights = std::vector(8, 1e-9)};
+        QVERIFY(std::abs(finestPassage(s, DiskTopography(s, profile), {10.0, -2.0}) - 100e-9) < 1e-20);
     }
     void bumpsPassByTheirBase()
     {

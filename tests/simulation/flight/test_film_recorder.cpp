@@ -88,7 +88,7 @@ struct Recording {
           columns(filmQuantities(c).size()),
           callback([this](const RunUpdate& update) { return take(update); }),
           run(c, filmQuantities(c), callback),
-          recorder(c, body, recess, spacing, nullptr, run)
+          recorder(c, body, recess, spacing, nullptr, 1.0, run)
     {
         const std::vector<Quantity> quantities = filmQuantities(c);
         for (std::size_t i = 0; i < quantities.size(); ++i) columnOf[quantities[i].name] = i;

@@ -10,6 +10,7 @@
 #include "core/physics/disk/disk_velocity.h"
 #include "core/simulation/flight/film_run.h"
 #include "core/simulation/run.h"
+#include "core/simulation/static_state/steady.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -22,7 +23,11 @@ class TestFilmRunDisk : public QObject {
 private slots:
     void aDiskThatRisesIntoTheSliderIsTheCause_data();
     void aDiskThatRisesIntoTheSliderIsTheCause();
+    void aBumpThatPassesWithinAStepIsSeen();
     void aLawOnTheMeanPlaneDoesNotSeeTheDisk();
+    void theLeastGapIsThatOfItsSamples_data();
+    void theLeastGapIsThatOfItsSamples();
+    void withoutAStaticStateTheGridIsThatOfTheCase();
     void stepsFollowWavesUnderAHeldSlider();
     void recordsSpacingsAboveTheDisk();
     void warnsOfWavesThatCellsLose();
@@ -111,6 +116,105 @@ void TestFilmRunDisk::aDiskThatRisesIntoTheSliderIsTheCause()
     QVERIFY2(message.contains("above its mean plane"), qPrintable(message));
     for (const auto& [name, values] : flight.columns)
         for (const double value : values) QVERIFY2(std::isfinite(value), name.c_str());
+}
+
+/// A flat pad of 0.2 mm that cannot move, 20 nm above the disk at its trailing edge, without a static state.
+Case heldPad()
+{
+    Case c;
+    c.model = ModelKind::Film;
+    c.contact = ContactKind::None;
+    c.slider.length = c.slider.width = 0.2e-3;
+    c.slider.mass = 1.0;
+    c.slider.pitchInertia = c.slider.rollInertia = 1e-3;
+    c.surface = {};
+    c.surface.baseRecess = 0.0;
+    c.suspension.preload = 1e-3;
+    c.film.nodes = {33, 17};
+    c.film.grid = GridKind::Uniform;
+    c.initial.state = InitialState::Given;
+    c.initial.nominalTrailingEdgeHeight = 20e-9;
+    c.initial.pitch = 100e-6;
+    c.run.fieldSnapshots = 0;
+    return c;
+}
+
+void TestFilmRunDisk::aBumpThatPassesWithinAStepIsSeen()
+{
+    // Steps of a hundredth of the run, 2 us, in which the disk moves by 26 um under the pad. A bump of 4 um and 23 nm,
+    // too short for the cells, comes to a pad 200 um long that is 30 nm high at its middle: it touches where the pad is
+    // 23 nm high, 30 um before the trailing edge.
+    Case c = heldPad();
+    c.run.duration = 200e-6;
+    c.run.sampleInterval = 50e-6;
+    c.diskSurface.kind = DiskSurfaceKind::Bumps;
+    c.diskSurface.bumpShape = BumpShape::Cosine;
+    c.diskSurface.bumpHeights = {23e-9};
+    c.diskSurface.bumpLengths = {4e-6};
+    c.diskSurface.bumpWidths = {40e-6};
+    c.diskSurface.bumpX = {-0.4e-3 + 20e-3};
+    c.diskSurface.bumpY = {0.1e-3};
+    c.diskSurface.track = 20e-3;
+    c.diskSurface.trackWidth = 0.2e-3;
+    const Flight flight = fly(c);
+    QVERIFY(flight.summary.status == RunStatus::Failed);
+    const QString message = QString::fromStdString(flight.summary.message);
+    QVERIFY2(message.contains("the disk's surface reaches the slider at "), qPrintable(message));
+    // 570 um at about 13 m/s; looked at each quarter of the bump, 1 um.
+    const double expected = 570e-6 / velocityOf(c).x;
+    const double said = message.section("slider at ", 1).section(" us", 0, 0).toDouble() * 1e-6;
+    QVERIFY2(std::abs(said - expected) < 3e-6 / velocityOf(c).x, qPrintable(message));
+    // The point where it was found belongs to the run.
+    const auto extremes = std::ranges::find(flight.summary.extremes, std::string("minimum_gap"),
+                                            [](const auto& each) { return each.first; });
+    QVERIFY(extremes->second.least <= 0.0 && extremes->second.least > -4e-9);
+}
+
+void TestFilmRunDisk::theLeastGapIsThatOfItsSamples_data()
+{
+    QTest::addColumn<double>("interval"); // [s]
+    for (const double interval : {20e-9, 0.1e-6, 0.33e-6}) QTest::addRow("%g ns", interval * 1e9) << interval;
+}
+
+void TestFilmRunDisk::theLeastGapIsThatOfItsSamples()
+{
+    // Between samples and ends of steps the gap changes by little: no point that is sought elsewhere may be far off.
+    QFETCH(double, interval);
+    Case c = pico(30e-6);
+    c.run.sampleInterval = interval;
+    c = overWaves(c, 2e-9, 300e-6);
+    c.diskSurface.waveAmplitudes = {2e-9, 1.5e-9};
+    c.diskSurface.waveLengths = {300e-6, 170e-6};
+    c.diskSurface.waveAngles = {0.17, 0.87};
+    c.diskSurface.wavePhases = {0.0, 0.0};
+    const Flight flight = fly(c);
+    QVERIFY2(flight.summary.status == RunStatus::Completed, flight.summary.message.c_str());
+    const std::vector<double>& gaps = flight.columns.at("minimum_gap");
+    const auto extremes = std::ranges::find(flight.summary.extremes, std::string("minimum_gap"),
+                                            [](const auto& each) { return each.first; });
+    double change = 0.0; // between samples, at most [m]
+    for (std::size_t n = 1; n < gaps.size(); ++n) change = std::max(change, std::abs(gaps[n] - gaps[n - 1]));
+    QVERIFY(extremes->second.least <= std::ranges::min(gaps) && extremes->second.most >= std::ranges::max(gaps));
+    QVERIFY(extremes->second.least > std::ranges::min(gaps) - change);
+    QVERIFY(extremes->second.most < std::ranges::max(gaps) + change);
+}
+
+void TestFilmRunDisk::withoutAStaticStateTheGridIsThatOfTheCase()
+{
+    // The force at the start is that of the static film at this attitude, on these cells. The preload has no static
+    // state: the film's least force is above it.
+    Case c = heldPad();
+    c.run.duration = 0.1e-6;
+    Case fixed = c;
+    fixed.steady.fixedAttitude = true;
+    for (const int nodes : {33, 49}) {
+        c.film.nodes = fixed.film.nodes = {nodes, nodes};
+        const Flight flight = fly(c);
+        QVERIFY2(flight.warns("no static state was found"), flight.summary.message.c_str());
+        const double expected = steady(fixed).forces.net;
+        QVERIFY2(std::abs(flight.columns.at("air_bearing_force").front() - expected) < 1e-6 * expected,
+                 qPrintable(QString::number(flight.columns.at("air_bearing_force").front() / expected)));
+    }
 }
 
 void TestFilmRunDisk::aLawOnTheMeanPlaneDoesNotSeeTheDisk()

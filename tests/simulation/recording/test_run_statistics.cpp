@@ -186,6 +186,23 @@ private slots:
         for (const auto& [name, tail] : summary.tail) QCOMPARE(tail.max, 7e-9);
         for (const auto& [name, extremes] : summary.extremes) QCOMPARE(extremes.most, 250e-9);
     }
+    /// Also where nine tenths of the duration and the time of the sample there round to different numbers.
+    void theTailIsTheTailForAnyDuration()
+    {
+        for (int tens = 1; tens <= 300; ++tens) {
+            Case c;
+            c.run.sampleInterval = 0.1e-6;
+            c.run.duration = tens * 1e-6;
+            const std::vector<Quantity> quantities = recordedQuantities(c);
+            RunStatistics statistics(c, quantities);
+            const std::vector<double> values(quantities.size(), 7e-9), high(quantities.size(), 250e-9);
+            for (int i = 0; i <= 10 * tens; ++i)
+                statistics.addSample(i * c.run.sampleInterval, values, values, i <= 9 * tens ? high : values);
+            Summary summary;
+            statistics.finish(summary);
+            for (const auto& [name, tail] : summary.tail) QCOMPARE(tail.max, 7e-9);
+        }
+    }
     /// The end of a run that failed is outside the model: there is nothing to judge.
     void aFailedRunIsNotJudged()
     {

@@ -91,6 +91,16 @@ private slots:
         extremes.add(3.0, std::vector{3.4}, true);
         QVERIFY(extremes.most()[0] > 3.5);
     }
+    /// Values known to 1e-6 at two times 1e-9 apart have no slope that is worth a parabola: its vertex would be far
+    /// below.
+    void pointsAtNearlyOneTimeBendNothing()
+    {
+        SampleExtremes extremes(1);
+        extremes.add(0.0, std::vector{1.0 + 1e-6}, true);
+        extremes.add(1e-9, std::vector{1.0}, true);
+        extremes.add(1.0, std::vector{1.1}, true);
+        QVERIFY(std::abs(extremes.least()[0] - 1.0) < 1e-12);
+    }
     void noNumberDoesNotSpread()
     {
         SampleExtremes extremes(1);

@@ -52,6 +52,38 @@ private slots:
         QCOMPARE(twoStates(resultOf({1.0, 2.0}, {1.0, 2.0 * 1.0005})), Ranges());    // the same motion
     }
 
+    /// A quantity may be the same in both, as a force of contact without contact.
+    void aQuantityMayNotTellTwoMotionsApart()
+    {
+        ForcedMotion flying = pointOf(1.0, 0.0, false).motion, nearer = flying;
+        flying.size = nearer.size = SpringModel::State::Constant(2e-9);
+        flying.leastSpacing = 3e-9;
+        nearer.leastSpacing = 1e-9;
+        QVERIFY(sameMotion(flying, flying) && !sameMotion(flying, nearer));
+        nearer.leastSpacing = 3e-9 + 1e-12; // to a thousandth of the size
+        QVERIFY(sameMotion(flying, nearer));
+        nearer.contactShare = 0.01;
+        QVERIFY(!sameMotion(flying, nearer));
+    }
+
+    /// Of two jumps between two frequencies the last one leads to the motion at the second.
+    void theLastJumpOfAWayEndsTwoStates()
+    {
+        ResponseTask task;
+        task.frequencies = {10.0, 20.0, 30.0};
+        ResponseResult result;
+        for (const bool down : {false, true})
+            for (const double at : {12.0, 18.0}) {
+                ResponseJump jump;
+                jump.down = down;
+                jump.before.frequency = jump.beyond = at;
+                result.jumps.push_back(jump);
+            }
+        QCOMPARE(jumpBetween(task, result, 0, 1, false)->frequency(), 18.0);
+        QCOMPARE(jumpBetween(task, result, 1, 0, true)->frequency(), 12.0);
+        QVERIFY(jumpBetween(task, result, 1, 2, false) == nullptr);
+    }
+
     void pointsOfBothWays()
     {
         const ResponseResult result = resultOf({1, 2, 3}, {4, 5, 6});

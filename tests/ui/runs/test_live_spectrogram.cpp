@@ -116,7 +116,8 @@ void TestLiveSpectrogram::saysItsResolutions()
 {
     QCOMPARE(plots_->spectrogram()->shown()->window, std::size_t(256));
     QCOMPARE(plot()->toolTip(), QStringLiteral("Resolution: 256.0\u00a0µs, 5.859\u00a0kHz"));
-    QCOMPARE(plot()->title(), QStringLiteral("Minimum spacing of pad and pressure centres of run 1: spectrogram"));
+    QCOMPARE(plot()->title(),
+             QStringLiteral("Minimum spacing of pad and pressure centres above the disk of run 1: spectrogram"));
     QCOMPARE(spectrogramWindow(100), std::size_t(64));
     QCOMPARE(spectrogramWindow(1'000'000), std::size_t(4096));
 }
@@ -218,7 +219,8 @@ void TestLiveSpectrogram::nothingOfAnotherQuantityIsShown()
     plots_->spectrogram()->updateNow(); // the one of the pitch is not waited for
     QTRY_VERIFY(plots_->spectrogram()->shown());
     QVERIFY(plots_->spectrogram()->shown()->at(10, 30) > 0.0); // the pitch stands still
-    QVERIFY(plot()->title().startsWith(QStringLiteral("Minimum spacing of pad and pressure centres of run 1")));
+    QVERIFY(plot()->title().startsWith(
+        QStringLiteral("Minimum spacing of pad and pressure centres above the disk of run 1")));
 }
 
 /// The picture stays until the next one comes.

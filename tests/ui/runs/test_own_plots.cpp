@@ -170,7 +170,7 @@ void TestOwnPlots::menusOfferWhatFits()
     emit add->aboutToShow();
     QStringList offered;
     for (const QAction* action : add->actions()) offered << action->text();
-    QCOMPARE(offered, (QStringList{QStringLiteral("Flying height at the contact pad"),
+    QCOMPARE(offered, (QStringList{QStringLiteral("Flying height at the contact pad above the disk"),
                                    QStringLiteral("Height of the mass centre"),
                                    QStringLiteral("Spacing at the front pressure centre"),
                                    QStringLiteral("Spacing at the rear pressure centre")}));
