@@ -12,6 +12,9 @@ namespace touchdown {
 
 namespace {
 
+/// Shares of the difference from the next coarser grid [-].
+constexpr double secondOrder = 0.5, firstOrder = 1.0;
+
 /// Of what crossed cells carry, and more by the part of the cut faces that ridges part: what leaks through ridges moves
 /// the pressure of whole rails [-].
 constexpr double edgeShare = 0.035, perParted = 0.25;
@@ -49,10 +52,11 @@ DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::
                               const GridState& finest, std::span<const GridState> coarser,
                               std::span<const Vector3> ridges)
 {
+    const double share = !ridges.empty() && !c.steady.fixedAttitude ? firstOrder : secondOrder;
     const auto estimate = [&](double least, auto&& value) {
         const double last = std::abs(value(finest) - value(coarser[0]));
         const double before = coarser.size() > 1 ? std::abs(value(coarser[0]) - value(coarser[1])) : 0.0;
-        return std::max({0.5 * last, 0.125 * before, least});
+        return std::max({share * last, 0.125 * before, least});
     };
     Vector3 edges = shareOfEdges(level.gaps) * edgeForces(level);
     Matrix3 resisting = stiffness.value_or(Matrix3::Identity());

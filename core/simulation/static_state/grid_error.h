@@ -5,13 +5,13 @@
 // are narrower than a cell (ridge_error.h).
 //
 // At second order the difference from a grid of half as many cells along each axis is three times the finer one's
-// error; half of it is taken because of the rails' edges. As two results may agree by chance, an eighth of the
-// difference of the two coarser ones counts too: as much at second order. And in cells that edges cross the error is of
-// first order in their size and of either sign: a share of what they carry counts, which moves the attitude against the
-// film's stiffness; more where narrow ridges stand, as what leaks through them moves the pressure of whole rails. Share
-// and factors were chosen on sliders drawn at random that fly near 14 nm; tests/bench/README.md says on how many others
-// they hold. Below some 2 nm, where the pressure at the trailing edge rises within a cell, the error may be several
-// times as large.
+// error; half of it is taken because of the rails' edges, and all of it in flight where ridges are narrower than a
+// cell, which leave an error of first order. As two results may agree by chance, an eighth of the difference of the two
+// coarser ones counts too: as much at second order. And in cells that edges cross the error is of first order in their
+// size and of either sign: a share of what they carry counts, which moves the attitude against the film's stiffness;
+// more where narrow ridges stand, as what leaks through them moves the pressure of whole rails. Share and factors were
+// chosen on sliders drawn at random that fly near 14 nm; tests/bench/README.md says on how many others they hold. Below
+// some 2 nm, where the pressure at the trailing edge rises within a cell, the error may be several times as large.
 #pragma once
 
 #include <optional>
