@@ -17,7 +17,11 @@ namespace {
 constexpr int mostPasses = 40;         // for one mode
 constexpr double farthestSecant = 5.0; // a secant's step, of |g(s) - s| [-]
 constexpr double oscillating = 1e-6;   // least imaginary part of a rate, of its magnitude [-]
+constexpr double doubtfulDecay = 0.2;  // damping ratio above which a mode may be a root of the film [-]
 constexpr double perRate = 1e-6;       // [s]: in slider lengths and microseconds the entries are alike in size
+
+/// Damping ratio of a rate [-].
+double decayOf(Complex rate) { return -rate.real() / std::abs(rate); }
 
 /// The nearest of some modes to a rate.
 auto nearest(std::vector<SmallMotions::Mode>& modes, Complex rate)
@@ -148,6 +152,17 @@ std::vector<SmallMotions::Mode> SmallMotions::find(double tolerance, const std::
         for (const Mode& trial : trials(film({0.0, 2.0 * std::numbers::pi * frequency}), known))
             if (!complete() && asked()) followed(trial);
     }
+    // The film answers with roots of its own, which decay within few periods. Where one of them was met, a mode that
+    // decays more slowly may have been passed by: it is sought from the other rates.
+    for (std::size_t k = 0; k < known.size(); ++k)
+        for (const double frequency : frequencies) {
+            if (decayOf(known[k].rate) < doubtfulDecay || !asked()) break;
+            std::vector<Mode> others = known;
+            others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+            for (Mode& trial : trials(film({0.0, 2.0 * std::numbers::pi * frequency}), others))
+                if (follow(trial, others, tolerance) && decayOf(trial.rate) < decayOf(known[k].rate))
+                    known[k] = std::move(trial);
+        }
     std::ranges::sort(known, {}, [](const Mode& mode) { return mode.rate.imag(); });
     return known;
 }
