@@ -26,6 +26,7 @@ private slots:
     void mayBeNegative();
     void aSymmetricEdgeBearsInItsMiddle();
     void aRailIsNearestWhereItsWallsBegin();
+    void aRailUnderAnotherIsNearestWhereTheirEdgesCross();
     void noPointOfASliderWithWallsIsLower_data();
     void noPointOfASliderWithWallsIsLower();
 };
@@ -151,6 +152,25 @@ void TestMinimumSpacing::aRailIsNearestWhereItsWallsBegin()
     // Where the edge across is vertical, the wall along it ends there.
     surface.rails[0].points[1].wall = 0;
     QVERIFY(std::abs(nearest(surface, {10e-9, 100e-6, 2e-6}).spacing - (10e-9 + 10e-9 - 0.196e-9)) < 1e-15);
+}
+
+void TestMinimumSpacing::aRailUnderAnotherIsNearestWhereTheirEdgesCross()
+{
+    // A deeper rail hides the rear of a pad. In shares of length and width their slanted edges are
+    // y = 0.8 - 2/7 (x - 0.2) and x = 0.4 + 0.4 y: they cross at x = y = 2/3, the pad's rearmost point.
+    // Another pad ends 0.5 um before it, so that the way downhill from there does not lead to it.
+    AirBearingSurface surface;
+    surface.baseRecess = 1e-6;
+    const double l = 1e-3, w = 0.8e-3;
+    surface.rails.push_back(
+        {.points = {{0.2 * l, 0.1 * w}, {0.9 * l, 0.1 * w}, {0.9 * l, 0.6 * w}, {0.2 * l, 0.8 * w}}});
+    surface.rails.push_back({.points = {{0.4 * l, 0.0}, {l, 0.0}, {l, w}, {0.8 * l, w}}, .recess = {0.5e-6}});
+    const double rear = 2.0 / 3.0 * l - 0.5e-6;
+    surface.rails.push_back({.points = {{0.3 * l, 0.9 * w}, {rear, 0.9 * w}, {rear, 0.95 * w}, {0.3 * l, 0.95 * w}}});
+    const MinimumSpacing spacing(surface, Recess(surface, l, w));
+    const MinimumSpacing::Place place = spacing.at({10e-9, 100e-6, 0.0});
+    QVERIFY(std::abs(place.at.x - 2.0 / 3.0 * l) < 2e-9 && std::abs(place.at.y - 2.0 / 3.0 * w) < 2e-9);
+    QVERIFY(std::abs(place.spacing - (10e-9 + 100e-6 * l / 3.0)) < 2e-14);
 }
 
 void TestMinimumSpacing::noPointOfASliderWithWallsIsLower_data()
