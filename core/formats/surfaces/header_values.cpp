@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
@@ -244,6 +242,14 @@ const std::optional<HeaderValue>& HeaderValues::of(HeaderField field) const
     return value;
 }
 
+std::vector<std::pair<HeaderField, HeaderValue>> HeaderValues::given() const
+{
+    std::vector<std::pair<HeaderField, HeaderValue>> all;
+    for (std::size_t field = 0; field < values_.size(); ++field)
+        if (values_[field]) all.emplace_back(static_cast<HeaderField>(field), *values_[field]);
+    return all;
+}
+
 bool HeaderValues::sizesMatrix() const
 {
     const bool x = has(HeaderField::SizeX) || has(HeaderField::StepX) || has(HeaderField::Step);
@@ -327,6 +333,13 @@ bool beginsChannel(std::string_view line)
         return found && (found->field <= HeaderField::SizeY || found->field == HeaderField::HeightUnit ||
                          found->field == HeaderField::Channel);
     });
+}
+
+std::vector<std::string_view> remarksIn(std::string_view line)
+{
+    auto parts = pieces(line);
+    std::erase_if(parts, [](std::string_view each) { return valueIn(each, 0).has_value(); });
+    return parts;
 }
 
 void refuseOtherThanKey(int line)
