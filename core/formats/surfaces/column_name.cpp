@@ -112,7 +112,7 @@ std::optional<WordMeaning> meaningOf(const std::string& word)
     return std::nullopt;
 }
 
-bool isLetter(char c)
+bool isLetterByte(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
 }
@@ -164,7 +164,8 @@ bool holdsFactor(std::string_view name)
         const bool first = at == 0 && end < name.size();
         const bool joined = at > 0 && std::string_view("+-.").find(name[at - 1]) < 3;
         const bool power = end > at + 1 && name[at] == '1' && name.find_first_not_of('0', at + 1) >= end;
-        if (first || joined || power || (end < name.size() && (isLetter(name[end]) || name[end] == '.'))) return true;
+        if (first || joined || power || (end < name.size() && (isLetterByte(name[end]) || name[end] == '.')))
+            return true;
         at = end;
     }
     return false;
@@ -214,8 +215,8 @@ int countMinus(std::string_view name)
 {
     int count = 0;
     for (std::size_t at = name.find('-'); at != std::string_view::npos; at = name.find('-', at + 1)) {
-        const bool before = at > 0 && isLetter(name[at - 1]);
-        const bool after = at + 1 < name.size() && isLetter(name[at + 1]);
+        const bool before = at > 0 && isLetterByte(name[at - 1]);
+        const bool after = at + 1 < name.size() && isLetterByte(name[at + 1]);
         if (before ? at + 1 == name.size() : (after || at == 0)) ++count;
     }
     return count;
@@ -227,19 +228,19 @@ std::vector<NameWord> wordsWithMeaning(std::string_view text)
 {
     std::vector<NameWord> words;
     for (std::size_t at = 0; at < text.size(); ++at) {
-        if (!isLetter(text[at])) continue;
+        if (!isLetterByte(text[at])) continue;
         const std::size_t begin = at;
         std::string initials(1, text[at]); // "s.d."
         std::size_t end = at + 1;
-        for (; end + 1 < text.size() && text[end] == '.' && isLetter(text[end + 1]); end += 2)
+        for (; end + 1 < text.size() && text[end] == '.' && isLetterByte(text[end + 1]); end += 2)
             initials += text[end + 1];
-        const bool apart = end == text.size() || !isLetter(text[end]);
+        const bool apart = end == text.size() || !isLetterByte(text[end]);
         if (initials.size() > 1 && apart && exactMeaning(lowerCase(initials))) {
             words.push_back({std::string(text.substr(begin, end - begin)), *exactMeaning(lowerCase(initials)), begin});
             at = end;
             continue;
         }
-        while (at < text.size() && isLetter(text[at])) ++at;
+        while (at < text.size() && isLetterByte(text[at])) ++at;
         addWords(text.substr(begin, at - begin), begin, words);
     }
     return words;
