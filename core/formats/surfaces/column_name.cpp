@@ -32,12 +32,15 @@ constexpr Group groups[] = {
     {WordMeaning::Turns, "inv invert* revers* flip* negat* neg minus umgekehrt* umgedreht*"},
     {WordMeaning::Function, "squared quadr* deviation abweichung varian* logarit* logarith* deriv* ableitung* normali* "
                             "autoco* correlation korrel*"},
-    {WordMeaning::Scaling, "multipl* divid* scaled skaliert* exaggerat* uncalibrated decimat*"},
-    {WordMeaning::Factor, "factor faktor scale gain sensitiv* empfindlich* lsb digit*"},
+    {WordMeaning::Scaling,
+     "mult multipl* divid* scaled skaliert* skalierung exaggerat* amplification* verstarkung* uberhoh* "
+     "uncalibrated decimat*"},
+    {WordMeaning::Factor, "factor faktor scale gain magnif* sensitiv* empfindlich* lsb digit*"},
     {WordMeaning::Quantity,
      "log ln lg exp sqrt std* sd sigma \xCF\x83 gap spacing clearance separation fly flying flug spalt root abs "
      "absolute absolut betrag inverse square sqr sq "
-     "half double twice triple power standard* var rms rq ra rz rt sa pv err error* fehler* uncertain* unsicher* noise "
+     "half halv* doubl* twice tripl* power standard* var rms rq ra rz rt sa pv err error* fehler* uncertain* unsicher* "
+     "noise "
      "rauschen residu* slope* steigung neigung gradient* grad dz dh curvature krummung psd spectr* spektr* espectr* "
      "acf "
      "fft streu* scatter spread increment* inkrement* change* anderung* differen* diff delta sum summe integral* "
@@ -50,7 +53,8 @@ constexpr Group groups[] = {
                         "vorzeichen positiv* signal sensor surface oberflache profile profil image map bump*"},
     {WordMeaning::Neutral,
      "raw forward fwd backward bwd trace retrace filtered levelled leveled flattened corrected calibrat* detrended "
-     "measured mess gemessen channel ch col disk disc platter sample point mean median mittlere average avg averaged "
+     "measured mess gemessen channel ch col disk disc platter sample point mean median mittlere gemittelt* gefiltert* "
+     "average avg averaged "
      "smoothed relative rel actual the of in at der des den direction dir side line unit above over plane left right "
      "real true main primary processed unfiltered section step stage up upward upwards displacement total no nr number "
      "reference referenz"},

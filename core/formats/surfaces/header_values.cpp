@@ -46,7 +46,8 @@ constexpr FieldNames fieldNames[] = {
     {HeaderField::HeightUnit, "value units,value unit,values unit,z units,z unit,zunit,zunits,unit z,units z,height "
                               "unit,height units,data units,data unit,unit data,units,unit,vertical unit,vertical "
                               "units,unit of z,units of z,unit of heights,unit of height,units of height,h unit,h "
-                              "units,z,height,heights,z axis,h,vertical"},
+                              "units,z,height,heights,z axis,h,vertical,einheit,"
+                              "werteinheit,z einheit"},
     {HeaderField::HeightRange, "z amplitude"},
     {HeaderField::Bit2nm, "bit2nm"},
     {HeaderField::Scale, "scale factor,z scale,zscale,scale z,z factor,height scale,height factor,height scale factor,"
@@ -217,9 +218,9 @@ double stepOf(const HeaderValues& values, HeaderField step, HeaderField size, st
 
 } // namespace
 
-HeaderValues::HeaderValues(const MapTable& table)
+HeaderValues::HeaderValues(const std::vector<HeadingLine>& lines)
 {
-    for (const HeadingLine& heading : table.headings)
+    for (const HeadingLine& heading : lines)
         for (const std::string_view piece : pieces(heading.text)) {
             auto found = valueIn(piece, heading.line);
             if (!found) continue;

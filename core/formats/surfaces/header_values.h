@@ -51,7 +51,8 @@ struct HeaderValue {
 
 class HeaderValues {
 public:
-    explicit HeaderValues(const MapTable& table);
+    explicit HeaderValues(const MapTable& table) : HeaderValues(table.headings) {}
+    explicit HeaderValues(const std::vector<HeadingLine>& lines);
 
     bool has(HeaderField field) const { return values_[static_cast<std::size_t>(field)].has_value(); }
     /// Throws CmlError where the value is given twice and differs.

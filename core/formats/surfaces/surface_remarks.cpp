@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -74,20 +75,22 @@ bool endsWithFigure(const std::vector<std::string_view>& all)
 
 /// "in pm", "[V]", "in waves", "in units of 2 nm" beside a word for heights, "in V" beside one for data, where the
 /// columns have other units.
-bool namesOtherUnit(const std::vector<std::string_view>& all, bool height, const FileFacts& file)
+bool namesOtherUnit(std::string_view clause, bool height, const FileFacts& file)
 {
+    const auto all = tokens(clause);
     for (std::size_t i = 1; i < all.size(); ++i) {
         const std::string_view word = all[i];
         const bool behindIn = all[i - 1] == "in" && i > 1, letter = word == "A" || word == "m" || word == "in";
-        if (beginsWithDigit(word) || beginsWithDigit(all[i - 1]) || !(height || behindIn) || (letter && !behindIn))
-            continue;
+        const bool bracketed = clause.find('[' + std::string(word) + ']') != std::string_view::npos;
+        if (!bracketed && (beginsWithDigit(word) || beginsWithDigit(all[i - 1]))) continue;
+        if (!bracketed && (!(height || behindIn) || (letter && !behindIn))) continue;
         if (const auto metres = spelledLength(word)) {
             if (!file.knows(*metres)) return true;
             continue;
         }
-        if (spellsOtherUnit(word) && (word.size() > 1 || word == "V") && word != "min") return true;
+        if (spellsOtherUnit(word) && (word.size() > 1 || word == "V" || word == "%") && word != "min") return true;
+        if (height && word.starts_with("unit") && i + 2 < all.size() && beginsWithDigit(all[i + 2])) return true;
         if (!behindIn || !height) continue;
-        if (word.starts_with("unit") && i + 2 < all.size() && beginsWithDigit(all[i + 2])) return true;
         const auto words = wordsWithMeaning(word), before = wordsWithMeaning(all[i - 2]);
         const bool subject = before.size() == 1 && before[0].meaning == WordMeaning::Height;
         const bool verb = all[i - 2] == "are" || all[i - 2] == "is" || all[i - 2] == "sind";
@@ -97,7 +100,7 @@ bool namesOtherUnit(const std::vector<std::string_view>& all, bool height, const
     return false;
 }
 
-/// "z x10", "z * 10", "z / 10", "z times 10", "z^2".
+/// "z x10", "z * 10", "z / 10", "z times 10", "z^2", "z = -h".
 bool holdsFactorSign(std::string_view text)
 {
     for (std::size_t i = 1; i + 1 < text.size(); ++i) {
@@ -110,6 +113,10 @@ bool holdsFactorSign(std::string_view text)
             text.substr(0, left + 1).find_first_not_of(" #%") != std::string_view::npos)
             return true;
     }
+    if (const auto equals = text.find('='); equals != std::string_view::npos) {
+        const std::string_view right = trimmed(text.substr(equals + 1));
+        if (right.starts_with('-') && !beginsWithDigit(right)) return true;
+    }
     const auto times = text.find(" times ");
     if (times != std::string_view::npos && beginsWithDigit(text.substr(times + 7))) return true;
     return text.find('^') != std::string_view::npos || text.find("\xC2\xB2") != std::string_view::npos ||
@@ -119,8 +126,8 @@ bool holdsFactorSign(std::string_view text)
 /// "32 x 16 points", "Points: 128" of a file with other counts.
 bool countsOtherwise(const std::vector<std::string_view>& all, const FileFacts& file)
 {
-    constexpr std::string_view counted[] = {"points", "pixels", "px",     "samples", "rows",
-                                            "values", "punkte", "zeilen", "spalten", "columns"};
+    constexpr std::string_view counted[] = {"points", "pixels", "px",      "samples", "rows",      "values",
+                                            "punkte", "zeilen", "spalten", "columns", "messpunkte"};
     constexpr std::string_view beside[] = {"x",      "by",   "number", "of",   "total",  "data", "per",
                                            "line",   "size", "map",    "grid", "the",    "in",   "n",
                                            "anzahl", "der",  "nr",     "each", "profile"};
@@ -158,9 +165,10 @@ bool isDoubtful(std::string_view clause, const FileFacts& file)
     if (has(WordMeaning::Scaling)) return true;
     if (!words.empty() && words.front().meaning == WordMeaning::Turns && !has(WordMeaning::X)) return true;
     if (countsOtherwise(all, file)) return true;
+    if (has(WordMeaning::Turns) && has(WordMeaning::Quantity) && !figure) return true; // "peaks are negative"
     if (!subject) return false;
     return has(WordMeaning::Turns) || has(WordMeaning::Below) || has(WordMeaning::Factor) ||
-           (has(WordMeaning::Quantity) && !figure) || namesOtherUnit(all, height, file) || holdsFactorSign(clause);
+           (has(WordMeaning::Quantity) && !figure) || namesOtherUnit(clause, height, file) || holdsFactorSign(clause);
 }
 
 /// The parts of a text between commas, semicolons and full stops.
@@ -193,11 +201,12 @@ bool contradicts(HeaderField field, const HeaderValue& value, const FileFacts& f
     const MapTable& table = file.table;
     switch (field) {
     case HeaderField::LateralUnit:
-    case HeaderField::UnitY:
+    case HeaderField::UnitY: return !spelledLength(value.value) || !file.knows(*spelledLength(value.value));
     case HeaderField::HeightUnit: {
-        const auto metres = spelledLength(value.value);
-        return !metres || !file.knows(*metres);
+        const double metres = spelledLength(value.value).value_or(0.0);
+        return differs(metres, file.units.back(), 1.0 + 1e-9);
     }
+    case HeaderField::Scale: return !parts || parts->number != 1.0;
     case HeaderField::PointsX:
     case HeaderField::PointsY: return parts && !file.has(parts->number);
     case HeaderField::StepX:
@@ -260,11 +269,17 @@ std::vector<HeadingLine> unusedRemarks(const MapTable& table, const HeaderValues
         if (std::ranges::any_of(pieces, doubts) || (nearest && mayBeHeading(line, table))) report(line);
     };
     for (const HeadingLine& line : table.headings) judge(line, &line == &table.headings.back());
-    for (const TableBreak& each : table.breaks) judge(each.line, false);
-    for (const auto& [field, value] : values.given())
-        if (contradicts(field, value, file))
-            for (const HeadingLine& line : table.headings)
-                if (line.line == value.line) report(line);
+    std::vector<HeadingLine> behind;
+    for (const TableBreak& each : table.breaks | std::views::take(mostRemarksRead)) behind.push_back(each.line);
+    for (const HeadingLine& line : behind) judge(line, false);
+    const auto compare = [&](const HeaderValues& given, const std::vector<HeadingLine>& lines) {
+        for (const auto& [field, value] : given.given())
+            if (contradicts(field, value, file))
+                for (const HeadingLine& line : lines)
+                    if (line.line == value.line) report(line);
+    };
+    compare(values, table.headings);
+    compare(HeaderValues(behind), behind);
     std::ranges::sort(doubtful, {}, &HeadingLine::line);
     return doubtful;
 }

@@ -35,10 +35,12 @@ private slots:
               "# multiply heights by 10", "# z sensitivity: 10 nm/V", "# heights x10", "# height times 3",
               "# vertical exaggeration 100", "# standard deviation over 64 tracks",
               "# The second column is the standard deviation.", "# z is the logarithm of the height in nm",
-              "# type: gap", "# Werte: Varianz", "# heights are scaled", "# data: phase",
+              "# type: gap", "# Werte: Varianz", "# heights are scaled", "# peaks are negative", "# z = -h",
+              "# amplification 20x", "# vertical magnification 5000x", "# data: phase",
               // unit
               "# heights in counts, 1 count = 0.1 nm", "# heights in waves (633 nm)", "# z sensor signal in V",
-              "# heights above are in pm", "# Units: m", "# heights in units of 2 nm", "# values in mV", "# z [pm]",
+              "# heights above are in pm", "# Units: m", "# height unit: um", "# height unit is 10 nm",
+              "# heights in %", "# column 2 [pm]", "# heights in units of 2 nm", "# values in mV", "# z [pm]",
               // count and size
               "# 32 x 16 points", "# Points: 128", "# Number of points = 5", "# nx: 5", "# Anzahl Punkte: 96",
               "# Spacing: 0.5 um", "# Spacing: 1 um, after decimation 4: 4 um", "# Z Amplitude: 350 nm",
@@ -95,6 +97,7 @@ private slots:
                                    "# log file: a.txt",
                                    "# quality factor: 200",
                                    "# ISO standard 25178",
+                                   "# magnification 50x",
                                    "# moving average of 5 points",
                                    "# serial 123-456"})
             QTest::newRow(remark) << QByteArray(remark);
@@ -128,6 +131,9 @@ private slots:
         const auto remarks = unusedRemarks(table, HeaderValues(table), {1e-6, 1e-9}, {1}, false);
         QCOMPARE(remarks.size(), std::size_t{1});
         QCOMPARE(remarks.front().line, 4);
+        const MapTable behind =
+            readMapTable("0,1\n1,2\n# factor 10 for heights\n"); // values are read before the numbers
+        QCOMPARE(unusedRemarks(behind, HeaderValues(behind), {1e-6, 1e-9}, {}, false).size(), std::size_t{1});
     }
 };
 
