@@ -20,7 +20,7 @@ struct Group {
 constexpr Group groups[] = {
     {WordMeaning::X, "x distance distancia distanz dist position posicion pos lateral length track downtrack along "
                      "scan travel circumferential circumference tangential abscissa horizontal arc path location "
-                     "coordinate coord place weg strecke laenge lange longitud abstand entfernung "
+                     "coordinate coord koordinate place weg strecke laenge lange longitud abstand entfernung "
                      "\xE8\xB7\x9D\xE9\x9B\xA2 \xE4\xBD\x8D\xE7\xBD\xAE"},
     {WordMeaning::Y, "y across crosstrack transverse radial radius"},
     {WordMeaning::Height, "z h height hgt ht hoehe hohe topography topo topographie topografie elevation elev altitude "
@@ -52,7 +52,7 @@ constexpr Group groups[] = {
     {WordMeaning::Data, "axis achse value wert valor data daten column spalte type content variable label sign "
                         "vorzeichen positiv* signal sensor surface oberflache profile profil image map bump*"},
     {WordMeaning::Neutral,
-     "raw forward fwd backward bwd trace retrace filtered levelled leveled flattened corrected calibrat* detrended "
+     "afm raw forward fwd backward bwd trace retrace filtered levelled leveled flattened corrected calibrat* detrended "
      "measured mess gemessen channel ch col disk disc platter sample point mean median mittlere gemittelt* gefiltert* "
      "average avg averaged "
      "smoothed relative rel actual the of in at der des den direction dir side line unit above over plane left right "

@@ -269,7 +269,7 @@ ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, c
         }
     }
     for (const Heading& each : all) {
-        if (each.hasUnits() || each.line == nearest) found.lines.push_back(each.line->line);
+        if (each.complete() || each.line == nearest) found.lines.push_back(each.line->line);
         if (each.holdsNone()) checkNames(each, true);
         if (each.names.back().turned) found.turned = *each.line;
         if (each.complete() && each.fits())

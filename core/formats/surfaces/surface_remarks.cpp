@@ -78,6 +78,12 @@ bool endsWithFigure(const std::vector<std::string_view>& all)
 bool namesOtherUnit(std::string_view clause, bool height, const FileFacts& file)
 {
     const auto all = tokens(clause);
+    const auto isHeight = [&](std::size_t i) {
+        const auto words = wordsWithMeaning(all[i]);
+        return words.size() == 1 && words[0].meaning == WordMeaning::Height;
+    };
+    const auto unit = std::ranges::find_if(all, [](std::string_view each) { return each.starts_with("unit"); });
+    if (height && std::any_of(unit, all.end(), beginsWithDigit)) return true;
     for (std::size_t i = 1; i < all.size(); ++i) {
         const std::string_view word = all[i];
         const bool behindIn = all[i - 1] == "in" && i > 1, letter = word == "A" || word == "m" || word == "in";
@@ -85,17 +91,16 @@ bool namesOtherUnit(std::string_view clause, bool height, const FileFacts& file)
         if (!bracketed && (beginsWithDigit(word) || beginsWithDigit(all[i - 1]))) continue;
         if (!bracketed && (!(height || behindIn) || (letter && !behindIn))) continue;
         if (const auto metres = spelledLength(word)) {
-            if (!file.knows(*metres)) return true;
+            const bool ofHeights = behindIn && isHeight(i - 2);
+            if (ofHeights ? std::abs(*metres - file.units.back()) > 1e-9 * *metres : !file.knows(*metres)) return true;
             continue;
         }
         if (spellsOtherUnit(word) && (word.size() > 1 || word == "V" || word == "%") && word != "min") return true;
-        if (height && word.starts_with("unit") && i + 2 < all.size() && beginsWithDigit(all[i + 2])) return true;
         if (!behindIn || !height) continue;
-        const auto words = wordsWithMeaning(word), before = wordsWithMeaning(all[i - 2]);
-        const bool subject = before.size() == 1 && before[0].meaning == WordMeaning::Height;
+        const auto words = wordsWithMeaning(word);
         const bool verb = all[i - 2] == "are" || all[i - 2] == "is" || all[i - 2] == "sind";
         const bool unknown = words.size() == 1 && words[0].meaning == WordMeaning::Unknown && word.size() > 1;
-        if (unknown && (subject || verb)) return true;
+        if (unknown && (verb || isHeight(i - 2))) return true;
     }
     return false;
 }

@@ -40,7 +40,8 @@ private slots:
               // unit
               "# heights in counts, 1 count = 0.1 nm", "# heights in waves (633 nm)", "# z sensor signal in V",
               "# heights above are in pm", "# Units: m", "# height unit: um", "# height unit is 10 nm",
-              "# heights in %", "# column 2 [pm]", "# heights in units of 2 nm", "# values in mV", "# z [pm]",
+              "# heights in %", "# column 2 [pm]", "# heights in um", "# unit of z is 0.1 nm",
+              "# heights in units of 2 nm", "# values in mV", "# z [pm]",
               // count and size
               "# 32 x 16 points", "# Points: 128", "# Number of points = 5", "# nx: 5", "# Anzahl Punkte: 96",
               "# Spacing: 0.5 um", "# Spacing: 1 um, after decimation 4: 4 um", "# Z Amplitude: 350 nm",
