@@ -240,9 +240,11 @@ ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, c
     std::vector<Heading> all;
     for (const HeadingLine& line : table.headings)
         if (auto heading = headingOf(line, table)) all.push_back(std::move(*heading));
-    // The names of the columns stand nearest to the numbers.
+    // The names of the columns stand nearest to the numbers, if no line has names and units.
     const auto isNamed = [](const Heading& each) { return !each.unitsAlone(); };
-    const auto last = std::find_if(all.rbegin(), all.rend(), isNamed);
+    const auto isWhole = [&](const Heading& each) { return isNamed(each) && each.complete() && each.fits(); };
+    const auto whole = std::find_if(all.rbegin(), all.rend(), isWhole);
+    const auto last = whole != all.rend() ? whole : std::find_if(all.rbegin(), all.rend(), isNamed);
     const HeadingLine* const nearest = last == all.rend() ? nullptr : last->line;
     ColumnHeading found{key, {}, {}, {}};
     std::erase_if(all, [&](const Heading& each) { return each.isTitle(each.line == nearest); });

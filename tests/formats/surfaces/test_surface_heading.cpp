@@ -137,6 +137,7 @@ private slots:
         QCOMPARE(refusedLine([] { unitsOf("x etch\num nm\n0 1\n"); }), 1);
         QCOMPARE(refusedLine([] { unitsOf("foo;bar\num;nm\n0;1\n"); }), 1);
         QCOMPARE(unitsOf("Etched glass\nx [um] z [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("x [um],z [nm]\nDisk A,etched glass\n0,1\n"), (ColumnUnits{1e-6, 1e-9}));
     }
     void unitsInASentenceAreNamed()
     {
