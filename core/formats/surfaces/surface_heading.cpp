@@ -96,7 +96,9 @@ struct Heading {
         if (nearest && (divided || (names.front().role == ColumnRole::X && names.front().known))) return false;
         const auto role = [&](ColumnRole r) { return std::ranges::count(names, r, &ColumnName::role); };
         const auto roles = role(ColumnRole::X) + role(ColumnRole::Y) + role(ColumnRole::Height);
-        return !hasUnits() && !fits() && names.back().role != ColumnRole::None && roles < (holdsNone() ? 1 : 2);
+        const bool named = nearest || names.front().role != ColumnRole::Unknown; // not "Tencor P-16+"
+        const bool none = named && names.back().role == ColumnRole::None;
+        return !hasUnits() && !fits() && !none && roles < (holdsNone() ? 1 : 2);
     }
     ColumnUnits units() const
     {
@@ -123,8 +125,9 @@ std::optional<Heading> headingOf(const HeadingLine& line, const MapTable& table)
     else
         cells = headingCells(line.text, table.separator, table.columns);
     if (!cells) return std::nullopt;
-    const auto isNumber = [](const HeadingCell& each) { // "Scan length","60 um"
-        return each.unit.empty() && !each.name.empty() && each.name[0] >= '0' && each.name[0] <= '9';
+    const auto isNumber = [](const HeadingCell& each) { // "Scan length","60um", not "2*z"
+        const auto number = each.unit.empty() ? numberAndUnit(each.name) : std::nullopt;
+        return number && (number->unit.empty() || spelledLength(number->unit) || spellsOtherUnit(number->unit));
     };
     if (std::ranges::any_of(*cells, isNumber)) return std::nullopt;
     const std::string_view text = trimmed(withoutMark(line.text));

@@ -90,6 +90,8 @@ private slots:
             QCOMPARE(refusedLine([&] { unitsOf(heading, {1e-6, 1e-9}); }), 1);
             QCOMPARE(refusedLine([&] { unitsOf("# " + heading); }), 1);
         }
+        for (const char* heading : {"x,2*z\n0,1\n", "x\t10z\n0\t1\n", "time z\n0 1\n", "Weg;Abstand\n0;1\n"})
+            QCOMPARE(refusedLine([&] { unitsOf(heading, {1e-6, 1e-9}); }), 1);
         QCOMPARE(refusedLine([&] { unitsOf("x [um],etch [nm]\n0,1\n"); }), 1);
         QCOMPARE(unitsOf("x,etch\n0,1\n", {1e-6, 1e-9}), (ColumnUnits{1e-6, 1e-9}));
     }
@@ -138,6 +140,7 @@ private slots:
         QCOMPARE(refusedLine([] { unitsOf("foo;bar\num;nm\n0;1\n"); }), 1);
         QCOMPARE(unitsOf("Etched glass\nx [um] z [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
         QCOMPARE(unitsOf("x [um],z [nm]\nDisk A,etched glass\n0,1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("Tencor P-16+\nx [um] z [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
     }
     void unitsInASentenceAreNamed()
     {

@@ -46,7 +46,7 @@ private slots:
               "# 32 x 16 points", "# Points: 128", "# Number of points = 5", "# nx: 5", "# Anzahl Punkte: 96",
               "# Spacing: 0.5 um", "# Spacing: 1 um, after decimation 4: 4 um", "# Z Amplitude: 350 nm",
               // the name of a column
-              "# x recessed-top"})
+              "# x etching"})
             QTest::newRow(remark) << QByteArray(remark);
     }
     void doubtful()
