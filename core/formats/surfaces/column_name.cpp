@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
 #include <utility>
-#include <vector>
 
 #include "core/formats/words.h"
 
@@ -12,62 +12,111 @@ namespace touchdown {
 
 namespace {
 
-/// Depth and Below count downwards, once; Turns changes the sign each time.
-enum class Meaning : std::uint8_t { X, Y, Height, Depth, Below, Turns, None, Neutral };
-
 struct Group {
-    Meaning meaning;
-    std::string_view words; // between blanks, in lower case
+    WordMeaning meaning;
+    std::string_view words; // between blanks, in plain lower case; "log*": all words that begin so
 };
 
 constexpr Group groups[] = {
-    {Meaning::X, "x distance dist position pos lateral length track downtrack along scan travel circumferential "
-                 "circumference tangential abscissa horizontal arc path location coordinate coord place weg strecke "
-                 "laenge lange distanz entfernung \xE8\xB7\x9D\xE9\x9B\xA2 \xE4\xBD\x8D\xE7\xBD\xAE"},
-    {Meaning::Y, "y across crosstrack transverse radial radius"},
-    {Meaning::Height, "z h height hgt ht hoehe hohe topography topo topographie elevation elev altitude roughness "
-                      "rauheit waviness welligkeit relief vertical ordinate hauteur altezza altura zeta "
-                      "\xE9\xAB\x98\xE3\x81\x95"},
-    {Meaning::Depth, "depth tiefe profondeur"},
-    {Meaning::Below, "below down downward upside"},
-    {Meaning::Turns, "inverted invert inv reversed reverse flipped negated negative neg minus"},
-    {Meaning::None,
-     "gap spacing clearance separation fly flying log ln lg exp sqrt root abs absolute inverse square squared sqr sq "
-     "half double twice triple power "
-     "std stdev stddev "
-     "sd sigma standard deviation var variance rms rq ra rz rt sa pv error err uncertainty noise residual slope "
-     "gradient "
-     "grad derivative dz dh curvature psd spectrum spectral spectra acf autocorr autocorrelation correlation "
-     "autocovariance fft "
-     "amplitude amp phase deflection friction force current voltage volt potential count cts intensity reflectivity "
-     "grey "
-     "gray brightness time frequency freq wavelength period wavenumber thickness wear stiffness modulus adhesion "
-     "density probability pdf histogram percent percentage difference diff delta quality min max minimum maximum peak "
-     "range temperature pressure velocity speed load reciprocal normalized normalised norm normalization ratio "
-     "indentation penetration magnitude bearing cumulative integral flatness product sum deflexion lsb digit rate "
-     "index steigung kraft spannung zeit"},
-    {Meaning::Neutral,
-     "axis achse value wert data raw forward fwd backward bwd trace retrace filtered levelled leveled flattened "
-     "corrected detrended measured sensor channel ch col column disk disc platter sample point mean average avg "
-     "averaged smoothed relative rel actual the of in at direction dir side line unit above plane surface profile "
-     "left right real true main primary processed unfiltered section step stage positive up upward upwards "
-     "displacement total no nr number"},
+    {WordMeaning::X, "x distance distancia distanz dist position posicion pos lateral length track downtrack along "
+                     "scan travel circumferential circumference tangential abscissa horizontal arc path location "
+                     "coordinate coord koordinate place weg strecke laenge lange longitud abstand entfernung "
+                     "\xE8\xB7\x9D\xE9\x9B\xA2 \xE4\xBD\x8D\xE7\xBD\xAE"},
+    {WordMeaning::Y, "y across crosstrack transverse radial radius"},
+    {WordMeaning::Height, "z h height hgt ht hoehe hohe topography topo topographie topografie elevation elev altitude "
+                          "roughness rauheit waviness welligkeit relief vertical ordinate hauteur altezza altura zeta "
+                          "\xE9\xAB\x98\xE3\x81\x95"},
+    {WordMeaning::Depth, "depth* tiefe vertiefung* profond* profund* recess* pit groove* \xE6\xB7\xB1\xE3\x81\x95"},
+    {WordMeaning::Below, "below down* beneath into toward towards upside unten unter unterhalb abwarts abajo debajo "
+                         "bajo bas sous dessous"},
+    {WordMeaning::Turns, "inv invert* revers* flip* negat* neg minus umgekehrt* umgedreht*"},
+    {WordMeaning::Function, "squared quadr* deviation abweichung varian* logarit* logarith* deriv* ableitung* normali* "
+                            "autoco* correlation korrel*"},
+    {WordMeaning::Scaling,
+     "mult multipl* divid* scaled skaliert* skalierung exaggerat* amplification* verstarkung* uberhoh* "
+     "uncalibrated decimat*"},
+    {WordMeaning::Factor, "factor faktor scale gain magnif* sensitiv* empfindlich* lsb digit*"},
+    {WordMeaning::Quantity,
+     "log ln lg exp sqrt std* sd sigma \xCF\x83 gap spacing clearance separation fly flying flug spalt root abs "
+     "absolute absolut betrag inverse square sqr sq "
+     "half halv* doubl* twice tripl* power standard* var rms rq ra rz rt sa pv err error* fehler* uncertain* unsicher* "
+     "noise "
+     "rauschen residu* slope* steigung neigung gradient* grad dz dh curvature krummung psd spectr* spektr* espectr* "
+     "acf "
+     "fft streu* scatter spread increment* inkrement* change* anderung* differen* diff delta sum summe integral* "
+     "product ratio reciprocal norm cumulat* percent* probab* pdf histogra* "
+     "amplitude amp phase deflection deflexion force current voltage volt potential count cts intensity reflectivity "
+     "grey gray brightness time freq* wavelength period wavenumber thickness dicke wear stiffness modulus adhesion "
+     "density quality min max minim* maxim* peak range temperature pressure velocity speed load indentation "
+     "penetration eindring* rautiefe magnitude bearing flatness rate index kraft spannung zeit"},
+    {WordMeaning::Data, "axis achse value wert valor data daten column spalte type content variable label sign "
+                        "vorzeichen positiv* signal sensor surface oberflache profile profil image map bump*"},
+    {WordMeaning::Neutral,
+     "afm raw forward fwd backward bwd trace retrace filtered levelled leveled flattened corrected calibrat* detrended "
+     "measured mess gemessen channel ch col disk disc platter sample point mean median mittlere gemittelt* gefiltert* "
+     "average avg averaged "
+     "smoothed relative rel actual the of in at der des den direction dir side line unit above over plane left right "
+     "real true main primary processed unfiltered section step stage up upward upwards displacement total no nr number "
+     "reference referenz"},
 };
 
-std::optional<Meaning> meaningOf(std::string_view word)
+/// In lower case, without accents and dots: "H\xC3\xB6he" to "hohe".
+std::string plainWord(std::string_view letters)
 {
-    for (const Group& group : groups)
-        for (std::size_t at = group.words.find(word); at != std::string_view::npos;
-             at = group.words.find(word, at + 1)) {
-            const std::size_t end = at + word.size();
-            if ((at == 0 || group.words[at - 1] == ' ') && (end == group.words.size() || group.words[end] == ' '))
-                return group.meaning;
+    constexpr std::string_view plain = "aaaaaaaceeeeiiiidnooooo_ouuuuyts"; // U+00C0 to U+00DF, and from U+00E0
+    std::string word;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(letters[i]);
+        const auto next = i + 1 < letters.size() ? static_cast<unsigned char>(letters[i + 1]) : 0;
+        if (byte == 0xC3 && next >= 0x80) {
+            word += plain[next & 0x1FU];
+            ++i;
+        } else if ((byte == 0xCC && next >= 0x80) || (byte == 0xCD && next < 0xB0)) { // beside its letter
+            ++i;
+        } else {
+            word += letters[i];
         }
-    const bool plural = word.size() > 3 && word.ends_with('s');
-    return plural ? meaningOf(word.substr(0, word.size() - 1)) : std::nullopt;
+    }
+    return lowerCase(word);
 }
 
-bool isLetter(char c)
+constexpr std::size_t longestWord = 40; // [byte]
+
+std::optional<WordMeaning> listedMeaning(const std::string& word)
+{
+    static const auto listed = [] {
+        std::unordered_map<std::string, WordMeaning> all;
+        for (const Group& group : groups)
+            for (std::size_t at = 0; at < group.words.size();) {
+                const std::size_t end = std::min(group.words.find(' ', at), group.words.size());
+                all.emplace(group.words.substr(at, end - at), group.meaning);
+                at = end + 1;
+            }
+        return all;
+    }();
+    const auto found = listed.find(word);
+    return found == listed.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Of a word, or of its singular.
+std::optional<WordMeaning> exactMeaning(const std::string& word)
+{
+    if (const auto meaning = listedMeaning(word)) return meaning;
+    for (const std::string_view plural : {"s", "n", "es", "en", "e"})
+        if (word.size() > plural.size() + 2 && word.ends_with(plural))
+            if (const auto meaning = listedMeaning(word.substr(0, word.size() - plural.size()))) return meaning;
+    return std::nullopt;
+}
+
+std::optional<WordMeaning> meaningOf(const std::string& word)
+{
+    if (const auto meaning = exactMeaning(word)) return meaning;
+    for (std::size_t length = std::min(word.size(), longestWord); length > 2; --length)
+        if (const auto meaning = listedMeaning(word.substr(0, length) + '*')) return meaning;
+    return std::nullopt;
+}
+
+bool isLetterByte(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) > 127;
 }
@@ -83,32 +132,32 @@ std::size_t endOfHump(std::string_view word)
     return word.size();
 }
 
-/// The meanings of a run of letters: one word, several in camel case, or two that are written as one, "logz".
-struct Run {
-    std::vector<std::pair<std::string, std::optional<Meaning>>> words;
-
-    void add(std::string_view letters)
-    {
-        std::string word = lowerCase(letters);
-        std::optional<Meaning> meaning = meaningOf(word);
-        if (meaning || letters.size() == 1) return words.emplace_back(std::move(word), meaning), void();
-        if (const std::size_t hump = endOfHump(letters); hump < letters.size()) {
-            add(letters.substr(0, hump));
-            return add(letters.substr(hump));
-        }
-        for (std::size_t cut = 1; cut < word.size(); ++cut) {
-            const std::string left = word.substr(0, cut), right = word.substr(cut);
-            const bool letter = left.size() == 1 || right.size() == 1;
-            const std::string& other = left.size() == 1 ? right : left;
-            const bool axis = letter && std::string_view("xyzh").find(left.size() == 1 ? left : right) < 4;
-            if ((letter && (!axis || other.size() < 3)) || !meaningOf(left) || !meaningOf(right)) continue;
-            words.emplace_back(left, meaningOf(left));
-            words.emplace_back(right, meaningOf(right));
-            return;
-        }
-        words.emplace_back(std::move(word), std::nullopt);
+/// Adds a run of letters: one word, several in camel case, or two that are written as one, "logz".
+void addWords(std::string_view letters, std::size_t at, std::vector<NameWord>& words)
+{
+    const auto add = [&](std::optional<WordMeaning> meaning) {
+        words.push_back({std::string(letters), meaning.value_or(WordMeaning::Unknown), at});
+    };
+    const std::string word = plainWord(letters);
+    if (const auto meaning = exactMeaning(word); meaning || word.size() == 1) return add(meaning);
+    if (const std::size_t hump = endOfHump(letters); hump < letters.size()) {
+        addWords(letters.substr(0, hump), at, words);
+        return addWords(letters.substr(hump), at + hump, words);
     }
-};
+    for (std::size_t cut = 1; cut < std::min(word.size(), longestWord); ++cut) {
+        const std::string left = word.substr(0, cut), right = word.substr(cut);
+        const bool letter = left.size() == 1 || right.size() == 1;
+        const std::string& other = left.size() == 1 ? right : left;
+        const bool axis = letter && std::string_view("xyzh").find(left.size() == 1 ? left : right) < 4;
+        if (letter ? !axis || other.size() < 3 : right.size() < 3) continue;
+        const auto exact = exactMeaning(left), first = exact ? exact : listedMeaning(left + '*');
+        const auto second = first ? meaningOf(right) : std::nullopt;
+        if (!second) continue;
+        add(first);
+        return add(second);
+    }
+    add(meaningOf(word));
+}
 
 /// A number that may multiply: "10 z", "z x100", "z e-9"; not that of a channel, "height 2".
 bool holdsFactor(std::string_view name)
@@ -119,64 +168,110 @@ bool holdsFactor(std::string_view name)
         const bool first = at == 0 && end < name.size();
         const bool joined = at > 0 && std::string_view("+-.").find(name[at - 1]) < 3;
         const bool power = end > at + 1 && name[at] == '1' && name.find_first_not_of('0', at + 1) >= end;
-        if (first || joined || power || (end < name.size() && (isLetter(name[end]) || name[end] == '.'))) return true;
+        if (first || joined || power || (end < name.size() && (isLetterByte(name[end]) || name[end] == '.')))
+            return true;
         at = end;
     }
     return false;
 }
 
-/// Signs of a formula, "z^2", "|z|", "dz/dx", the squares and roots of Unicode.
+/// Signs of a formula, "z^2", "|z|", "dz/dx", the signs of Unicode.
 bool isFormula(std::string_view name)
 {
     if (name.find_first_of("^*|/+=<>%~") != std::string_view::npos) return true;
     if (holdsFactor(name)) return true;
-    for (const std::string_view sign : {"\xC2\xB2", "\xC2\xB3", "\xE2\x88\x9A", "\xCE\x94", "\xE2\x88\x82"})
+    for (const std::string_view sign :
+         {"\xC2\xB1", "\xC2\xB2", "\xC2\xB3", "\xC3\x97", "\xE2\x88\x9A", "\xCE\x94", "\xE2\x88\x82", "\xE2\x88\x86"})
         if (name.find(sign) != std::string_view::npos) return true;
     return false;
 }
 
-bool isAxisLetter(const std::string& word) { return word == "x" || word == "y" || word == "z" || word == "h"; }
+bool isAxisLetter(const std::string& word)
+{
+    return word.size() == 1 && std::string_view("xyzhXYZH").find(word) != std::string_view::npos;
+}
 
-ColumnRole roleOf(Meaning meaning)
+bool isNone(WordMeaning meaning) { return meaning >= WordMeaning::Function && meaning <= WordMeaning::Quantity; }
+
+ColumnRole roleOf(WordMeaning meaning)
 {
     switch (meaning) {
-    case Meaning::X: return ColumnRole::X;
-    case Meaning::Y: return ColumnRole::Y;
-    case Meaning::Height:
-    case Meaning::Depth: return ColumnRole::Height;
+    case WordMeaning::X: return ColumnRole::X;
+    case WordMeaning::Y: return ColumnRole::Y;
+    case WordMeaning::Height:
+    case WordMeaning::Depth: return ColumnRole::Height;
     default: return ColumnRole::Any;
     }
 }
 
+/// The name with the dashes of typography as minus signs.
+std::string withMinus(std::string_view name)
+{
+    std::string text(trimmed(name, " \t\"'.:"));
+    for (const std::string_view dash : {"\xE2\x80\x93", "\xE2\x88\x92"})
+        for (auto at = text.find(dash); at != std::string::npos; at = text.find(dash))
+            text.replace(at, dash.size(), "-");
+    return text;
+}
+
+/// The signs that turn a name: "-z", "- z", "z-"; not the hyphens of "down-track" and dashes between words.
+int countMinus(std::string_view name)
+{
+    int count = 0;
+    for (std::size_t at = name.find('-'); at != std::string_view::npos; at = name.find('-', at + 1)) {
+        const bool before = at > 0 && isLetterByte(name[at - 1]);
+        const bool after = at + 1 < name.size() && isLetterByte(name[at + 1]);
+        if (before ? at + 1 == name.size() : (after || at == 0)) ++count;
+    }
+    return count;
+}
+
 } // namespace
 
-ColumnName columnName(std::string_view name)
+std::vector<NameWord> wordsWithMeaning(std::string_view text)
 {
-    ColumnName column;
-    name = trimmed(name, " \t\"'.:");
-    Run run;
-    for (std::size_t at = 0; at < name.size(); ++at) {
-        if (!isLetter(name[at])) continue;
+    std::vector<NameWord> words;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        if (!isLetterByte(text[at])) continue;
         const std::size_t begin = at;
-        while (at < name.size() && isLetter(name[at])) ++at;
-        const bool minus = begin > 0 && name[begin - 1] == '-' && (begin == 1 || !isLetter(name[begin - 2]));
-        if (minus) column.turned = !column.turned;
-        run.add(name.substr(begin, at - begin));
-    }
-    // A letter of an axis tells most, then a height, then a place: "z position", "scan height".
-    int sure = 0;
-    bool below = false, anything = run.words.empty();
-    for (const auto& [word, meaning] : run.words) {
-        anything = anything || meaning || word.size() == 1;
-        if (!meaning) {
-            column.known = column.known && word.size() == 1 && run.words.size() == 1; // "u m"
+        std::string initials(1, text[at]); // "s.d."
+        std::size_t end = at + 1;
+        for (; end + 1 < text.size() && text[end] == '.' && isLetterByte(text[end + 1]); end += 2)
+            initials += text[end + 1];
+        const bool apart = end == text.size() || !isLetterByte(text[end]);
+        if (initials.size() > 1 && apart && exactMeaning(lowerCase(initials))) {
+            words.push_back({std::string(text.substr(begin, end - begin)), *exactMeaning(lowerCase(initials)), begin});
+            at = end;
             continue;
         }
-        if (*meaning == Meaning::None && column.word.empty()) column.word = word;
-        if (*meaning == Meaning::Turns) column.turned = !column.turned;
-        below = below || *meaning == Meaning::Depth || *meaning == Meaning::Below;
-        const ColumnRole role = roleOf(*meaning);
-        const int weight = isAxisLetter(word) ? 4 : role == ColumnRole::Height ? 3 : role == ColumnRole::Y ? 2 : 1;
+        while (at < text.size() && isLetterByte(text[at])) ++at;
+        addWords(text.substr(begin, at - begin), begin, words);
+    }
+    return words;
+}
+
+ColumnName columnName(std::string_view written)
+{
+    const std::string name = withMinus(written);
+    const std::vector<NameWord> words = wordsWithMeaning(name);
+    ColumnName column;
+    column.turned = countMinus(name) % 2 == 1;
+    column.known = !name.ends_with(" -"); // a minus or a dash
+    // A letter of an axis tells most, then a height, then a place: "z position", "scan height".
+    int sure = 0;
+    bool below = false, anything = words.empty();
+    for (const NameWord& word : words) {
+        const bool letter = word.text.size() == 1;
+        anything = anything || word.meaning != WordMeaning::Unknown || letter;
+        if (word.meaning == WordMeaning::Unknown) {
+            column.known = column.known && letter && words.size() == 1; // "u m"
+            continue;
+        }
+        if (isNone(word.meaning) && column.word.empty()) column.word = word.text;
+        if (word.meaning == WordMeaning::Turns) column.turned = !column.turned;
+        below = below || word.meaning == WordMeaning::Depth || word.meaning == WordMeaning::Below;
+        const ColumnRole role = roleOf(word.meaning);
+        const int weight = isAxisLetter(word.text) ? 4 : role == ColumnRole::Height ? 3 : role == ColumnRole::Y ? 2 : 1;
         if (role == ColumnRole::Any || weight <= sure) continue;
         sure = weight;
         column.role = role;

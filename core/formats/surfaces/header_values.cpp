@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-#include <vector>
 
 #include "core/formats/cml_text.h"
 #include "core/formats/decimal.h"
@@ -48,7 +46,8 @@ constexpr FieldNames fieldNames[] = {
     {HeaderField::HeightUnit, "value units,value unit,values unit,z units,z unit,zunit,zunits,unit z,units z,height "
                               "unit,height units,data units,data unit,unit data,units,unit,vertical unit,vertical "
                               "units,unit of z,units of z,unit of heights,unit of height,units of height,h unit,h "
-                              "units,z,height,heights,z axis,h,vertical"},
+                              "units,z,height,heights,z axis,h,vertical,einheit,"
+                              "werteinheit,z einheit"},
     {HeaderField::HeightRange, "z amplitude"},
     {HeaderField::Bit2nm, "bit2nm"},
     {HeaderField::Scale, "scale factor,z scale,zscale,scale z,z factor,height scale,height factor,height scale factor,"
@@ -219,9 +218,9 @@ double stepOf(const HeaderValues& values, HeaderField step, HeaderField size, st
 
 } // namespace
 
-HeaderValues::HeaderValues(const MapTable& table)
+HeaderValues::HeaderValues(const std::vector<HeadingLine>& lines)
 {
-    for (const HeadingLine& heading : table.headings)
+    for (const HeadingLine& heading : lines)
         for (const std::string_view piece : pieces(heading.text)) {
             auto found = valueIn(piece, heading.line);
             if (!found) continue;
@@ -242,6 +241,14 @@ const std::optional<HeaderValue>& HeaderValues::of(HeaderField field) const
                                              " in line " + std::to_string(value->line) +
                                              "; one profile or one channel is read from a file");
     return value;
+}
+
+std::vector<std::pair<HeaderField, HeaderValue>> HeaderValues::given() const
+{
+    std::vector<std::pair<HeaderField, HeaderValue>> all;
+    for (std::size_t field = 0; field < values_.size(); ++field)
+        if (values_[field]) all.emplace_back(static_cast<HeaderField>(field), *values_[field]);
+    return all;
 }
 
 bool HeaderValues::sizesMatrix() const
@@ -327,6 +334,13 @@ bool beginsChannel(std::string_view line)
         return found && (found->field <= HeaderField::SizeY || found->field == HeaderField::HeightUnit ||
                          found->field == HeaderField::Channel);
     });
+}
+
+std::vector<std::string_view> remarksIn(std::string_view line)
+{
+    auto parts = pieces(line);
+    std::erase_if(parts, [](std::string_view each) { return valueIn(each, 0).has_value(); });
+    return parts;
 }
 
 void refuseOtherThanKey(int line)

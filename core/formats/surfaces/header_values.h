@@ -14,6 +14,8 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/formats/surfaces/map_table.h"
 #include "core/formats/surfaces/surface_units.h"
@@ -49,11 +51,14 @@ struct HeaderValue {
 
 class HeaderValues {
 public:
-    explicit HeaderValues(const MapTable& table);
+    explicit HeaderValues(const MapTable& table) : HeaderValues(table.headings) {}
+    explicit HeaderValues(const std::vector<HeadingLine>& lines);
 
     bool has(HeaderField field) const { return values_[static_cast<std::size_t>(field)].has_value(); }
     /// Throws CmlError where the value is given twice and differs.
     const std::optional<HeaderValue>& of(HeaderField field) const;
+    /// The first value of each field, whatever else is given.
+    std::vector<std::pair<HeaderField, HeaderValue>> given() const;
     /// Whether a matrix has its size.
     bool sizesMatrix() const;
 
@@ -79,6 +84,9 @@ bool channelIsTurned(const MapTable& table, const HeaderValues& values, std::siz
 bool beginsChannel(std::string_view line);
 
 [[noreturn]] void refuseOtherThanKey(int line);
+
+/// The parts of a line that are none of these values.
+std::vector<std::string_view> remarksIn(std::string_view line);
 
 /// "name: 16", "name = 16", "x unit: um": a value with its name, no heading of columns.
 bool isValue(std::string_view line);

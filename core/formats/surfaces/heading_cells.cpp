@@ -73,6 +73,8 @@ std::string withoutBrackets(std::string_view text, HeadingCell& cell)
             if (cell.metres && *cell.metres != *metres) spoiled = content;
             cell.unit = content;
             cell.metres = metres;
+        } else if (open == 0 && name.empty() && text[open] == '(' && content == "-") { // "(-) z [nm]"
+            name = "-";
         } else if (text[open] == '(' && isRemark(content)) {
             name.append(" ").append(content);
         } else if (spellsOtherUnit(content) || content.find_first_of(decimalDigits) != std::string_view::npos) {

@@ -19,6 +19,7 @@
 #include "core/formats/surfaces/map_table.h"
 #include "core/formats/surfaces/surface_fields.h"
 #include "core/formats/surfaces/surface_heading.h"
+#include "core/formats/surfaces/surface_remarks.h"
 #include "core/formats/text_encoding.h"
 #include "core/formats/text_file.h"
 #include "core/formats/words.h"
@@ -242,27 +243,30 @@ HeightMap mapOf(MapTable table, const std::string& name, const ColumnUnits& key,
     const bool turnedChannel = channelIsTurned(table, values, matrix ? 0 : table.columns - 1);
     std::optional<HeadingLine> turned;
     if (turnedChannel) turned = HeadingLine{{}, values.of(HeaderField::Channel)->line, true};
-    for (const HeadingLine& each : doubtfulText(table))
-        warnings.push_back({name, each.line, "",
-                            "says " + inQuotes(each.text) +
-                                ", which changes nothing: the numbers are read as heights, "
-                                "upwards and in a unit of length"});
     HeightMap map;
+    std::vector<HeadingLine> doubts, remarks;
     if (matrix) {
         const ColumnUnits units = unitsOfKey(key, 3);
         refusePlaces(table);
         const PointSteps steps = pointSteps(table, values, units);
-        map = mapOfHeights(table, steps, matrixUnit(table, values, units));
+        const double unit = matrixUnit(table, values, units);
+        remarks = unusedRemarks(table, values, {unit}, {}, true);
+        map = mapOfHeights(table, steps, unit);
     } else {
         const ColumnUnits units = unitsOfKey(key, alone ? 2 : table.columns);
         const ColumnUnits ofHeights = alone && !units.empty() ? ColumnUnits{units.back()} : units;
         const ColumnHeading heading = columnHeading(table, values, ofHeights);
         if (heading.turned) turned = heading.turned;
+        doubts = heading.doubts;
+        remarks = unusedRemarks(table, values, heading.units, heading.lines, false);
         map = alone                ? mapOfHeights(table, pointSteps(table, values, units), heading.units[0])
               : table.columns == 2 ? profileOf(std::move(table), heading.units)
                                    : mapOfPoints(table, heading.units);
     }
     if (turned) turn(map, *turned, name, warnings);
+    for (const HeadingLine& each : doubts) warnings.push_back({name, each.line, "", each.text});
+    for (const HeadingLine& each : remarks)
+        warnings.push_back({name, each.line, "", "has a remark that was not used: " + inQuotes(each.text)});
     return map;
 }
 

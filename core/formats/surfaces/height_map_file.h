@@ -25,8 +25,10 @@
 //
 // A column or channel whose name says that it is no height ("gap", "log10 z", "z^2", "std of z", "counts") is refused.
 // Heights that count downwards ("depth", "-z", "inverted") are turned, with a warning
-// (core/formats/surfaces/column_name.h). A surface with an rms slope above 1 is refused; one with a slope above 0.1 is
-// warned of (core/physics/disk/disk_surface_check.h).
+// (core/formats/surfaces/column_name.h). A name that is not known is refused, or read as a height with a warning where
+// the case gives the units. A remark on direction, factor, unit or number of points that was not used is quoted in a
+// warning (core/formats/surfaces/surface_remarks.h). A surface with an rms slope above 1 is refused; one with a slope
+// above 0.1 is warned of (core/physics/disk/disk_surface_check.h).
 //
 // The steps of x and y are equal; the lowest x and y lie at x = y = 0 of the disk. A surface has no holes: every number
 // is finite, every line complete, and no height is a mark of a missing point (core/formats/surfaces/map_holes.h). A
@@ -47,7 +49,7 @@ namespace touchdown {
 struct HeightMapDocument {
     HeightMap map;                      // valid if there are no problems
     std::vector<InputProblem> problems; // with file, line and what is allowed
-    std::vector<InputProblem> warnings; // a surface that was turned, a remark that may concern the heights
+    std::vector<InputProblem> warnings; // a surface that was turned, names that are not known, remarks not used
     bool valid() const { return problems.empty(); }
 };
 

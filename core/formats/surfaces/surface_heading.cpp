@@ -49,6 +49,7 @@ struct Heading {
     const HeadingLine* line = nullptr;
     HeadingCells cells;
     std::vector<ColumnName> names;
+    bool divided = false; // by separators, not by its words alone
 
     bool hasUnits() const
     {
@@ -88,12 +89,16 @@ struct Heading {
             if (!fits(i)) return false;
         return true;
     }
-    /// "Height profile" and other titles, which fall into as many words as there are columns.
-    bool isTitle() const
+    /// "Height profile" and other titles, which fall into as many words as there are columns. A line right above the
+    /// numbers is none where it is divided as they are, or where it begins with a place, "x recess".
+    bool isTitle(bool nearest) const
     {
+        if (nearest && (divided || (names.front().role == ColumnRole::X && names.front().known))) return false;
         const auto role = [&](ColumnRole r) { return std::ranges::count(names, r, &ColumnName::role); };
         const auto roles = role(ColumnRole::X) + role(ColumnRole::Y) + role(ColumnRole::Height);
-        return !hasUnits() && !fits() && names.back().role != ColumnRole::None && roles < (holdsNone() ? 1 : 2);
+        const bool named = nearest || names.front().role != ColumnRole::Unknown; // not "Tencor P-16+"
+        const bool none = named && names.back().role == ColumnRole::None;
+        return !hasUnits() && !fits() && !none && roles < (holdsNone() ? 1 : 2);
     }
     ColumnUnits units() const
     {
@@ -120,11 +125,15 @@ std::optional<Heading> headingOf(const HeadingLine& line, const MapTable& table)
     else
         cells = headingCells(line.text, table.separator, table.columns);
     if (!cells) return std::nullopt;
-    const auto isNumber = [](const HeadingCell& each) { // "Scan length","60 um"
-        return each.unit.empty() && !each.name.empty() && each.name[0] >= '0' && each.name[0] <= '9';
+    const auto isNumber = [](const HeadingCell& each) { // "Scan length","60um", not "2*z"
+        const auto number = each.unit.empty() ? numberAndUnit(each.name) : std::nullopt;
+        return number && (number->unit.empty() || spelledLength(number->unit) || spellsOtherUnit(number->unit));
     };
     if (std::ranges::any_of(*cells, isNumber)) return std::nullopt;
-    Heading heading{&line, *cells, {}};
+    const std::string_view text = trimmed(withoutMark(line.text));
+    const bool divided =
+        text.find_first_of(table.separator == ' ' ? "\t" : std::string(1, table.separator)) != text.npos;
+    Heading heading{&line, *cells, {}, divided};
     for (const HeadingCell& cell : *cells) heading.names.push_back(columnName(cell.name));
     // A comment is a heading if each word is known: "x (um), gap (nm)", not "spot size (mm), wavelength (um)"; and if
     // it names a place or a height: not "left (nm), right (um)".
@@ -192,14 +201,56 @@ std::optional<ColumnUnits> unitsOfValues(const HeaderValues& values, std::size_t
     return columns == 2 ? ColumnUnits{*x, *h} : ColumnUnits{*x, y.value_or(*x), *h};
 }
 
+/// Units that stand in a sentence give none to a column.
+[[noreturn]] void refuseWithoutUnits(const MapTable& table)
+{
+    constexpr std::string_view ends = " \t,;()[]{}:=/\"'";
+    for (const HeadingLine& line : table.headings)
+        for (std::size_t at = line.text.find_first_not_of(ends); at < std::min(line.text.size(), longestHeading);
+             at = line.text.find_first_not_of(ends, at)) {
+            const std::size_t end = std::min(line.text.find_first_of(ends, at), line.text.size());
+            const std::string unit(trimmed(std::string_view(line.text).substr(at, end - at), "."));
+            at = end;
+            if (unit.size() > 1 && unit != "in" && spelledLength(unit))
+                throw CmlError(line.line, "names the unit " + inQuotes(unit) +
+                                              " in a remark, which gives no unit to a column: " + asKey);
+        }
+    throw CmlError(table.headings.empty() ? table.lines.front() : table.headings.back().line,
+                   std::string("no unit is named: ") + asKey);
+}
+
+/// Names with words that are not known; a turned surface has a warning of its own.
+std::vector<HeadingLine> doubtfulNames(const Heading& heading)
+{
+    std::vector<HeadingLine> doubts;
+    const std::size_t count = heading.cells.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const ColumnName& name = heading.names[i];
+        if (name.known && heading.fits(i)) continue;
+        const bool height = i + 1 == count;
+        if (height && name.turned) continue;
+        doubts.push_back({"names column " + std::to_string(i + 1) + " " + inQuotes(heading.cells[i].name) +
+                              ", which is not known: it was read as " + (height ? "heights, upwards" : "places"),
+                          heading.line->line, heading.line->comment});
+    }
+    return doubts;
+}
+
 } // namespace
 
 ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, const ColumnUnits& key)
 {
     std::vector<Heading> all;
     for (const HeadingLine& line : table.headings)
-        if (auto heading = headingOf(line, table); heading && !heading->isTitle()) all.push_back(std::move(*heading));
-    ColumnHeading found{key, {}};
+        if (auto heading = headingOf(line, table)) all.push_back(std::move(*heading));
+    // The names of the columns stand nearest to the numbers, if no line has names and units.
+    const auto isNamed = [](const Heading& each) { return !each.unitsAlone(); };
+    const auto isWhole = [&](const Heading& each) { return isNamed(each) && each.complete() && each.fits(); };
+    const auto whole = std::find_if(all.rbegin(), all.rend(), isWhole);
+    const auto last = whole != all.rend() ? whole : std::find_if(all.rbegin(), all.rend(), isNamed);
+    const HeadingLine* const nearest = last == all.rend() ? nullptr : last->line;
+    ColumnHeading found{key, {}, {}, {}};
+    std::erase_if(all, [&](const Heading& each) { return each.isTitle(each.line == nearest); });
     int from = 0; // the line of the units
     const auto agree = [&](const ColumnUnits& units, int line) {
         if (found.units.empty()) {
@@ -211,8 +262,7 @@ ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, c
             throw CmlError(line, "names other units than line " + std::to_string(from));
         }
     };
-    // The names of the columns stand nearest to the numbers.
-    const auto named = std::find_if(all.rbegin(), all.rend(), [](const Heading& each) { return !each.unitsAlone(); });
+    const auto named = std::find_if(all.rbegin(), all.rend(), isNamed);
     if (named != all.rend()) {
         checkNames(*named, !key.empty());
         if (named->hasUnits() && !named->complete()) {
@@ -224,6 +274,7 @@ ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, c
         }
     }
     for (const Heading& each : all) {
+        if (each.complete() || each.line == nearest) found.lines.push_back(each.line->line);
         if (each.holdsNone()) checkNames(each, true);
         if (each.names.back().turned) found.turned = *each.line;
         if (each.complete() && each.fits())
@@ -234,9 +285,8 @@ ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, c
     if (const auto units = unitsOfValues(values, table.columns))
         agree(*units, values.has(HeaderField::HeightUnit) ? values.of(HeaderField::HeightUnit)->line
                                                           : table.headings.back().line);
-    if (found.units.empty())
-        throw CmlError(table.headings.empty() ? table.lines.front() : table.headings.back().line,
-                       std::string("no unit is named: ") + asKey);
+    if (found.units.empty()) refuseWithoutUnits(table);
+    if (named != all.rend()) found.doubts = doubtfulNames(*named);
     return found;
 }
 
@@ -288,42 +338,6 @@ void refuseSecondChannel(const MapTable& table, bool matrix)
     }
     const bool everyRow = gaps + 1 == table.rows() && table.rows() > 2; // lines that end twice
     if (matrix && inside > 0 && !everyRow) refuse(table.breaks.front().line, "an empty line divides the matrix here");
-}
-
-std::vector<HeadingLine> doubtfulText(const MapTable& table)
-{
-    constexpr std::string_view words[] = {"depth",      "depths",     "inverted",    "flipped", "negated", "downward",
-                                          "downwards",  "logarithm",  "logarithmic", "log10",   "squared", "normalized",
-                                          "normalised", "multiplied", "divided",     "scaled"};
-    constexpr std::string_view keys[] = {"type",    "data",    "data type", "column", "column 2", "column 3", "value",
-                                         "values",  "content", "variable",  "z",      "z axis",   "y axis",   "y label",
-                                         "z label", "ylabel",  "zlabel",    "height", "heights",  "parameter"};
-    std::vector<HeadingLine> doubtful;
-    for (const HeadingLine& line : table.headings) {
-        if (const auto heading = headingOf(line, table)) {
-            if (!heading->names.back().known && !heading->isTitle())
-                doubtful.push_back({heading->cells.back().name, line.line, line.comment});
-            continue;
-        }
-        const std::string lower = lowerCase(line.text);
-        const auto stands = [&](std::string_view word) {
-            const auto letter = [&](std::size_t i) { return i < lower.size() && lower[i] >= 'a' && lower[i] <= 'z'; };
-            const std::size_t at = lower.find(word);
-            return at != std::string::npos && !letter(at - 1) && !letter(at + word.size());
-        };
-        const auto word = std::ranges::find_if(words, stands);
-        if (word != std::end(words)) {
-            doubtful.push_back({std::string(*word), line.line, line.comment});
-        } else if (const auto sign = lower.find_first_of(":="); sign != std::string::npos) { // "type: gap"
-            const std::string_view key = trimmed(withoutMark(std::string_view(lower).substr(0, sign)));
-            const std::string_view value = trimmed(std::string_view(line.text).substr(sign + 1));
-            const ColumnName name = columnName(value);
-            const bool tells = name.role == ColumnRole::None || (name.role == ColumnRole::Height && name.turned);
-            if (!isValue(line.text) && std::ranges::find(keys, key) != std::end(keys) && name.known && tells)
-                doubtful.push_back({std::string(value), line.line, line.comment});
-        }
-    }
-    return doubtful;
 }
 
 } // namespace touchdown

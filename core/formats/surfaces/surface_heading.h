@@ -21,10 +21,13 @@ namespace touchdown {
 struct ColumnHeading {
     ColumnUnits units;
     std::optional<HeadingLine> turned; // the line that says that heights count downwards
+    std::vector<HeadingLine> doubts;   // sentences on names that are not known, and how they were read
+    std::vector<int> lines;            // that are headings
 };
 /// `columns` of heights alone, of x and height, or of x, y and height. The units must be those of the key where both
 /// are given. Throws CmlError where there are none, fewer or more than columns, units that are no length, or where a
-/// name is no place or no height.
+/// name is no place or no height. A name that is not known is refused, too, where the file gives the units; where the
+/// case does, it is a doubt.
 ColumnHeading columnHeading(const MapTable& table, const HeaderValues& values, const ColumnUnits& key);
 
 /// Takes out a first column that counts the rows from 0 or 1 where a heading says so: "index", "#", "line", or nothing
@@ -33,9 +36,5 @@ void takeOutIndex(MapTable& table);
 
 /// Throws CmlError where a heading or comment between the rows begins a second channel or profile.
 void refuseSecondChannel(const MapTable& table, bool matrix);
-
-/// Words that may concern the heights and are not understood, with their lines: "downwards" of "z axis points
-/// downwards", a column "etched height".
-std::vector<HeadingLine> doubtfulText(const MapTable& table);
 
 } // namespace touchdown

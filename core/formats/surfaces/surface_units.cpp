@@ -24,10 +24,11 @@ constexpr Spelling symbols[] = {{"m", 1.0},   {"cm", 1e-2},   {"mm", 1e-3},    {
                                 {"A", 1e-10}, {"in", 0.0254}, {"uin", 25.4e-9}};
 
 /// In lower case, without a plural s.
-constexpr Spelling words[] = {{"metre", 1.0},        {"centimetre", 1e-2}, {"millimetre", 1e-3}, {"micrometre", 1e-6},
-                              {"mikrometre", 1e-6},  {"nanometre", 1e-9},  {"picometre", 1e-12}, {"micron", 1e-6},
-                              {"angstrom", 1e-10},   {"angstroem", 1e-10}, {"inch", 0.0254},     {"inche", 0.0254},
-                              {"microinch", 25.4e-9}};
+constexpr Spelling words[] = {{"metre", 1.0},       {"centimetre", 1e-2},       {"millimetre", 1e-3},
+                              {"micrometre", 1e-6}, {"mikrometre", 1e-6},       {"nanometre", 1e-9},
+                              {"picometre", 1e-12}, {"micron", 1e-6},           {"angstrom", 1e-10},
+                              {"angstroem", 1e-10}, {"angstr\xC3\xB6m", 1e-10}, {"inch", 0.0254},
+                              {"inche", 0.0254},    {"microinch", 25.4e-9},     {"microinche", 25.4e-9}};
 
 constexpr std::string_view otherUnits[] = {
     "s",   "ms",  "us",   "ns",   "min",  "h",   "V",    "mV",    "uV",     "kV",      "mA",     "uA",      "nA",
@@ -57,11 +58,10 @@ constexpr std::pair<std::string_view, std::string_view> plainLetters[] = {{"\xC2
                                                                           {"A\xCC\x8A", "angstrom"},
                                                                           {"&Aring;", "angstrom"},
                                                                           {"\xC3\xA5", "a"},
-                                                                          {"\xC3\xB6", "o"},
-                                                                          {"o\xCC\x88", "o"},
+                                                                          {"o\xCC\x88", "\xC3\xB6"},
                                                                           {"\xC2\xA0", " "}};
 constexpr std::pair<std::string_view, std::string_view> plainLatin1[] = {
-    {"\xB5", "u"}, {"\xC5ngstr", "angstr"}, {"\xC5", "angstrom"}, {"\xE5", "a"}, {"\xF6", "o"}, {"\xA0", " "}};
+    {"\xB5", "u"}, {"\xC5ngstr", "angstr"}, {"\xC5", "angstrom"}, {"\xE5", "a"}, {"\xF6", "\xC3\xB6"}, {"\xA0", " "}};
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to)
 {

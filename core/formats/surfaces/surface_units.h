@@ -41,7 +41,7 @@ std::optional<ColumnUnits> unitsOfKey(std::string_view text);
 /// where the counts do not fit.
 ColumnUnits unitsOfKey(const ColumnUnits& key, std::size_t columns);
 
-/// Micro signs to u, letters with rings and dots to plain ones.
+/// Micro signs to u, letters with rings to plain ones.
 std::string withPlainLetters(std::string_view line);
 
 } // namespace touchdown

@@ -223,6 +223,35 @@ private slots:
                 }
     }
 
+    // Where a surface was turned or refused, no warning says that its name changed nothing.
+    void oneWarningOfATurnedSurface()
+    {
+        const std::string rows = "0,1\n1,2\n2,.5\n3,-1\n";
+        const std::string matrix = "# Width: 8 um\n# Height: 6 um\n# unit: nm\n1 2 5 3\n2 7 1 4\n4 1 2 3\n3 5 1 2\n";
+        for (const std::string& text : {"x (um),pit depth (nm)\n" + rows, "x (um),height below the glass (nm)\n" + rows,
+                                        "x (um),(-) z (nm)\n" + rows, "# Channel: Depth\n" + matrix,
+                                        "# Channel: ZSensor (inverted)\n" + matrix}) {
+            const HeightMapDocument document = read(text);
+            QVERIFY2(document.valid(), text.c_str());
+            QCOMPARE(document.warnings.size(), std::size_t{1});
+            QVERIFY(document.warnings.front().text().find("turned") != std::string::npos);
+        }
+        for (const char* name :
+             {"z\xC2\xB2", "Varianz", "Standardabweichung", "\xCE\x94z", "dz/dx", "lubricant thickness"}) {
+            const HeightMapDocument document = read("x (um)," + std::string(name) + " (nm)\n" + rows);
+            QVERIFY2(!document.valid() && document.warnings.empty(), name);
+        }
+    }
+    void remarksThatWereNotUsedAreQuoted()
+    {
+        const HeightMapDocument document =
+            read("# pits are positive\n# operator: Ann\nx (um),z (nm)\n0,1\n1,2\n2,.5\n3,-1\n# z in pm\n");
+        QVERIFY(document.valid());
+        QCOMPARE(document.warnings.size(), std::size_t{2});
+        QVERIFY(document.warnings[0].text().find("\"pits are positive\"") != std::string::npos);
+        QCOMPARE(document.warnings[1].line, 8);
+    }
+
     // Places beside the heights of a matrix: a first row or column in equal steps.
     void placesInAMatrixAreRefused()
     {

@@ -47,18 +47,19 @@ private slots:
         QCOMPARE(unitsOf("Long Name\tPosition\tHeight\nUnits\tum\tnm\n0\t1\n"), (ColumnUnits{1e-6, 1e-9}));
         QCOMPARE(unitsOf("x [um],z [nm]\nScan length,60um\n0,1\n"), (ColumnUnits{1e-6, 1e-9}));
     }
-    // Only a heading with one cell for each column gives units; in a comment all of its words must be known.
+    // Only a heading with one cell for each column gives units; in a comment all of its words must be known. The line
+    // of a unit in a sentence is named.
     void proseGivesNoUnits_data()
     {
         QTest::addColumn<int>("line");
         const auto row = [](const char* text, int line) { QTest::newRow(text) << line; };
         row("Height data, in nanometers, versus distance in micrometers\n0,1\n", 1);
-        row("Roughness height (nm) as a function of track position (um)\nx,z\n0,1\n", 2);
+        row("Roughness height (nm) as a function of track position (um)\nx,z\n0,1\n", 1);
         row("Roughness height (nm) as a function of track position (um)\n0 1\n", 1);
-        row("# spot size (mm), wavelength (um)\nx,z\n0,1\n", 2);
+        row("# spot size (mm), wavelength (um)\nx,z\n0,1\n", 1);
         row("# tip height (um), tip radius (nm)\n0,1\n", 1);
-        row("# left (nm), right (um)\nx,z\n0,1\n", 2);
-        row("# heights in nm\nx z\n0 1\n", 2);
+        row("# left (nm), right (um)\nx,z\n0,1\n", 1);
+        row("# heights in nm\nx z\n0 1\n", 1);
         row("# x in um and z in nm\n0 1\n", 1);
         row("x micro m, z nm\n0 1\n", 1);
         row("# unit: nm\n0 1\n", 1);
@@ -89,6 +90,8 @@ private slots:
             QCOMPARE(refusedLine([&] { unitsOf(heading, {1e-6, 1e-9}); }), 1);
             QCOMPARE(refusedLine([&] { unitsOf("# " + heading); }), 1);
         }
+        for (const char* heading : {"x,2*z\n0,1\n", "x\t10z\n0\t1\n", "time z\n0 1\n", "Weg;Abstand\n0;1\n"})
+            QCOMPARE(refusedLine([&] { unitsOf(heading, {1e-6, 1e-9}); }), 1);
         QCOMPARE(refusedLine([&] { unitsOf("x [um],etch [nm]\n0,1\n"); }), 1);
         QCOMPARE(unitsOf("x,etch\n0,1\n", {1e-6, 1e-9}), (ColumnUnits{1e-6, 1e-9}));
     }
@@ -103,20 +106,56 @@ private slots:
         QCOMPARE(turnedBy("# x (um), -z (nm)\nDisk A"), 1);
         QCOMPARE(turnedBy("um,nm\nx,inverted z"), 2);
         QCOMPARE(turnedBy("x [um],z [nm]"), 0);
+        QCOMPARE(turnedBy("x,recess"), 1);
+        QCOMPARE(turnedBy("Posici\xC3\xB3n,Profundidad"), 1);
+        QCOMPARE(turnedBy("x (um),(-) z (nm)"), 1);
+        QCOMPARE(turnedBy("x (um),(-)height (nm)"), 1);
         QCOMPARE(turnedBy("x [um],-depth [nm]"), 0);
     }
-    void remarksThatMayConcernTheHeights()
+    // Units of the case say nothing of what a column holds: a name that is not known is a doubt.
+    void unknownNamesWithUnitsOfTheCase()
     {
-        const auto words = [](const char* text) {
-            std::string all;
-            for (const HeadingLine& each : doubtfulText(readMapTable(text))) all += each.text + ";";
-            return all;
+        const auto doubts = [](const std::string& heading) {
+            const MapTable table = readMapTable(heading + "\n0 1\n1 2\n");
+            return columnHeading(table, HeaderValues(table), {1e-6, 1e-9}).doubts;
         };
-        QCOMPARE(words("# z axis points downwards\nx [um],z [nm]\n0,1\n"), std::string("downwards;"));
-        QCOMPARE(words("# type: gap\nx [um],z [nm]\n0,1\n"), std::string("gap;"));
-        QCOMPARE(words("x [um],etched height [nm]\n0,1\n"), std::string("etched height;"));
-        QCOMPARE(words("# direction: down\n# mode: phase\n# height: 12.5 um\nx [um],z [nm]\n0,1\n"), std::string());
-        QCOMPARE(words("# scan rate: 1 Hz\n# operator: Ann\nx [um],depth [nm]\n0,1\n"), std::string());
+        for (const char* heading :
+             {"x etch", "x\tetch", "Posici\xC3\xB3n\tetch", "foo\tbar", "x [um] etched height [nm]"})
+            QVERIFY2(!doubts(heading).empty(), heading);
+        for (const char* heading : {"x z", "Weg\tH\xC3\xB6he", "Height profile", "Disk A", "um nm", "a b", "# Disk A",
+                                    "x\tdepth of etch"}) // turned, which has a warning of its own
+            QVERIFY2(doubts(heading).empty(), heading);
+        const std::string sentence = doubts("x\tH\xC3\xB6he \xC3\xBC"
+                                            "ber Glas")
+                                         .front()
+                                         .text;
+        QVERIFY2(sentence.find("\"H\xC3\xB6he \xC3\xBC"
+                               "ber Glas\"") != sentence.npos,
+                 sentence.c_str());
+    }
+    // "x recess" right above the numbers is a heading, also where another line gives the units.
+    void namesWithoutUnitsAreNoTitle()
+    {
+        QCOMPARE(refusedLine([] { unitsOf("x etch\num nm\n0 1\n"); }), 1);
+        QCOMPARE(refusedLine([] { unitsOf("foo;bar\num;nm\n0;1\n"); }), 1);
+        QCOMPARE(unitsOf("Etched glass\nx [um] z [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("x [um],z [nm]\nDisk A,etched glass\n0,1\n"), (ColumnUnits{1e-6, 1e-9}));
+        QCOMPARE(unitsOf("Tencor P-16+\nx [um] z [nm]\n0 1\n"), (ColumnUnits{1e-6, 1e-9}));
+    }
+    void unitsInASentenceAreNamed()
+    {
+        const auto message = [](const char* text) -> std::string {
+            try {
+                unitsOf(text);
+            } catch (const CmlError& error) {
+                return error.what();
+            }
+            return {};
+        };
+        QVERIFY(message("# The second column is the height in nanometres.\n0 1\n").find("nanometres") !=
+                std::string::npos);
+        QVERIFY(message("# Abstand 0,25 \xC2\xB5m\n0 1\n").find("\"\xC2\xB5m\"") != std::string::npos);
+        QVERIFY(message("# measured in a hurry\n0 1\n").find("no unit is named") != std::string::npos);
     }
     void anIndexIsTakenOut()
     {
