@@ -18,8 +18,9 @@ private slots:
     void aSentenceKeepsNames()
     {
         for (const char* kept : {"run.tolerance does not determine the motion.", "elastic.cell is 2.",
-                                 "disk.surface.wave_lengths must be positive.", "d_e is less.", "points.txt is empty."})
+                                 "disk.surface.wave_lengths must be positive.", "points.txt is empty."})
             QCOMPARE(sentence(kept), QString::fromUtf8(kept));
+        QCOMPARE(sentence("d_e is less"), QStringLiteral("d\u2091 is less."));
         QCOMPARE(sentence("the run is short"), QStringLiteral("The run is short."));
         QCOMPARE(sentence("over. the disk"), QStringLiteral("Over. the disk."));
         QCOMPARE(sentence("a"), QStringLiteral("A."));
