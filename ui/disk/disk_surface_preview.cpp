@@ -6,6 +6,8 @@
 
 #include "core/case/disk_setup.h"
 #include "core/physics/disk/disk_surface_check.h"
+#include "core/physics/disk/surface_recurrence.h"
+#include "core/simulation/static_state/disk_under_film.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
 
@@ -43,7 +45,13 @@ DiskSurfacePreview previewOf(const Case& c)
     }
     made.topography = diskTopography(c);
     if (made.topography.flat()) return made;
-    made.statistics = surfaceStatistics(made.topography);
+    made.statistics = surfaceStatistics(c.diskSurface, made.topography);
+    if (c.model != ModelKind::Contact) {
+        const double middle = 0.5 * c.slider.width;
+        const DiskStrip strip = c.model == ModelKind::Film ? DiskStrip{0.0, c.slider.width} : DiskStrip{middle, middle};
+        made.repeat =
+            surfaceRecurrence(c.diskSurface, made.topography, surfaceVelocity(c, made.topography), strip).period;
+    }
     made.psd = averaged(made.statistics.psd, perDecade);
     const bool rough =
         hasRoughness(c.diskSurface) && !hasWaves(c.diskSurface) && !hasFile(c.diskSurface) && !hasBumps(c.diskSurface);
@@ -101,6 +109,7 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
     const auto nanometres = [&locale](double value) { return readout(value, "nm", 4, locale); };
     const auto length = [&locale](double value) { return trackText(value, locale); };
     const auto shape = [&locale](double value) {
+        if (std::isnan(value)) return tr("not known");
         return trueMinus(locale.toString(std::abs(value) < 5e-4 ? 0.0 : value, 'f', 3));
     };
     const auto slope = [&locale](double value) { return locale.toString(value, 'g', 3); };
@@ -113,14 +122,17 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
         {tr("RMS slope, y"), slope(s.slopeY), {}},
         {tr("Correlation"), s.correlationLength > 0.0 ? length(s.correlationLength) : QStringLiteral("–"),
          byLength ? length(asked.correlationLength) : QString()},
-        {tr("Highest point"), nanometres(s.maximum), {}},
-        {tr("Lowest point"), nanometres(s.minimum), {}},
+        {tr("Highest point"), (s.boundsAlone ? QStringLiteral("≤ ") : QString()) + nanometres(s.maximum), {}},
+        {tr("Lowest point"), (s.boundsAlone ? QStringLiteral("≥ ") : QString()) + nanometres(s.minimum), {}},
         {tr("Track"), length(period.nx * period.dx), {}},
         {tr("Points"),
          period.ny > 1 ? QStringLiteral("%1 × %2").arg(measured.nx).arg(measured.ny) : QString::number(measured.nx),
          {}},
     };
     if (period.ny == 1) rows.erase(rows.begin() + 4); // a profile has no slope across
+    if (preview.repeat > 0.0)
+        rows.push_back(
+            {tr("Repeats"), std::isfinite(preview.repeat) ? timeText(preview.repeat, locale) : tr("never"), {}});
     if (rough && asked.seed >= 0) rows.push_back({tr("Seed"), QString::number(asked.seed), {}});
     return rows;
 }

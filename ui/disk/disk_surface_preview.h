@@ -22,7 +22,8 @@ struct DiskSurfacePreview {
     DiskSurface asked;
     DiskTopography topography;
     SurfaceStatistics statistics;
-    ProfilePsd psd;                      // averaged, for a plot
+    ProfilePsd psd;      // averaged, for a plot
+    double repeat = 0.0; // time after which the surface repeats under the slider [s]; infinite: not known; 0: it rests
     std::vector<RequestedPsd> requested; // at the same wave numbers; empty unless the surface is roughness alone
 };
 

@@ -56,11 +56,7 @@ std::optional<SurfacePoint> nearestTheDisk(const SteadyResult& result)
 std::vector<FieldAtPoints> shownPoints(const Case& c, const SteadyResult& result)
 {
     const Recess recess(c.surface, c.slider.length, c.slider.width);
-    const double length = c.slider.length, middle = 0.5 * c.slider.width;
-    FieldAtPoints gap{[=, a = result.attitude](const SurfacePoint& p) { // core/physics/slider/attitude.h
-                          return recess.at(p.x, p.y) + a.height + a.pitch * (length - p.x) - a.roll * (p.y - middle);
-                      },
-                      FieldAtPoints::Least{result.minimumAt, result.minimumSpacing}};
+    FieldAtPoints gap = gapAtPoints(c, recess, result.attitude, {result.minimumSpacing, result.minimumAt});
     if (const double error = result.discretisationError.minimumSpacing; error > 0.0) gap.error = error;
     return {{}, std::move(gap), {[recess](const SurfacePoint& p) { return recess.at(p.x, p.y); }}};
 }

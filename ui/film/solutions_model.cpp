@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/solutions_model.h"
 
+#include <utility>
+
 #include "ui/case/parameter_text.h"
 #include "ui/film/same_film.h"
 #include "ui/slider/attitude_sections.h"
@@ -53,18 +55,29 @@ void SolutionsModel::compareByItself(int number)
     RecordList::setData(index(row), Qt::Checked, Qt::CheckStateRole);
 }
 
+/// By what differs from the last one; after an undo, for example, an earlier one may have fewer differences.
 QString SolutionsModel::nameOf(const Case& solved) const
 {
     const QString title = QString::fromStdString(solved.title);
     if (count() == 0) return title;
-    const ListedRecord& last = listed(count() - 1);
-    if (last.value.title != solved.title) return title;
-    QStringList changes = caseDifference(last.value, solved);
+    int from = count() - 1;
+    if (listed(from).value.title != solved.title) return title;
+    QStringList changes = caseDifference(listed(from).value, solved);
+    for (int row = from - 1; row >= 0 && !changes.isEmpty(); --row) {
+        if (listed(row).value.title != solved.title) continue;
+        QStringList fewer = caseDifference(listed(row).value, solved);
+        if (fewer.size() >= changes.size()) continue;
+        changes = std::move(fewer);
+        from = row;
+    }
     if (changes.size() > mostChanges) {
         const qsizetype more = changes.size() - mostChanges;
         changes = changes.first(mostChanges) << tr("and %1 more").arg(more);
     }
-    return changes.isEmpty() ? tr("as solution %1").arg(last.number) : changes.join(QStringLiteral(", "));
+    const int number = listed(from).number;
+    if (changes.isEmpty()) return tr("as solution %1").arg(number);
+    const QString text = changes.join(QStringLiteral(", "));
+    return from == count() - 1 ? text : tr("%1, from solution %2").arg(text).arg(number);
 }
 
 bool SolutionsModel::setData(const QModelIndex& index, const QVariant& value, int role)

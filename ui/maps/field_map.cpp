@@ -47,6 +47,26 @@ std::optional<double> FieldAtPoints::at(const SurfacePoint& point) const
     return value ? std::optional(value(point)) : std::nullopt;
 }
 
+FieldAtPoints gapAtPoints(const Case& c, const Recess& recess, const Attitude& attitude,
+                          const MinimumSpacing::Place& least)
+{
+    const double length = c.slider.length, middle = 0.5 * c.slider.width;
+    return {[=, a = attitude](const SurfacePoint& p) { // core/physics/slider/attitude.h
+                return recess.at(p.x, p.y) + a.height + a.pitch * (length - p.x) - a.roll * (p.y - middle);
+            },
+            FieldAtPoints::Least{least.at, least.spacing}};
+}
+
+GapInTime::GapInTime(const Case& c)
+    : case_(c), recess_(c.surface, c.slider.length, c.slider.width), spacing_(c.surface, recess_)
+{}
+
+FieldAtPoints GapInTime::at(double minimumSpacing, double pitch, double roll) const
+{
+    const MinimumSpacing::Place place = spacing_.at({0.0, pitch, roll});
+    return gapAtPoints(case_, recess_, {minimumSpacing - place.spacing, pitch, roll}, {minimumSpacing, place.at});
+}
+
 void FieldMap::setField(const CellGrid& grid, std::vector<double> values, FieldAtPoints points)
 {
     values_ = std::move(values);

@@ -7,6 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "core/case/case.h"
+#include "core/physics/slider/attitude.h"
+#include "core/physics/slider/minimum_spacing.h"
 #include "ui/plot/colour_scale.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/slider/slider_plan.h"
@@ -39,6 +42,22 @@ struct FieldAtPoints {
     std::optional<double> at(const SurfacePoint& point) const;
 };
 
+/// The gap of a film to the disk's mean plane, at an attitude with that minimum spacing.
+FieldAtPoints gapAtPoints(const Case& c, const Recess& recess, const Attitude& attitude,
+                          const MinimumSpacing::Place& least);
+
+/// The minimum spacing of a run at a time: recorded as a number, its place follows from pitch and roll.
+class GapInTime {
+public:
+    explicit GapInTime(const Case& c);
+    FieldAtPoints at(double minimumSpacing, double pitch, double roll) const; // [m], [rad]
+
+private:
+    Case case_;
+    Recess recess_;
+    MinimumSpacing spacing_;
+};
+
 class FieldMap : public SliderPlan {
     Q_OBJECT
 
@@ -56,6 +75,7 @@ public:
     double value(std::size_t cell) const { return values_[cell]; }
     /// Nothing outside the grid.
     std::optional<double> valueAt(const SurfacePoint& point) const;
+    const FieldAtPoints& atPoints() const { return points_; }
     SurfacePoint centre(std::size_t cell) const;
 
     /// The numbers at the marks of the smallest and the largest value.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/maps/field_sections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -16,6 +17,21 @@ struct SectionCurve {
     CurveStyle style;
     std::vector<double> x, y;
 };
+
+/// Places on the line through `at`, a coordinate of the point: both ends of each cell, the point, and equal parts.
+std::vector<double> placesOnLine(const std::vector<double>& lines, double at)
+{
+    constexpr int parts = 8; // of a cell: a wall that is narrower than a cell is seen
+    std::vector<double> places;
+    for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+        places.push_back(k == 0 ? lines[0] : std::nextafter(lines[k], lines[k + 1]));
+        for (int part = 1; part <= parts; ++part)
+            places.push_back(std::lerp(lines[k], lines[k + 1], static_cast<double>(part) / parts));
+    }
+    const auto next = std::ranges::lower_bound(places, at);
+    if (next == places.end() || *next != at) places.insert(next, at);
+    return places;
+}
 
 } // namespace
 
@@ -60,8 +76,11 @@ void FieldSections::show(const FieldMap& map, const FieldCursors& cursors)
     alongX()->setPlotCursor(0, point->x);
     alongY()->setPlotCursor(0, point->y);
     const CellGrid& grid = map.grid();
-    const bool inRow = second && cellIndex(grid.y, second->y) == cellIndex(grid.y, point->y);
-    const bool inColumn = second && cellIndex(grid.x, second->x) == cellIndex(grid.x, point->x);
+    const auto onLine = [&](const std::vector<double>& lines, double there, double here) {
+        return map.atPoints().value ? there == here : cellIndex(lines, there) == cellIndex(lines, here);
+    };
+    const bool inRow = second && onLine(grid.y, second->y, point->y);
+    const bool inColumn = second && onLine(grid.x, second->x, point->x);
     alongX()->setPlotCursor(1, inRow ? std::optional(second->x) : std::nullopt);
     alongY()->setPlotCursor(1, inColumn ? std::optional(second->y) : std::nullopt);
 }
@@ -78,11 +97,19 @@ void FieldSections::fill(int axis, const FieldMap& map, const SurfacePoint& poin
     Section& section = sections_[static_cast<std::size_t>(axis)];
     const FieldLook& look = map.look();
     std::vector<SectionCurve> curves;
-    const auto add = [&](const QString& name, const CurveStyle& style, const CellGrid& grid, const auto& value) {
+    const auto add = [&](const QString& name, const CurveStyle& style, const CellGrid& grid, const auto& value,
+                         const FieldAtPoints& atPoints) {
         const int i = cellIndex(grid.x, point.x), j = cellIndex(grid.y, point.y);
         if (i < 0 || j < 0) return;
         SectionCurve curve{name, style, {}, {}};
         const std::vector<double>& lines = axis == 0 ? grid.x : grid.y;
+        if (atPoints.value) {
+            curve.x = placesOnLine(lines, axis == 0 ? point.x : point.y);
+            for (const double at : curve.x)
+                curve.y.push_back(*atPoints.at(axis == 0 ? SurfacePoint{at, point.y} : SurfacePoint{point.x, at}));
+            curves.push_back(std::move(curve));
+            return;
+        }
         for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
             const auto other = static_cast<int>(k);
             const int cell = axis == 0 ? j * grid.nx() + other : other * grid.nx() + i;
@@ -94,8 +121,11 @@ void FieldSections::fill(int axis, const FieldMap& map, const SurfacePoint& poin
         curves.push_back(std::move(curve));
     };
     for (const OtherField& other : others_)
-        add(other.name, other.style, other.grid, [&other](std::size_t cell) { return other.values[cell]; });
-    add(name_, style_, map.grid(), [&map](std::size_t cell) { return map.value(cell); });
+        add(
+            other.name, other.style, other.grid, [&other](std::size_t cell) { return other.values[cell]; },
+            other.points);
+    add(
+        name_, style_, map.grid(), [&map](std::size_t cell) { return map.value(cell); }, map.atPoints());
 
     const AxisScale scale = look.scale.isLogarithmic() ? AxisScale::Logarithmic : AxisScale::Linear;
     section.plot->setYLabel({look.symbol, look.unit, look.factor, scale});

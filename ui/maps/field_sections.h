@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A field along x and along y through a point. Each cell is a step, as the solver has it.
+// A field along x and along y through a point. Each cell is a step, as the solver has it. A field that is known at each
+// point is drawn from points, several in each cell, and passes through the value at the point itself.
 #pragma once
 
 #include <array>

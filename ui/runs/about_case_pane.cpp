@@ -120,16 +120,22 @@ void AboutCasePane::write()
     setHtml(html);
 }
 
-QString motionText(const MotionVerdict& verdict)
+/// The deviation is that of the last tenth, as swing and means beside it.
+QString motionText(const Summary& summary)
 {
+    const MotionVerdict& verdict = summary.verdict;
     const QString frequency =
-        verdict.frequency > 0.0 ? QString::fromStdString(fewDigits(verdict.frequency, "kHz", 3)) : QString();
+        verdict.frequency > 0.0 ? QString::fromStdString(fewDigits(verdict.frequency, "kHz", 3)) + QStringLiteral(", ")
+                                : QString();
+    double rms = verdict.rms;
+    for (const auto& [quantity, tail] : summary.tail)
+        if (quantity == "minimum_spacing") rms = tail.std;
     if (verdict.forced)
-        return AboutCasePane::tr("The disk forces it to vibrate%1: %2, %3 rms.")
+        return AboutCasePane::tr("The disk forces it to vibrate%1: %2%3 rms.")
             .arg(verdict.touch == Touch::Never    ? AboutCasePane::tr(" without contact")
                  : verdict.touch == Touch::Always ? AboutCasePane::tr(" in contact")
                                                   : AboutCasePane::tr(" in and out of contact"),
-                 frequency, QString::fromStdString(fewDigits(verdict.rms, "nm")));
+                 frequency, QString::fromStdString(fewDigits(rms, "nm")));
     switch (verdict.motion) {
     case Motion::NotJudged: break;
     case Motion::AtRest: return AboutCasePane::tr("It is at rest.");
@@ -185,7 +191,7 @@ QString resultText(const RunRecord& run)
                : values.isEmpty()
                    ? sentence(endText(run).toStdString())
                    : sentence(AboutCasePane::tr("%1, with %2 in the mean").arg(endText(run), with).toStdString());
-        if (const QString motion = motionText(summary.verdict); !motion.isEmpty()) text += QLatin1Char(' ') + motion;
+        if (const QString motion = motionText(summary); !motion.isEmpty()) text += QLatin1Char(' ') + motion;
     } else {
         text = sentence(summary.message);
     }

@@ -195,6 +195,8 @@ void RunMaps::takeFields(const RunRecord& run)
     std::vector<RecordedFields> sets;
     for (const FieldHistory& history : run.fields) sets.push_back(history.fields);
     fields_ = runFields(sets);
+    gap_.reset();
+    if (run.value.model == ModelKind::Film) gap_.emplace(run.value);
     std::vector<MapKind> kinds;
     for (const RunField& field : fields_) kinds.push_back(field.kind);
     const auto called = [&](auto&& name, const QString& wanted) {
@@ -266,17 +268,20 @@ void RunMaps::showSnapshot()
     const double ambient = airOf(shown->value.air).pressure;
     std::vector<std::vector<double>> values(fields_.size());
     std::vector<PlotRange> ranges(fields_.size());
+    std::vector<FieldAtPoints> points(fields_.size());
     for (std::size_t i = 0; i < fields_.size(); ++i) {
         if (fields_[i].set != set_) continue;
         const double zero = fields_[i].aboveAmbient ? ambient : 0.0;
         const std::span<const double> recorded = history->values(index, fields_[i].field);
         values[i].assign(recorded.begin(), recorded.end());
         for (double& value : values[i]) value -= zero;
+        if (set_ == 0 && history->fields.quantities[fields_[i].field].name == "gap")
+            points[i] = gapAt(*shown, history->snapshots[index].time);
         const PlotRange range = history->usualRange(fields_[i].field);
         ranges[i] = {range.low - zero, range.high - zero};
     }
     view_->setFields(history->fields.grid, std::move(values),
-                     sameScale_->isChecked() ? std::move(ranges) : std::vector<PlotRange>());
+                     sameScale_->isChecked() ? std::move(ranges) : std::vector<PlotRange>(), std::move(points));
     reading_->setText(readingText(*shown, *history, index));
     reading_->setToolTip(
         history->stride == 1
@@ -284,12 +289,31 @@ void RunMaps::showSnapshot()
             : tr("The run recorded more snapshots than are kept. One in %1 is shown.").arg(history->stride));
 }
 
+namespace {
+
+/// As the samples have it; before the first and after the last sample, which may be a part of a step away, that sample.
+std::optional<double> recorded(const RunRecord& run, std::string_view quantity, double time)
+{
+    const MinMaxPyramid* samples = run.pyramid(quantity);
+    if (!samples || samples->empty()) return std::nullopt;
+    return samples->valueAt(std::clamp(time, samples->firstTime(), samples->lastTime()));
+}
+
+} // namespace
+
+/// Nothing where the run is no film, or has not recorded it.
+FieldAtPoints RunMaps::gapAt(const RunRecord& run, double time) const
+{
+    const auto least = recorded(run, "minimum_spacing", time), pitch = recorded(run, "pitch", time),
+               roll = recorded(run, "roll", time);
+    return gap_ && least && pitch && roll ? gap_->at(*least, *pitch, *roll) : FieldAtPoints();
+}
+
 QString RunMaps::readingText(const RunRecord& shown, const FieldHistory& history, std::size_t index) const
 {
     const double time = history.snapshots[index].time;
     QStringList parts{timeText(time)};
-    const MinMaxPyramid* spacing = shown.pyramid("minimum_spacing");
-    if (const auto at = spacing ? spacing->valueAt(time) : std::nullopt) {
+    if (const auto at = recorded(shown, "minimum_spacing", time)) {
         const QString text = readout(*at, "nm", 3);
         parts << (shown.value.model == ModelKind::Contact ? tr("separation %1") : tr("minimum spacing %1")).arg(text);
     }

@@ -2,11 +2,13 @@
 //
 // The fields that a run records at some of its times: pressure and gap of the air, and of the patch that can touch its
 // contact pressure, adhesion, gap, the disk below. One is seen at one time; the slider at the foot goes through the
-// times, and stays at the last one during the run.
+// times, and stays at the last one during the run. The least gap to the mean plane is the minimum spacing, as plots
+// have it at that time.
 //
 // Colours and sections span the values of the whole run, so that times can be compared, or those of the shown time.
 #pragma once
 
+#include "ui/maps/field_map.h"
 #include "ui/maps/map_kinds.h"
 
 #include <QLabel>
@@ -61,6 +63,7 @@ private:
     void showSnapshot();
     const RunRecord* run() const;
     const FieldHistory* history() const;
+    FieldAtPoints gapAt(const RunRecord& run, double time) const;
     QString whyEmpty() const;
     QString readingText(const RunRecord& run, const FieldHistory& history, std::size_t index) const;
 
@@ -68,6 +71,7 @@ private:
     int number_ = -1;
     int taken_ = -1;               // the run whose fields the tabs show
     std::vector<RunField> fields_; // one for each tab
+    std::optional<GapInTime> gap_; // of a film run whose fields the tabs show
     std::size_t set_ = 0;          // of the field that is seen
     bool follows_ = true;          // the last snapshot, as it comes
     bool stale_ = true;

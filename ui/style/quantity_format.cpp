@@ -83,8 +83,9 @@ QString sentence(std::string_view reason)
 {
     QString text = QString::fromUtf8(reason.data(), static_cast<qsizetype>(reason.size())).trimmed();
     if (text.isEmpty()) return text;
-    // A symbol such as d_e keeps its spelling.
-    if (text.size() > 1 && text[1] != QLatin1Char('_')) text[0] = text[0].toUpper();
+    // A symbol such as d_e, a key or the name of a file keeps its spelling.
+    static const QRegularExpression name(QStringLiteral("^\\w*(_|\\.\\w)"));
+    if (!name.match(text).hasMatch()) text[0] = text[0].toUpper();
     if (!text.endsWith(QLatin1Char('.'))) text += QLatin1Char('.');
     return readable(text.toStdString());
 }

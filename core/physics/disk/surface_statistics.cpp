@@ -12,12 +12,17 @@
 #include <fftw3.h>
 
 #include "core/numerics/fourier.h"
+#include "core/physics/disk/disk_surface_check.h"
 
 namespace touchdown {
 
 namespace {
 
 using std::numbers::pi;
+
+constexpr double sameWave = 1e-9; // of a wave number, or of the number of waves in a length
+
+bool isWhole(double count) { return std::abs(count - std::round(count)) < sameWave * std::max(1.0, std::abs(count)); }
 
 using RowSource = std::function<void(int, std::span<double>)>;
 
@@ -68,8 +73,9 @@ public:
         return psd;
     }
 
-    /// Where the autocorrelation falls to 1/e; 0 if it does not within half the length [points].
-    double correlationLength()
+    /// Where the autocorrelation falls to 1/e; 0 if it does not within half the length [points]. The rows have this
+    /// variance, waves that they leave out another: `waves` over the distance in points.
+    double correlationLength(double variance, const std::function<double(double)>& waves)
     {
         std::ranges::copy(power_, half_.begin());
         fftw_execute(back_);
@@ -79,7 +85,11 @@ public:
         fftw_execute(forwards_);
         for (auto& h : half_) h = std::norm(h);
         fftw_execute(back_);
-        const auto at = [&](std::size_t m) { return covariance[m] / row_[m] / (covariance[0] / row_[0]); };
+        const double all = variance + waves(0.0);
+        const auto at = [&](std::size_t m) {
+            const double share = variance > 0.0 ? covariance[m] / row_[m] / (covariance[0] / row_[0]) : 0.0;
+            return (variance * share + waves(static_cast<double>(m))) / all;
+        };
         constexpr double level = 1.0 / std::numbers::e;
         for (std::size_t m = 1; m <= n_ / 2; ++m)
             if (at(m) < level) return static_cast<double>(m) - (level - at(m)) / (at(m - 1) - at(m));
@@ -114,14 +124,15 @@ struct Moments {
     }
 };
 
+/// `waves`: which the source leaves out.
 SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source, bool periodic,
-                               const std::function<bool()>& goOn = {})
+                               const std::function<bool()>& goOn = {}, const OtherWaves& waves = {})
 {
     assert(grid.cells() > 0);
     SurfaceStatistics s;
     const auto columns = static_cast<std::size_t>(grid.nx);
     const double points = static_cast<double>(grid.cells());
-    std::vector<double> row(columns), before(columns), first(columns);
+    std::vector<double> row(columns), before(columns), first(columns), whole;
     s.minimum = std::numeric_limits<double>::infinity();
     s.maximum = -s.minimum;
     for (int j = 0; j < grid.ny; ++j) {
@@ -133,15 +144,21 @@ SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source,
             s.maximum = std::max(s.maximum, h);
         }
     }
-    if (s.maximum == s.minimum) return s;
+    if (s.maximum == s.minimum && waves.empty()) return s;
 
     Moments sums;
-    RowPower power(grid.nx, periodic);
+    RowPower power(grid.nx, periodic), withWaves(grid.nx, false);
+    const Waves left = waves.heights();
     for (int j = 0; j < grid.ny; ++j) {
         if (goOn && !goOn()) return {};
         source(j, row);
         sums.addHeights(row, s.mean);
         power.add(row, s.mean);
+        if (!waves.empty()) {
+            whole = row;
+            left.addHeights({grid.nx, 1, grid.dx, grid.dy, grid.x0, grid.y0 + j * grid.dy}, 0.0, 0.0, whole);
+            withWaves.add(whole, s.mean);
+        }
         sums.slopeX += Moments::squaredDifferences(std::span(row).first(columns - 1), std::span(row).subspan(1));
         if (periodic) sums.slopeX += (row.front() - row.back()) * (row.front() - row.back());
         if (j > 0) sums.slopeY += Moments::squaredDifferences(before, row);
@@ -151,18 +168,91 @@ SurfaceStatistics statisticsOf(const UniformGrid& grid, const RowSource& source,
     if (periodic) sums.slopeY += Moments::squaredDifferences(before, first);
 
     const double variance = sums.second / points;
-    s.rms = std::sqrt(variance);
+    s.rms = std::sqrt(variance + waves.variance());
     s.skewness = sums.third / points / (variance * s.rms);
     s.kurtosis = sums.fourth / points / (variance * variance);
     const double pairsX = periodic ? points : points - grid.ny, pairsY = periodic ? points : points - grid.nx;
-    if (pairsX > 0.0) s.slopeX = std::sqrt(sums.slopeX / pairsX) / grid.dx;
-    if (pairsY > 0.0) s.slopeY = std::sqrt(sums.slopeY / pairsY) / grid.dy;
-    s.psd = power.density(grid.dx, grid.ny);
-    s.correlationLength = power.correlationLength() * grid.dx;
+    if (pairsX > 0.0) s.slopeX = std::sqrt(sums.slopeX / pairsX / (grid.dx * grid.dx) + waves.squaredSlopeX());
+    if (pairsY > 0.0) s.slopeY = std::sqrt(sums.slopeY / pairsY / (grid.dy * grid.dy) + waves.squaredSlopeY());
+    s.psd = (waves.empty() ? power : withWaves).density(grid.dx, grid.ny);
+    s.correlationLength =
+        power.correlationLength(variance, [&](double away) { return waves.covariance(away * grid.dx); }) * grid.dx;
+    if (waves.empty()) return s;
+    s.skewness = s.kurtosis = std::numeric_limits<double>::quiet_NaN();
+    s.minimum -= waves.amplitude();
+    s.maximum += waves.amplitude();
+    s.boundsAlone = true;
     return s;
 }
 
 } // namespace
+
+OtherWaves::OtherWaves(const DiskSurface& surface, const UniformGrid& period)
+{
+    if (!hasWaves(surface)) return;
+    asked_.kind = DiskSurfaceKind::Waves;
+    const auto entry = [](const std::vector<double>& list, std::size_t i) { return list.empty() ? 0.0 : list[i]; };
+    for (std::size_t i = 0; i < surface.waveAmplitudes.size(); ++i) {
+        const double k = 2.0 * pi / surface.waveLengths[i], angle = entry(surface.waveAngles, i);
+        Wave wave{surface.waveAmplitudes[i], k * std::cos(angle), k * std::sin(angle), entry(surface.wavePhases, i)};
+        const bool along = isWhole(wave.kx * period.nx * period.dx / (2.0 * pi));
+        const bool across =
+            period.ny > 1 ? isWhole(wave.ky * period.ny * period.dy / (2.0 * pi)) : std::abs(wave.ky) < sameWave * k;
+        if (along && across) continue;
+        asked_.waveAmplitudes.push_back(wave.amplitude);
+        asked_.waveLengths.push_back(surface.waveLengths[i]);
+        asked_.waveAngles.push_back(angle);
+        asked_.wavePhases.push_back(wave.phase);
+        const auto add = [&](const Wave& one) {
+            for (Wave& other : waves_) {
+                if (std::hypot(other.kx - one.kx, other.ky - one.ky) > sameWave * k) continue;
+                const std::complex<double> both =
+                    std::polar(1.0, other.phase) * other.amplitude + std::polar(1.0, one.phase) * one.amplitude;
+                other.amplitude = std::abs(both);
+                other.phase = std::arg(both);
+                return true;
+            }
+            return false;
+        };
+        const Wave opposite{wave.amplitude, -wave.kx, -wave.ky, pi - wave.phase}; // sin(-u) = sin(u + pi)
+        if (!add(wave) && !add(opposite)) waves_.push_back(wave);
+    }
+}
+
+double OtherWaves::covariance(double along) const
+{
+    double sum = 0.0;
+    for (const Wave& w : waves_) sum += 0.5 * w.amplitude * w.amplitude * std::cos(w.kx * along);
+    return sum;
+}
+
+double OtherWaves::squaredSlopeX() const
+{
+    double sum = 0.0;
+    for (const Wave& w : waves_) sum += 0.5 * w.amplitude * w.amplitude * w.kx * w.kx;
+    return sum;
+}
+
+double OtherWaves::squaredSlopeY() const
+{
+    double sum = 0.0;
+    for (const Wave& w : waves_) sum += 0.5 * w.amplitude * w.amplitude * w.ky * w.ky;
+    return sum;
+}
+
+double OtherWaves::amplitude() const
+{
+    double sum = 0.0;
+    for (const Wave& w : waves_) sum += std::abs(w.amplitude);
+    return sum;
+}
+
+Waves OtherWaves::heights(double sign) const
+{
+    DiskSurface signedWaves = asked_;
+    for (double& amplitude : signedWaves.waveAmplitudes) amplitude *= sign;
+    return Waves(signedWaves);
+}
 
 SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const double> heights, bool periodic)
 {
@@ -176,16 +266,22 @@ SurfaceStatistics surfaceStatistics(const UniformGrid& grid, std::span<const dou
         periodic);
 }
 
-SurfaceStatistics surfaceStatistics(const DiskTopography& surface, const std::function<bool()>& goOn)
+SurfaceStatistics surfaceStatistics(const DiskSurface& surface, const DiskTopography& topography,
+                                    const std::function<bool()>& goOn)
 {
-    const UniformGrid grid = surface.measured();
+    const UniformGrid grid = topography.measured();
+    const OtherWaves others(surface, grid);
+    const Waves away = others.heights(-1.0);
+    // All but the waves of a surface with waves.
+    const bool restRepeats = !hasFile(surface) || (!hasRoughness(surface) && !hasBumps(surface));
     return statisticsOf(
         grid,
         [&](int j, std::span<double> row) {
             const UniformGrid line{grid.nx, 1, grid.dx, grid.dy, grid.x0, grid.y0 + j * grid.dy};
-            surface.heights(line, 0.0, 0.0, row);
+            topography.heights(line, 0.0, 0.0, row);
+            away.addHeights(line, 0.0, 0.0, row);
         },
-        surface.measuredRepeats(), goOn);
+        hasWaves(surface) ? restRepeats : topography.measuredRepeats(), goOn, others);
 }
 
 ProfilePsd averaged(const ProfilePsd& psd, int perDecade)

@@ -255,7 +255,7 @@ std::vector<std::string> elasticRemarks(const Case& c, std::span<const UniformGr
 std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const
 {
     if (topography_.flat()) return std::nullopt;
-    return touchdown::surfaceStatistics(topography_);
+    return touchdown::surfaceStatistics(case_.diskSurface, topography_);
 }
 
 RecordedFields ElasticPad::fields(const Case& c)

@@ -35,15 +35,15 @@ double reachOf(const AdhesionLaw& law, double pressure)
     return far;
 }
 
-double longestStepOf(const DiskTopography& surface, Velocity velocity, double cell, const std::function<bool()>& goOn)
+double longestStepOf(const Case& c, const DiskTopography& surface, Velocity velocity, const std::function<bool()>& goOn)
 {
     const double speed = std::hypot(velocity.x, velocity.y);
     if (!(speed > 0.0)) return std::numeric_limits<double>::infinity();
-    const SurfaceStatistics statistics = surfaceStatistics(surface, goOn);
+    const SurfaceStatistics statistics = surfaceStatistics(c.diskSurface, surface, goOn);
     const double slope = std::abs(velocity.x) >= std::abs(velocity.y) ? statistics.slopeX : statistics.slopeY;
     // What changes from cell to cell acts through the mean over many.
     const double length =
-        slope > 0.0 ? std::max(statistics.rms / slope, cell) : std::numeric_limits<double>::infinity();
+        slope > 0.0 ? std::max(statistics.rms / slope, c.elastic.cell) : std::numeric_limits<double>::infinity();
     return movedPerStep * length / speed;
 }
 
@@ -55,7 +55,7 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
     : case_(c), spacing_(spacing), surface_(surface), pad_(pad), highest_(surface.highest()), lever_(c)
 {
     const Velocity velocity = surfaceVelocity(c, surface);
-    longestStep_ = longestStepOf(surface, velocity, c.elastic.cell, goOn);
+    longestStep_ = longestStepOf(c, surface, velocity, goOn);
     for (ContactPatch& patch : filmPatches(c, goOn).patches) {
         if (goOn && !goOn()) return;
         const double area = static_cast<double>(patch.grid.cells()) * patch.grid.cellArea();

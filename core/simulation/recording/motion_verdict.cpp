@@ -8,6 +8,7 @@
 
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
+#include "core/numerics/spectrum.h"
 
 namespace touchdown {
 
@@ -22,7 +23,14 @@ constexpr std::array shares{0.1, 0.2, 1.0 / 3}; // of the last part, of the time
 /// Changes of a signal from below a low value to above a high one and back.
 struct Changes {
     int count = 0;
-    std::size_t first = 0, last = 0; // samples at which they end
+    std::array<double, 2> first{}, last{}; // of the rises and falls, as they come: where they end [samples]
+
+    /// From one to the next in the same direction, in the mean [samples]; 0 where there is no whole one.
+    double period() const
+    {
+        const int halves = std::max(count - 1, 0), rises = halves / 2, falls = (halves - 1) / 2; // periods of each
+        return rises > 0 ? (last[0] - first[0] + last[1] - first[1]) / (rises + falls) : 0.0;
+    }
 };
 /// The same, their number alone.
 int countChanges(std::span<const double> signal, double low, double high)
@@ -56,8 +64,14 @@ public:
         const double low = least() + 0.25 * swing(), high = most() - 0.25 * swing();
         int side = 0;
         const auto cross = [&](std::size_t i, int to) {
-            if (side != 0 && found.count++ == 0) found.first = i;
-            found.last = i;
+            if (side != 0) {
+                const auto direction = static_cast<std::size_t>(found.count % 2);
+                // Between samples on a straight line, where these enclose the limit.
+                const double before = samples_.spacing[i - 1], now = samples_.spacing[i], limit = to > 0 ? high : low,
+                             part = (limit - before) / (now - before);
+                found.last[direction] = double(i) - (part > 0.0 && part < 1.0 ? 1.0 - part : 0.0);
+                if (found.count++ < 2) found.first[direction] = found.last[direction];
+            }
             side = to;
         };
         for (std::size_t i = begin_; i < end_ && high > low; ++i) {
@@ -121,6 +135,28 @@ double lengthOfPart(const MotionSamples& samples, std::size_t landing, double sh
     return std::max(1.0, length);
 }
 
+/// Of the largest peak, where at least half of the variance lies about it [Hz]; else 0.
+double frequencyOf(std::span<const double> signal, double interval)
+{
+    constexpr double about = 1.25; // the ratio of a frequency to the peak's, or the other way round
+    constexpr double most = 0.5;
+    const double deviation = momentsOf(signal).deviation;
+    WelchOptions options;
+    options.segment = std::max<std::size_t>(8, signal.size() / 2);
+    const Spectrum spectrum = welch(signal, interval, options);
+    if (spectrum.empty()) return 0.0;
+    const std::vector<Peak> peaks = findPeaks(spectrum, options.scaling, 1, 1.0);
+    const double frequency = peaks.empty() ? 0.0 : peaks.front().frequency;
+    if (frequency < Rule::fewestPeriods * spectrum.frequency[1]) return 0.0;
+    double variance = 0.0; // about the peak: its bin and the neighbours hold a sine
+    for (std::size_t k = 0; k < spectrum.power.size(); ++k) {
+        const double width = 2.0 * spectrum.frequency[1], at = spectrum.frequency[k];
+        if (at > std::min(frequency / about, frequency - width) && at < std::max(frequency * about, frequency + width))
+            variance += spectrum.power[k] * spectrum.frequency[1];
+    }
+    return variance >= most * deviation * deviation ? frequency : 0.0;
+}
+
 MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, double share)
 {
     const std::size_t count = samples.spacing.size();
@@ -140,14 +176,16 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
     const Changes changes = last.changes();
     evidence.periods = 0.5 * changes.count;
     evidence.undersampled = changes.count > mostPerSample * static_cast<double>(last.size());
-    if (changes.count > 1 && !evidence.undersampled)
-        evidence.frequency =
-            0.5 * double(changes.count - 1) / (double(changes.last - changes.first) * samples.interval);
     evidence.touch = last.touch();
     evidence.touchBefore = evidence.parts > 1 ? before.touch() : evidence.touch;
     const std::size_t lately = std::max((count - landing) / 3, std::min(2 * length, count - landing));
     evidence.switchedLately = Part(samples, count - lately, count).touch() == Touch::AtTimes;
     evidence.samples = last.size();
+    if (evidence.undersampled) return evidence;
+    if (samples.surface.moves())
+        evidence.frequency = frequencyOf(last.spacing(), samples.interval);
+    else if (const double period = changes.period(); period > 0.0)
+        evidence.frequency = 1.0 / (period * samples.interval);
     return evidence;
 }
 

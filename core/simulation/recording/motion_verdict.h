@@ -22,11 +22,13 @@
 // in the part before, and grows if that is below 60 % of it. What lasts there is forced: the disk drives it. Lately: in
 // the last third of the run after the landing or the last two parts; over a moving surface in the part before the last.
 //
-// A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. Where a
-// period is shorter than 2.5 samples, the frequency is not told. At rest it was not
-// about to move on if the last half of the run swings by less than three times as much, or if s crossed its mean value
-// of the last tenth there and back, or if the swings of the last three parts shrink so fast that, at the slower of
-// their two rates, all later ones together stay within 0.02 nm.
+// A period: s goes from the lowest quarter of its range in the part to the highest quarter and back. The frequency is
+// that of whole periods: as these need not be symmetric, from rise to rise and from fall to fall. Where a period is
+// shorter than 2.5 samples, the frequency is not told. Over a moving surface it is that of the largest peak in the
+// spectrum of the last part, and told if a half of the part holds 3 periods of it and at least half of the variance
+// lies between 0.8 and 1.25 of it. At rest it was not about to move on if the last half of the run swings by less than
+// three times as much, or if s crossed its mean value of the last tenth there and back, or if the swings of the last
+// three parts shrink so fast that, at the slower of their two rates, all later ones together stay within 0.02 nm.
 #pragma once
 
 #include <array>
@@ -81,7 +83,7 @@ struct MotionEvidence {
     bool oneLaw = false;                             // the contact neither begins nor ends in all of them
     double rms = 0.0, rmsBefore = 0.0;               // standard deviation in the last part and in that before [m]
     double periods = 0.0;                            // in the last part
-    double frequency = 0.0;                          // of these [Hz]
+    double frequency = 0.0;                          // of the motion there [Hz]; 0: no single one, or not known
     bool undersampled = false;                       // a period is shorter than 2.5 samples
     bool movedOn = false;                            // in the half before the end, though at rest in the last tenth
     Touch touch = Touch::Never;                      // in the last part

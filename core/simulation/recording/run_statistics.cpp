@@ -181,8 +181,6 @@ void RunStatistics::finish(Summary& summary) const
                                    "its frequency, and what is above half of the sampling rate, " +
                                    fewDigits(0.5 / case_.run.sampleInterval, "kHz", 4) +
                                    ", appears in them at a wrong, lower one; a shorter run.sample_interval shows it");
-    else if (summary.verdict.forced && !summary.peaks.empty())
-        summary.verdict.frequency = summary.peaks.front().frequency;
 }
 
 } // namespace touchdown

@@ -43,10 +43,11 @@ std::string_view name(Touch touch)
 std::string textOf(const MotionVerdict& verdict)
 {
     std::string text(name(verdict.motion));
-    if (!lasts(verdict.motion) || verdict.frequency == 0.0) return text;
-    const std::string frequency = fewDigits(verdict.frequency, "kHz", 3);
-    if (!verdict.forced) return text + " at " + frequency;
-    return text + ", forced by the disk (" + frequency + ", " + fewDigits(verdict.rms, "nm") + " rms)";
+    const std::string frequency = verdict.frequency > 0.0 ? fewDigits(verdict.frequency, "kHz", 3) : std::string();
+    if (verdict.forced)
+        return text + ", forced by the disk (" + (frequency.empty() ? frequency : frequency + ", ") +
+               fewDigits(verdict.rms, "nm") + " rms)";
+    return lasts(verdict.motion) && !frequency.empty() ? text + " at " + frequency : text;
 }
 
 std::string_view name(RunFailure failure)

@@ -9,6 +9,7 @@
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_passage.h"
 #include "core/physics/disk/disk_surface_check.h"
+#include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/static_state/disk_under_film.h"
 
 namespace touchdown {
@@ -92,9 +93,10 @@ public:
             passes(length, std::abs(velocity_.x * cosine + velocity_.y * sine), isWave ? "waves" : "a bump");
     }
 
-    void lookAtMap()
+    void lookAtMap(const DiskSurface& surface)
     {
         const UniformGrid period = disk_.period();
+        const OtherWaves others(surface, period);
         const double wholeLength = period.nx * period.dx, wholeWidth = period.ny * period.dy;
         length_ = std::min(wholeLength, columns * cells_.dx);
         width_ = std::min(wholeWidth, rows * cells_.dy);
@@ -107,7 +109,7 @@ public:
             const double all = varianceOfPoints(),
                          lost = std::sqrt(std::max(all - varianceOfMeans(0.5 * cellsForWaves), 0.0));
             if (k > 0 && lost <= found_.lost) continue;
-            found_.rms = std::sqrt(all);
+            found_.rms = std::sqrt(varianceOfPoints(&others) + others.variance());
             found_.lost = lost;
             originX = x_, originY = y_;
         }
@@ -144,7 +146,7 @@ private:
         for (const double value : values) squares += (value - mean) * (value - mean);
         return squares / static_cast<double>(values.size());
     }
-    double varianceOfPoints() const
+    double varianceOfPoints(const OtherWaves* without = nullptr) const
     {
         const UniformGrid period = disk_.period();
         UniformGrid points{.nx = clampedCount(length_ / period.dx, 4 * columns),
@@ -155,6 +157,7 @@ private:
         points.y0 = y_;
         std::vector<double> heights(points.cells());
         disk_.heights(points, 0.0, 0.0, heights);
+        if (without) without->heights(-1.0).addHeights(points, 0.0, 0.0, heights);
         return variance(heights);
     }
     /// Of the means over blocks of so many cells along each axis.
@@ -206,7 +209,7 @@ DiskOnCells diskOnCells(const Case& c, const DiskTopography& disk, const Recess&
             looker.look(false, height, surface.bumpWidths.empty() ? surface.bumpLengths[k] : surface.bumpWidths[k], 0.0,
                         1.0);
         }
-    if (hasRoughness(surface) || hasFile(surface)) looker.lookAtMap();
+    if (hasRoughness(surface) || hasFile(surface)) looker.lookAtMap(surface);
     return found;
 }
 

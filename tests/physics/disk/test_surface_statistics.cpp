@@ -129,7 +129,7 @@ private slots:
         QCOMPARE(s.rms, 0.0);
         QCOMPARE(s.skewness, 0.0);
         QVERIFY(s.psd.density.empty());
-        const SurfaceStatistics flat = surfaceStatistics(DiskTopography());
+        const SurfaceStatistics flat = surfaceStatistics(DiskSurface{}, DiskTopography());
         QCOMPARE(flat.rms, 0.0);
     }
 
@@ -153,7 +153,8 @@ private slots:
         const UniformGrid grid = topography.period();
         std::vector<double> heights(grid.cells());
         topography.heights(grid, 0.0, 0.0, heights);
-        const SurfaceStatistics rows = surfaceStatistics(topography), all = surfaceStatistics(grid, heights, true);
+        const SurfaceStatistics rows = surfaceStatistics(surface, topography),
+                                all = surfaceStatistics(grid, heights, true);
         QVERIFY(std::abs(rows.rms / all.rms - 1.0) < 1e-12);
         QVERIFY(std::abs(rows.slopeY / all.slopeY - 1.0) < 1e-9);
         QVERIFY(std::abs(rows.correlationLength / all.correlationLength - 1.0) < 1e-9);
@@ -171,7 +172,7 @@ private slots:
             for (const bool closed : {false, true}) {
                 HeightMap map{10, rows, 1e-6, 2e-6, {}, closed, closed && rows > 1};
                 for (int k = 0; k < 10 * rows; ++k) map.heights.push_back(1e-9 * (k % 10));
-                const SurfaceStatistics s = surfaceStatistics(DiskTopography(surface, map));
+                const SurfaceStatistics s = surfaceStatistics(surface, DiskTopography(surface, map));
                 QVERIFY(std::abs(s.rms - 1e-9 * std::sqrt(99.0 / 12.0)) < 1e-18);
                 QVERIFY(std::abs(s.maximum - s.minimum - 9e-9) < 1e-18);
                 // Nine rises of 1 nm in 1 um, and a fall of 9 nm where the file closes.
@@ -186,6 +187,82 @@ private slots:
         map.heights[3] = 1e-9;
         const DiskTopography both(surface, map);
         QCOMPARE(both.measured(), both.period());
+    }
+
+    /// Over two tracks a wave of 2/n tracks, n odd, repeats together with the roughness, and the sums of their products
+    /// vanish, as the map has even multiples only. A wave of ten tracks needs no such sum: its RMS is a/sqrt(2).
+    void wavesCountWithTheirWholeLength()
+    {
+        DiskSurface rough;
+        rough.kind = DiskSurfaceKind::Rough;
+        rough.track = 40e-6;
+        rough.trackWidth = 16e-6;
+        rough.rms = 0.3e-9;
+        const SurfaceStatistics map = surfaceStatistics(rough, DiskTopography(rough));
+        for (const double length : {80e-6, 80e-6 / 3, 80e-6 / 7, 400e-6})
+            for (const double phase : {0.0, 1.0, 2.5}) {
+                DiskSurface surface = rough;
+                surface.kind = DiskSurfaceKind::Combined;
+                surface.waveAmplitudes = {2e-9};
+                surface.waveLengths = {length};
+                surface.wavePhases = {phase};
+                const DiskTopography topography(surface);
+                const SurfaceStatistics s = surfaceStatistics(surface, topography);
+                const double k = 2.0 * pi / length;
+                QVERIFY(std::abs(s.rms / std::sqrt(0.3e-9 * 0.3e-9 + 2e-18) - 1.0) < 1e-12);
+                QVERIFY(std::abs(s.slopeX / std::hypot(map.slopeX, std::sqrt(2.0) * 1e-9 * k) - 1.0) < 1e-12);
+                QVERIFY(std::abs(s.slopeY / map.slopeY - 1.0) < 1e-12);
+                QVERIFY(s.boundsAlone && std::isnan(s.skewness) && std::isnan(s.kurtosis));
+                QVERIFY(std::abs(s.maximum - map.maximum - 2e-9) < 1e-20);
+                QVERIFY(std::abs(s.minimum - map.minimum + 2e-9) < 1e-20);
+                if (length > 100e-6) continue;
+                UniformGrid two = topography.period();
+                two.nx *= 2;
+                std::vector<double> heights(two.cells());
+                topography.heights(two, 0.0, 0.0, heights);
+                const SurfaceStatistics read = surfaceStatistics(two, heights, true);
+                QVERIFY(std::abs(s.rms / read.rms - 1.0) < 1e-9);
+                QVERIFY(read.maximum <= s.maximum && read.minimum >= s.minimum);
+            }
+    }
+
+    /// a sin(u) + b sin(u + c) has the amplitude |a + b exp(ic)|; sin(-u + c) = sin(u + pi - c). Waves alone, too.
+    void equalWavesAddWithTheirPhases()
+    {
+        DiskSurface surface;
+        surface.kind = DiskSurfaceKind::Waves;
+        const auto rms = [&](std::vector<double> angles, std::vector<double> phases) {
+            surface.waveAmplitudes = {3e-9, 4e-9};
+            surface.waveLengths = {7e-3, 7e-3};
+            surface.waveAngles = std::move(angles);
+            surface.wavePhases = std::move(phases);
+            return surfaceStatistics(surface, DiskTopography(surface)).rms / (1e-9 * std::numbers::sqrt2 / 2.0);
+        };
+        QVERIFY(std::abs(rms({}, {0.3, 0.3}) - 7.0) < 1e-9);
+        QVERIFY(std::abs(rms({}, {0.3, 0.3 + pi}) - 1.0) < 1e-9);
+        QVERIFY(std::abs(rms({}, {0.3, 0.3 + 0.5 * pi}) - 5.0) < 1e-9);
+        QVERIFY(std::abs(rms({0.0, pi}, {0.3, pi - 0.3}) - 7.0) < 1e-6);
+        QVERIFY(std::abs(rms({0.0, 0.1}, {0.3, 0.3}) - 5.0) < 1e-9); // others are independent
+    }
+
+    /// Waves that fit in the track are read with the map: their RMS knows how both lie to one another.
+    void wavesThatRepeatAreRead()
+    {
+        DiskSurface surface;
+        surface.kind = DiskSurfaceKind::Combined;
+        surface.track = 40e-6;
+        surface.trackWidth = 16e-6;
+        surface.waveAmplitudes = {1e-9, 0.5e-9};
+        surface.waveLengths = {40e-6, 10e-6};
+        const DiskTopography topography(surface);
+        const UniformGrid grid = topography.period();
+        std::vector<double> heights(grid.cells());
+        topography.heights(grid, 0.0, 0.0, heights);
+        const SurfaceStatistics s = surfaceStatistics(surface, topography),
+                                read = surfaceStatistics(grid, heights, true);
+        QVERIFY(std::abs(s.rms / read.rms - 1.0) < 1e-12);
+        QCOMPARE(s.maximum, read.maximum);
+        QVERIFY(!s.boundsAlone && std::abs(s.kurtosis - read.kurtosis) < 1e-9);
     }
 
     void binsKeepTheIntegral()

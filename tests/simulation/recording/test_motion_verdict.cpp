@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -218,6 +219,48 @@ private slots:
         QCOMPARE(verdict.motion, Motion::Bounces);
         QVERIFY(std::abs(verdict.swing - 2e-9) < 1e-12);
         QVERIFY(std::abs(verdict.frequency - 1e6) < 0.02e6); // 100 samples of 10 ns
+    }
+    /// Parabolas from touch to touch are above a limit for another part of the period than below it, so that half
+    /// periods differ; whole ones are P samples, wherever the judged part ends.
+    void periodsNeedNotBeSymmetric()
+    {
+        for (const double period : {41.3, 57.9, 61.7, 83.1, 97.77})
+            for (const double phase : {0.0, 0.2, 0.4, 0.6, 0.8}) {
+                MotionSamples samples;
+                samples.interval = 1e-8;
+                for (int i = 0; i < 1000; ++i) {
+                    const double u = 2.0 * (i / period + phase - std::floor(i / period + phase)) - 1.0;
+                    samples.add(5e-9 + 100e-9 * (1.0 - u * u), std::abs(u) > 0.9 ? Touch::Always : Touch::Never);
+                }
+                const MotionVerdict verdict = judgeMotion(samples);
+                QCOMPARE(verdict.motion, Motion::Bounces);
+                QVERIFY(std::abs(verdict.frequency * period * samples.interval - 1.0) < 2e-3);
+            }
+    }
+    /// A frequency over a moving surface is one that the standard deviation belongs to. Slow noise of about 43 nm has
+    /// none, though a sine of 2 nm stands out of it; one of 80 nm has most of the variance.
+    void theFrequencyOfForcedMotion()
+    {
+        for (const double amplitude : {0.0, 2e-9, 80e-9}) {
+            MotionSamples samples;
+            samples.interval = 1e-8;
+            samples.surface = {.period = 1e-6, .wait = 1e-6};
+            std::mt19937 random(7);
+            double noise = 0.0;
+            for (int i = 0; i < 6000; ++i) {
+                noise += 0.02 * (static_cast<double>(random()) / 4294967296.0 - 0.5 - noise);
+                const double s = 1500e-9 * noise + amplitude * std::sin(2.0 * std::numbers::pi * i / 12.3);
+                samples.add(s, Touch::Never);
+            }
+            const MotionVerdict verdict = judgeMotion(samples);
+            QCOMPARE(verdict.motion, Motion::Swings);
+            QVERIFY(verdict.forced && verdict.rms > 20e-9);
+            const bool told = amplitude > 50e-9;
+            QCOMPARE(verdict.frequency > 0.0, told);
+            if (told) QVERIFY(std::abs(verdict.frequency * 12.3e-8 - 1.0) < 1e-3);
+            QCOMPARE(textOf(verdict).find("kHz") != std::string::npos, told);
+            QVERIFY(textOf(verdict).find("nm rms") != std::string::npos);
+        }
     }
     /// The contact ends and begins between two samples that both touch.
     void aTakeOffBetweenSamples()

@@ -32,6 +32,7 @@ private slots:
     void aStepIsASixteenthOfAWave();
     void aStepFollowsNoWaveThatDoesNotMatter();
     void looksAtAllOfAMap();
+    void aLongWaveCountsWithItsWholeLength();
     void saysBothNumbers();
     void saysWhereADiskReachesTheSlider();
     void aStaticStateSaysThatTheDiskIsHigher();
@@ -218,6 +219,19 @@ void TestDiskOnCells::looksAtAllOfAMap()
     const DiskOnCells found = diskOnCells(c, DiskTopography(c.diskSurface, map), recess,
                                           uniformGrid(length, width, cells, cells), {10e-9, 0.0, 0.0});
     QVERIFY(!found.isResolved() && found.lost > 1e-9);
+}
+
+/// A wave that does not fit in the track has the RMS a/sqrt(2), wherever the map is looked at.
+void TestDiskOnCells::aLongWaveCountsWithItsWholeLength()
+{
+    Case c = plane();
+    c.diskSurface.kind = DiskSurfaceKind::Combined;
+    c.diskSurface.rms = 0.3e-9;
+    c.diskSurface.waveAmplitudes = {5e-9};
+    for (const double waveLength : {0.4e-3, 10e-3}) {
+        c.diskSurface.waveLengths = {waveLength};
+        QVERIFY(std::abs(seen(c).rms / std::sqrt(0.09e-18 + 12.5e-18) - 1.0) < 2e-3);
+    }
 }
 
 void TestDiskOnCells::saysBothNumbers()

@@ -57,6 +57,7 @@ private slots:
     void spectrumLiesInItsBand();
     void asksForNothingWhereNothingWasAskedFor();
     void goesAlongTheTrack();
+    void saysHowOftenTheSurfaceRepeats();
     void beginsWhereTheBumpIs();
     void drawsAProfileAsAStrip();
     void badRequestsAreSentences();
@@ -173,6 +174,28 @@ void TestDiskSurfaceView::goesAlongTheTrack()
     QVERIFY(std::abs(view_->view()->map()->area().right() - (256e-6 - 0.125e-6)) < 1e-12);
     showCase(roughCase());
     QVERIFY(!view_->place()->isEnabled());
+}
+
+/// Waves of 10 mm at 13 m/s: 0.769 ms; of two lengths without a common period never.
+void TestDiskSurfaceView::saysHowOftenTheSurfaceRepeats()
+{
+    Case c;
+    c.model = ModelKind::Springs;
+    c.disk.speed = 100.0;
+    c.disk.radius = 0.13;
+    c.disk.skew = 0.0;
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {10e-9};
+    c.diskSurface.waveLengths = {10e-3};
+    showCase(c);
+    QCOMPARE(cell(*view_, QStringLiteral("Repeats"), 1), timeText(10e-3 / 13.0));
+    QCOMPARE(cell(*view_, QStringLiteral("RMS height"), 1), readout(10e-9 / std::sqrt(2.0), "nm", 4));
+    QCOMPARE(cell(*view_, QStringLiteral("Highest point"), 1), QStringLiteral("\u2264 ") + readout(10e-9, "nm", 4));
+    QCOMPARE(cell(*view_, QStringLiteral("Kurtosis"), 1), QStringLiteral("not known"));
+    c.diskSurface.waveAmplitudes = {10e-9, 1e-9};
+    c.diskSurface.waveLengths = {1e-3, std::sqrt(2.0) * 1e-3};
+    showCase(c);
+    QCOMPARE(cell(*view_, QStringLiteral("Repeats"), 1), QStringLiteral("never"));
 }
 
 void TestDiskSurfaceView::beginsWhereTheBumpIs()

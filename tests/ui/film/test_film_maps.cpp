@@ -2,6 +2,7 @@
 #include "ui/film/film_view.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -39,6 +40,7 @@ private slots:
     void theLeastGapOfAnyRails();
     void showsGapAndRecess();
     void sectionsAreTheCellsOfARowAndAColumn();
+    void sectionsHaveTheNumbersOfTheTable();
     void sectionsAreSteps();
     void beginsAtTheMinimumSpacing();
     void sectionsFollowThePointerUntilPinned();
@@ -194,17 +196,50 @@ void TestFilmMaps::showsGapAndRecess()
 
 void TestFilmMaps::sectionsAreTheCellsOfARowAndAColumn()
 {
-    film_->setPage(Page::Gap);
     const SurfacePoint point{result_.grid.centreX(30), result_.grid.centreY(10)};
     view_->setSectionPoint(point, true);
     const MinMaxPyramid& x = *view_->sections()->alongX()->curves().at(0).data;
     const MinMaxPyramid& y = *view_->sections()->alongY()->curves().at(0).data;
+    const FieldMap& map = *view_->map();
     // At the middle of each cell stands its own value.
     for (int i = 0; i < 48; ++i)
-        QCOMPARE(*x.valueAt(result_.grid.centreX(i)), result_.gap[static_cast<std::size_t>(10 * 48 + i)]);
+        QCOMPARE(*x.valueAt(result_.grid.centreX(i)), map.value(static_cast<std::size_t>(10 * 48 + i)));
     for (int j = 0; j < 40; ++j)
-        QCOMPARE(*y.valueAt(result_.grid.centreY(j)), result_.gap[static_cast<std::size_t>(j * 48 + 30)]);
+        QCOMPARE(*y.valueAt(result_.grid.centreY(j)), map.value(static_cast<std::size_t>(j * 48 + 30)));
     QVERIFY(view_->sections()->alongX()->title().contains(QStringLiteral("y = 0.183"))); // 10.5/40 of 0.7 mm
+}
+
+/// At the place of the least gap, where the dots stand at first, and elsewhere; of each state that is compared.
+void TestFilmMaps::sectionsHaveTheNumbersOfTheTable()
+{
+    std::array<SolutionRecord, 2> records;
+    for (SolutionRecord& record : records) record.value = test::smallSlider(33);
+    records[0].number = 1;
+    records[1].number = 2;
+    records[1].value.suspension.preload *= 1.2;
+    for (SolutionRecord& record : records) record.result = steady(record.value);
+    film_->setResult(records[0].value, records[0].result);
+    film_->compare(&records[0], {&records[0], &records[1]}, -1);
+    const auto* table = view_->cursors()->findChild<QTableWidget*>();
+    for (const Page page : {Page::Gap, Page::Recess})
+        for (const auto& place : {std::optional<SurfacePoint>(), std::optional(SurfacePoint{0.31e-3, 0.168e-3})}) {
+            film_->setPage(page);
+            if (place) view_->setSectionPoint(*place, true);
+            const SurfacePoint at = *view_->sectionPoint();
+            for (const auto& [plot, along] :
+                 {std::pair(view_->sections()->alongX(), at.x), std::pair(view_->sections()->alongY(), at.y)}) {
+                QCOMPARE(plot->curves().size(), std::size_t{2});
+                for (std::size_t k = 0; k < 2; ++k) { // the shown state is drawn last, and stands first in the table
+                    const QString drawn =
+                        fieldNumber(*plot->curves()[1 - k].data->valueAt(along), view_->map()->look());
+                    QCOMPARE(drawn, table->item(0, 4 + static_cast<int>(k))->text());
+                }
+            }
+        }
+    // Between the cursors, too: cells have one gap, the side rail slopes with pitch and crown.
+    const MinMaxPyramid& x = *view_->sections()->alongX()->curves().back().data;
+    for (const double along : {0.2e-3, 0.3456e-3, 0.5e-3})
+        QVERIFY(std::abs(*x.valueAt(along) - *view_->map()->valueAt({along, view_->sectionPoint()->y})) < 1e-12);
 }
 
 void TestFilmMaps::sectionsAreSteps()
@@ -315,7 +350,7 @@ void TestFilmMaps::aNewResultKeepsWhatWasChosen()
     QCOMPARE(film_->page(), Page::Gap);
     QCOMPARE(view_->sectionPoint()->x, 0.3e-3);
     QCOMPARE(view_->map()->view(), seen);
-    QCOMPARE(view_->sections()->alongX()->curves().at(0).data->size(), std::size_t(120));
+    QCOMPARE(view_->sections()->alongX()->curves().at(0).data->size(), std::size_t(60 * 9 + 1)); // and the cursor
 }
 
 void TestFilmMaps::clears()

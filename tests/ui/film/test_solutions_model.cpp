@@ -51,6 +51,23 @@ private slots:
         QCOMPARE(model.index(0).data(RecordList::ResultRole).toString(), QStringLiteral("12.00\u00a0nm"));
     }
 
+    /// Each undo goes back to the first shape; the next edit is named by it, not by what the undo took back.
+    void namesWhatChangedAfterAnUndo()
+    {
+        SolutionsModel model;
+        const Case first = sampleFilmCase();
+        const auto name = [&](std::size_t rail, double shift) {
+            Case c = first;
+            for (RailPoint& point : c.surface.rails[rail].points) point.x += shift;
+            return model.record(model.rowOf(model.add(c, sampleResult(c)))).name;
+        };
+        name(0, 0.0);
+        QCOMPARE(name(0, 4e-6), QStringLiteral("rail 1 moved by 4, 0\u00a0µm"));
+        QCOMPARE(name(1, 1e-6), QStringLiteral("rail 2 moved by 1, 0\u00a0µm, from solution 1"));
+        QCOMPARE(name(1, 3e-6), QStringLiteral("rail 2 moved by 2, 0\u00a0µm")); // from the last one
+        QCOMPARE(name(0, 0.0), QStringLiteral("as solution 1"));
+    }
+
     void findsTheSolutionOfACase()
     {
         SolutionsModel model;

@@ -8,6 +8,7 @@
 
 #include "core/simulation/recording/run_summary.h"
 #include "tests/support/test_program.h"
+#include "ui/runs/run_record.h"
 
 using namespace touchdown;
 
@@ -53,6 +54,22 @@ private slots:
         QFETCH(int, index);
         QFETCH(QString, text);
         QCOMPARE(figureText(sampleSummary().figures[std::size_t(index)]), text);
+    }
+
+    /// Swing and standard deviation of one sentence are those of the last tenth.
+    void aForcedMotionIsToldOfOneSpan()
+    {
+        RunRecord run(1, Case{}, "", {}, {});
+        Summary summary;
+        summary.verdict = {.motion = Motion::Swings, .forced = true, .swing = 9e-9, .rms = 4e-9, .frequency = 0.0};
+        summary.tail = {{"minimum_spacing", {.mean = 10e-9, .std = 2e-9, .min = 6e-9, .max = 11e-9}}};
+        run.finish(summary);
+        QVERIFY(resultText(run).contains(QStringLiteral("Swings by 5.00")));
+        QVERIFY(resultText(run).contains(QStringLiteral("vibrate without contact: 2")));
+        QVERIFY(!resultText(run).contains(QStringLiteral("kHz")));
+        summary.verdict.frequency = 1e5;
+        run.finish(summary);
+        QVERIFY(resultText(run).contains(QStringLiteral("vibrate without contact: 100")));
     }
 
     void solverIsFoldedAway()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/run_maps.h"
 
+#include <algorithm>
 #include <memory>
 
 #include <QSignalSpy>
@@ -8,6 +9,7 @@
 
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_contact.h"
 #include "tests/ui/sample_slider.h"
@@ -16,6 +18,7 @@
 #include "ui/maps/fields_view.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
 using namespace touchdown;
@@ -45,6 +48,7 @@ private slots:
     void controlsHaveNames();
     void showsTheSetsOfAFilm();
     void keepsTheTimeFromSetToSet();
+    void theLeastGapIsTheMinimumSpacingOfTheTime();
 
 private:
     double shownPressure(std::size_t cell) const { return maps_->view()->map()->value(cell); }
@@ -330,6 +334,47 @@ void TestRunMaps::keepsTheTimeFromSetToSet()
     maps_->tabs()->setCurrentIndex(0);
     QCOMPARE(maps_->time()->value(), 2);
     QCOMPARE(shownPressure(1), 10e-9);
+}
+
+/// The mark of each picture is what the plots have at its time, and the gap at the centre of a cell is the one that the
+/// run has recorded there. The last picture is a part of a step later than the last sample.
+void TestRunMaps::theLeastGapIsTheMinimumSpacingOfTheTime()
+{
+    Case c = test::smallSlider(17);
+    c.diskSurface.kind = DiskSurfaceKind::Waves;
+    c.diskSurface.waveAmplitudes = {1e-9};
+    c.diskSurface.waveLengths = {0.2e-3};
+    c.initial.state = InitialState::Static;
+    c.initial.rollOffset = 2e-6;
+    c.run.duration = 20e-6;
+    c.run.sampleInterval = 0.01e-6;
+    c.run.fieldSnapshots = 4;
+    std::unique_ptr<RunRecord> made = performedRecord(c, c.run.duration, [] { return true; });
+    const RunRecord& record = *made;
+    made->number = 1;
+    runs_->add(std::move(made));
+    maps_->showRun(1);
+    QCOMPARE(maps_->tabs()->tabText(0), QStringLiteral("Gap"));
+    maps_->tabs()->setCurrentIndex(0);
+    const FieldHistory& history = record.fields[0];
+    const MinMaxPyramid& spacing = *record.pyramid("minimum_spacing");
+    QVERIFY2(history.snapshots.size() > 2, record.summary->message.c_str());
+    for (std::size_t k = 0; k < history.snapshots.size(); ++k) {
+        maps_->time()->setValue(static_cast<int>(k));
+        const FieldMap& map = *maps_->view()->map();
+        const double least = *spacing.valueAt(std::min(history.snapshots[k].time, spacing.lastTime()));
+        QVERIFY(*std::ranges::min_element(history.values(k, 0)) > least + 0.05e-9);
+        QCOMPARE(map.marks().front(), fieldText(least, map.look()));
+        QVERIFY2(maps_->reading()->text().contains(readout(least, "nm", 3)), qPrintable(maps_->reading()->text()));
+        if (history.snapshots[k].time > spacing.lastTime()) continue;
+        // Between two samples the motion bends by less than 1e-13 m; the start is a sample.
+        const double close = k == 0 ? 1e-20 : 1e-12;
+        for (std::size_t cell = 0; cell < map.grid().cells(); cell += 7)
+            QVERIFY(std::abs(*map.valueAt(map.centre(cell)) - history.values(k, 0)[cell]) < close);
+    }
+    maps_->tabs()->setCurrentIndex(1); // the pressure has no other numbers than those of its cells
+    const FieldMap& map = *maps_->view()->map();
+    QCOMPARE(*map.valueAt(map.centre(40)), map.value(40));
 }
 
 TOUCHDOWN_TEST(TestRunMaps)

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "tests/support/test_program.h"
+#include "ui/style/quantity_format.h"
 
 using namespace touchdown;
 
@@ -13,6 +14,17 @@ class TestReadable : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A sentence begins with a capital, but a key, a symbol and the name of a file keep their spelling.
+    void aSentenceKeepsNames()
+    {
+        for (const char* kept : {"run.tolerance does not determine the motion.", "elastic.cell is 2.",
+                                 "disk.surface.wave_lengths must be positive.", "points.txt is empty."})
+            QCOMPARE(sentence(kept), QString::fromUtf8(kept));
+        QCOMPARE(sentence("d_e is less"), QStringLiteral("d\u2091 is less."));
+        QCOMPARE(sentence("the run is short"), QStringLiteral("The run is short."));
+        QCOMPARE(sentence("over. the disk"), QStringLiteral("Over. the disk."));
+        QCOMPARE(sentence("a"), QStringLiteral("A."));
+    }
     void asPrinted_data()
     {
         QTest::addColumn<QString>("text");
