@@ -61,7 +61,9 @@ private slots:
     {
         RunRecord run(1, Case{}, "", {}, {});
         Summary summary;
-        summary.verdict = {.motion = Motion::Swings, .forced = true, .swing = 9e-9, .rms = 4e-9, .frequency = 0.0};
+        summary.verdict.motion = Motion::Swings;
+        summary.verdict.forced = true;
+        summary.verdict.rms = 4e-9;
         summary.tail = {{"minimum_spacing", {.mean = 10e-9, .std = 2e-9, .min = 6e-9, .max = 11e-9}}};
         run.finish(summary);
         QVERIFY(resultText(run).contains(QStringLiteral("Swings by 5.00")));
