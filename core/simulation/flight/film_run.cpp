@@ -172,7 +172,7 @@ private:
         balance_.emplace(level.film, *body_, scene_.restEnergy);
         recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance, run_);
         run_.moveOver(surfaceRecurrence(case_.diskSurface, scene_.topography, scene_.disk->velocity(),
-                                        {0.0, case_.slider.width}));
+                                        {0.0, case_.slider.width, case_.slider.length}));
         point_ = pointNow(0.0);
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);

@@ -20,7 +20,7 @@ DiskUnderSprings::DiskUnderSprings(const Case& c)
     place_[SpringModel::Pad] = {middle + c.onoYamane.padDistance, across};
     place_[SpringModel::Front] = {middle - c.springs.frontDistance, across};
     place_[SpringModel::Rear] = {middle + c.springs.rearDistance, across};
-    recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across});
+    recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across, c.slider.length});
     if (!hasFile(c.diskSurface)) return;
     const UniformGrid finest = surface_.period(); // of the finest map; the same across where it is a profile
     const Velocity along{velocity_.x, finest.ny > 1 ? velocity_.y : 0.0};
