@@ -21,7 +21,7 @@ constexpr double likeHeight = 0.8;        // of the highest place [-]
 constexpr double countedDepth = 0.25;     // of the deepest pit, and likewise of a height [-]
 constexpr double closeTracks = 0.25;      // of a bump's width [-]
 constexpr double leastHeight = 1e-13;     // that counts, of its share that moves the slider [m]
-constexpr double mostTracks = 1e6, mostPlaces = 1 << 20, mostHeights = 1e7;
+constexpr double mostTracks = 1e6, mostPlaces = 1 << 20, mostLines = 16, mostHeights = 1e7;
 
 double square(double x) { return x * x; }
 
@@ -160,7 +160,7 @@ std::vector<double> aboveLocalMean(const std::vector<double>& heights, double pl
     return above;
 }
 
-/// Of a map with these points, along the middle of the strip: over all of the path until its tracks are dense.
+/// Of a map with these points, along lines of the strip: over all of the path until its tracks are dense.
 double waitForMap(const DiskTopography& topography, const UniformGrid& map, const Velocity& velocity,
                   const DiskStrip& strip, const std::vector<double>& limits)
 {
@@ -169,21 +169,35 @@ double waitForMap(const DiskTopography& topography, const UniformGrid& map, cons
     if (velocity.x == 0.0) return askew ? periodOf(width, velocity.y) : 0.0;
     const double apart = 2.0 * map.dy + (strip.outer - strip.inner);
     const double tracks = askew ? tracksUntilDense(track * velocity.y / velocity.x, width, apart) : 1.0;
-    const auto count = std::size_t(std::clamp(tracks * map.nx, 1.0, mostPlaces));
+    const double across = map.ny > 1 ? std::min(strip.outer - strip.inner, width) : 0.0;
+    const double lines = 1.0 + std::floor(std::min(mostLines - 1.0, across / (2.0 * map.dy)));
+    const auto count = std::size_t(std::clamp(tracks * map.nx, 1.0, mostPlaces / lines));
     const double interval = map.dx / std::abs(velocity.x), slope = askew ? velocity.y / velocity.x : 0.0;
-    const double middle = 0.5 * (strip.inner + strip.outer);
-    std::vector<double> heights(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const double x = double(i) * map.dx;
-        heights[i] = topography.height(x, middle + slope * x);
+    std::vector<std::vector<double>> heights; // the first line is the middle of the strip
+    for (double line = 0.0; line < lines; ++line) {
+        const double y = 0.5 * (strip.inner + strip.outer) + across * std::remainder(line / lines, 1.0);
+        std::vector<double>& each = heights.emplace_back(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const double x = double(i) * map.dx;
+            each[i] = topography.height(x, y + slope * x);
+        }
     }
-    std::vector<Passage> passages(count);
+    std::vector<Passage> passages(2 * count); // at each place the highest of the lines and the deepest
     double longest = 0.0;
     for (const double limit : limits) {
-        const std::vector<double> above = aboveLocalMean(heights, 1.0 / (limit * interval));
-        for (std::size_t i = 0; i < count; ++i) passages[i] = {double(i) * interval, above[i]};
+        double steady = 0.0;
+        for (const std::vector<double>& each : heights) {
+            const std::vector<double> above = aboveLocalMean(each, 1.0 / (limit * interval));
+            const bool first = &each == &heights.front();
+            if (first) steady = steadyAfter(above) * interval;
+            for (std::size_t i = 0; i < count; ++i) {
+                Passage &high = passages[2 * i], &deep = passages[2 * i + 1];
+                high = {double(i) * interval, first ? above[i] : std::max(high.height, above[i])};
+                deep = {double(i) * interval, first ? above[i] : std::min(deep.height, above[i])};
+            }
+        }
         const double gap = longestGap(passages, double(count) * interval);
-        if (gap > 0.0) longest = std::max({longest, gap, steadyAfter(above) * interval});
+        if (gap > 0.0) longest = std::max({longest, gap, steady});
     }
     return longest;
 }

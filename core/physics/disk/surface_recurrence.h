@@ -7,7 +7,8 @@
 //              all times at which T may begin): after 0.56 periods of one wave, 1.1 beats of two equal waves, 32/B of
 //              many equal waves whose frequencies fill a band B;
 //   maps       generated or measured: likewise, of the heights along the path; and at least the longest path between
-//              two places that are 0.8 times as high as the highest one, or as deep as the deepest one;
+//              two places that are 0.8 times as high as the highest one, or as deep as the deepest one; of a wide
+//              slider on up to 16 lines of its strip;
 //   bumps      the longest path between two that are 0.8 times as high as the highest one; likewise for pits.
 //
 // Pits do not stand for bumps, as only bumps touch; those below a quarter of the others do not count. If the disk moves
