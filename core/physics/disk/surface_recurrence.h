@@ -6,16 +6,21 @@
 //   waves      their sum beats. The mean square over a time T differs from the long mean by less than a fifth (RMS over
 //              all times at which T may begin): after 0.56 periods of one wave, 1.1 beats of two equal waves, 32/B of
 //              many equal waves whose frequencies fill a band B;
-//   roughness  likewise: for Gaussian heights over a path of length s the RMS deviation of the mean square is
-//              sqrt(2 I/s), I the integral of the squared autocorrelation along the path;
-//   a file     likewise, of the heights above the local mean; and at least the longest path between two places that are
-//              0.8 times as far from it as the furthest one;
-//   bumps      the longest path between two that are at least 0.6 times as strong as the strongest one. If the disk
-//              moves askew, the path comes back beside itself after each track: all the tracks count until the paths
-//              lie as close together as a quarter of the bump's width.
+//   maps       generated or measured: likewise, of the heights along the path; and at least the longest path between
+//              two places that are 0.8 times as high as the highest one, or as deep as the deepest one; of a wide
+//              slider on up to 16 lines of its strip;
+//   bumps      the longest path between two that are 0.8 times as high as the highest one; likewise for pits.
 //
-// A map's wait is no longer than its period. A slider follows long waves. So a wave or a bump counts with the share
-// f^2/(f^2 + f0^2) of its height: f is the frequency at which it passes, f0 that of an oscillating slider.
+// Pits do not stand for bumps, as only bumps touch; those below a quarter of the others do not count. If the disk moves
+// askew, the path comes back beside itself after each track: all the tracks count until the paths lie as close together
+// as two points of the map, or a quarter of the bump's width.
+//
+// A slider follows long waves, but how long these are depends on it. What it does not follow of a wave or a bump is the
+// share f^2/(f^2 + f0^2) of its height, f being the frequency at which it passes; of a map the height above the mean
+// over the time 1/f0. The limit f0 is at most that of an oscillating slider, 300 kHz, and at least that at which the
+// surface passes once along the slider: where the surface is longer, all of the slider sees the same height. The wait
+// is the longest of those for all limits between. So no high frequent feature stands for a rare long one, nor a high
+// long one for a rare short one.
 #pragma once
 
 #include "core/physics/disk/disk_surface.h"
@@ -31,12 +36,13 @@ struct SurfaceRecurrence {
     bool moves() const { return wait > 0.0; }
 };
 
-/// The strip of the disk under the slider; for points on one line the line [m].
+/// The strip of the disk under the slider.
 struct DiskStrip {
-    double inner = 0.0, outer = 0.0;
+    double inner = 0.0, outer = 0.0; // the same for points on one line [m]
+    double length = 0.0;             // of the slider [m]
 };
 
-/// Of a surface without problems that moves at this velocity under a strip.
+/// Of a surface without problems that moves at this velocity under a slider.
 SurfaceRecurrence surfaceRecurrence(const DiskSurface& surface, const DiskTopography& topography,
                                     const Velocity& velocity, const DiskStrip& strip);
 

@@ -176,7 +176,7 @@ private:
                           looksEach * finestPassage(case_.diskSurface, scene_.topography, scene_.disk->velocity()),
                           run_);
         run_.moveOver(surfaceRecurrence(case_.diskSurface, scene_.topography, scene_.disk->velocity(),
-                                        {0.0, case_.slider.width}));
+                                        {0.0, case_.slider.width, case_.slider.length}));
         point_ = pointNow(0.0);
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);

@@ -121,16 +121,17 @@ std::size_t landingOf(const MotionSamples& samples)
     return 0;
 }
 
-/// Of the last part, in samples: the share of the time after the landing; over a moving surface up to half of it, where
-/// the rarest feature or the whole surface needs this, and whole periods of the surface.
+/// Of the last part, in samples: the share of the time after the landing; over a moving surface up to half of the run
+/// without the landing, where the rarest feature or the whole surface needs this, and whole periods of the surface.
 double lengthOfPart(const MotionSamples& samples, std::size_t landing, double share)
 {
-    const double all = double(samples.spacing.size() - landing), half = 0.5 * all;
+    const double all = double(samples.spacing.size() - landing);
     double length = share * all;
     if (samples.surface.moves()) {
         const double wait = samples.surface.wait / samples.interval, period = samples.surface.period / samples.interval;
-        if (length < wait) length = std::min(wait, half);
-        if (period <= half) length = std::max(1.0, std::floor(length / period)) * period;
+        const double most = std::min(0.5 * double(samples.spacing.size()), all);
+        if (length < wait) length = std::min(wait, most);
+        if (period <= most) length = std::max(1.0, std::floor(length / period)) * period;
     }
     return std::max(1.0, length);
 }
@@ -164,9 +165,11 @@ MotionEvidence evidenceOf(const MotionSamples& samples, std::size_t landing, dou
     const auto length = std::size_t(wanted);
     MotionEvidence evidence{.share = share, .parts = 0, .surface = samples.surface};
     evidence.length = wanted * samples.interval;
-    evidence.landing = double(landing) * samples.interval + samples.first;
+    evidence.duration = double(count) * samples.interval;
+    // Over a moving surface the part before the last may hold the landing: it then differs, or does not matter.
+    const std::size_t from = samples.surface.moves() ? 0 : landing;
     std::size_t begin = count;
-    for (; evidence.parts < evidence.swings.size() && begin >= landing + length; begin -= length)
+    for (; evidence.parts < evidence.swings.size() && begin >= from + length; begin -= length)
         evidence.swings[evidence.parts++] = Part(samples, begin - length, begin).swing();
     evidence.oneLaw = Part(samples, begin, count).touch() != Touch::AtTimes;
     const Part last(samples, count - length, count);
@@ -219,8 +222,10 @@ std::string ruleOf(const MotionEvidence& evidence, Motion motion)
         return std::string(repeats ? "the disk's surface repeats under the slider every "
                                    : "the rarest feature of the disk's surface comes under the slider within every ") +
                fewDigitsOfTime(repeats ? evidence.surface.period : evidence.surface.wait, 3) +
-               ", and half of the run after the landing is " + part + ": a run of " +
-               fewDigitsOfTime(evidence.telling(), 2) + " can tell";
+               (evidence.lastsSoLong()
+                    ? ", and the run after the landing is " + part + ": a longer run can tell"
+                    : ", and half of the run without the landing is " + part + ": a run of at least " +
+                          fewDigitsOfTime(evidence.telling(), 2) + " is needed to tell");
     }
     const bool small = isSmall(evidence);
     std::string figures =
@@ -304,7 +309,7 @@ bool MotionEvidence::isSteady() const
 
 double MotionEvidence::telling() const
 {
-    const double time = 1.02 * (landing + 2.0 * surface.wait); // a little more: the parts are whole samples
+    const double time = 1.02 * 2.0 * surface.wait; // a little more: the parts are whole samples
     const double digit = std::pow(10.0, std::floor(std::log10(time)) - 1.0);
     return std::ceil(time / digit) * digit;
 }

@@ -14,8 +14,9 @@
 //
 // The landing is left out: the run counts from the first time at which s enters the range that it has in the last
 // tenth. The last part is the last tenth of the time from then on, or the last fifth or third where a shorter part
-// holds less than 3 periods. Over a moving surface it is the last third, or up to half where the wait for the rarest
-// feature is longer (core/physics/disk/surface_recurrence.h), and whole periods of the surface where these fit in. The
+// holds less than 3 periods. Over a moving surface it is the last third, or up to half of the whole run where the wait
+// for the rarest feature is longer (core/physics/disk/surface_recurrence.h), and whole periods of the surface where
+// these fit in; the part before it may then hold the landing. The
 // swing decays if it is below 90 % of that in the part before. It decays slowly if over the last six parts the contact
 // neither begins nor ends, and the swings of the last three are below 97 % of those of the three before, in the mean.
 // Over a moving surface, where the swing of a part is random, the standard deviation decays if it is below 60 % of that
@@ -91,7 +92,7 @@ struct MotionEvidence {
     bool switchedLately = false;                     // contact began or ended in the last third or two parts
     std::size_t samples = MotionRule::fewestSamples; // there
     double length = 0.0;                             // of the last part [s]
-    double landing = 0.0;                            // when it ended [s]
+    double duration = 0.0;                           // of all samples [s]
     SurfaceRecurrence surface{};
     double swing() const { return swings[0]; }
     bool decays() const { return decaysFast() || decaysSlowly(); }
@@ -107,8 +108,9 @@ struct MotionEvidence {
     {
         return periods < MotionRule::fewestPeriods && !(surface.moves() && length > almost * surface.period);
     }
-    /// A run of this duration holds it, in two digits [s].
+    /// The shortest run whose half holds it, in two digits [s].
     double telling() const;
+    bool lastsSoLong() const { return duration > almost * telling(); }
     bool movesOn() const;
 
 private:

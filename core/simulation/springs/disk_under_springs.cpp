@@ -20,7 +20,7 @@ DiskUnderSprings::DiskUnderSprings(const Case& c)
     place_[SpringModel::Pad] = {middle + c.onoYamane.padDistance, across};
     place_[SpringModel::Front] = {middle - c.springs.frontDistance, across};
     place_[SpringModel::Rear] = {middle + c.springs.rearDistance, across};
-    recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across});
+    recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across, c.slider.length});
 }
 
 double DiskUnderSprings::passage() const

@@ -88,12 +88,13 @@ private:
                 end = jump->frequency();
             };
             if (last + 1 < task_.frequencies.size()) name(jumpBetween(task_, result_, last, last + 1, false), upper);
-            if (first > 0)
-                name(jumpBetween(task_, result_, first, first - 1, true), lower);
-            else
-                parts.push_back("down: no jump above " + frequencyText().of(lower));
-            const std::string states =
-                "two states between " + frequencyText().of(lower) + " and " + frequencyText().of(upper) + ".";
+            if (first > 0) name(jumpBetween(task_, result_, first, first - 1, true), lower);
+            const auto end = [&](double frequency) {
+                return frequencyText().of(frequency) + (frequency == task_.frequencies.front()  ? ", the lowest one,"
+                                                        : frequency == task_.frequencies.back() ? ", the highest one"
+                                                                                                : "");
+            };
+            const std::string states = "two states between " + end(lower) + " and " + end(upper) + ".";
             findings_.push_back(capitalized(parts.empty() ? states : joined(parts, "; ") + ": " + states));
         }
         std::vector<std::string> further;

@@ -15,8 +15,9 @@ using namespace touchdown;
 
 namespace test_surface_recurrence {
 
-constexpr double speed = 10.0; // [m/s]
-constexpr DiskStrip line{0.5e-3, 0.5e-3};
+constexpr double speed = 10.0;        // [m/s]
+constexpr double sliderLength = 1e-3; // [m]
+constexpr DiskStrip line{0.5e-3, 0.5e-3, sliderLength};
 
 SurfaceRecurrence of(const DiskSurface& surface, const Velocity& velocity = {speed, 0.0}, const DiskStrip& strip = line)
 {
@@ -109,23 +110,62 @@ private slots:
     {
         const SurfaceRecurrence one = of(bumps({1e-3}, {12e-9}));
         QVERIFY(std::abs(one.period - 1e-3) < 1e-15 && std::abs(one.wait - 1e-3) < 1e-15);
-        QVERIFY(std::abs(of(bumps({1e-3, 4e-3}, {12e-9, -10e-9})).wait - 0.7e-3) < 1e-15);
+        QVERIFY(std::abs(of(bumps({1e-3, 4e-3}, {12e-9, 10e-9})).wait - 0.7e-3) < 1e-15);
+        QVERIFY(std::abs(of(bumps({1e-3, 4e-3}, {-12e-9, -10e-9})).wait - 0.7e-3) < 1e-15);
         QVERIFY(std::abs(of(bumps({1e-3, 4e-3}, {12e-9, 3e-9})).wait - 1e-3) < 1e-15);
         DiskSurface beside = bumps({1e-3}, {12e-9});
         beside.bumpY = {0.0};
         QVERIFY(!of(beside).moves());
-        QVERIFY(std::abs(of(beside, {speed, 0.0}, {0.0, 1e-3}).wait - 1e-3) < 1e-15);
+        QVERIFY(std::abs(of(beside, {speed, 0.0}, {0.0, 1e-3, sliderLength}).wait - 1e-3) < 1e-15);
         QVERIFY(!of(beside, {}).moves());
     }
-    /// Askew, the path comes back 15 um beside itself after each track: the bump, 60 um wide, is met at 60 % or more of
-    /// its height while r^2 < ln(1/0.6)/4.5 = 0.1135, that is over 2 * 0.337 * 30 um = 20.2 um, once or twice in 200
-    /// um.
+    /// Pits every millimetre do not stand for one bump a track: only the bump may touch. One that is lower than a
+    /// quarter of their depth does not count.
+    void pitsHideNoBump()
+    {
+        const auto wait = [](double bump) {
+            std::vector<double> x, heights(10, -8e-9);
+            for (int i = 0; i < 10; ++i) x.push_back((i + 0.5) * 1e-3);
+            heights[4] = bump;
+            return of(bumps(x, heights)).wait;
+        };
+        QVERIFY(std::abs(wait(6e-9) - 1e-3) < 1e-15);
+        QVERIFY(std::abs(wait(1.5e-9) - 0.2e-3) < 1e-15); // of the other nine pits
+    }
+    /// One high bump a track between low ones every millimetre counts, however long it is: a slider of 1 mm sees
+    /// different heights of it at one time. At f0 = 10 kHz, once along the slider, the share f^2/(f^2 + f0^2) is 1/5 of
+    /// 20 nm if it is 2 mm long, 4 nm, and nearly all of the low ones, 0.1 nm. At 300 kHz it is 1/3601, 5.6 pm, less
+    /// than the 24 pm of low ones 60 um long. A long one that is low itself needs no wait.
+    void aLongBumpAmongShortOnes()
+    {
+        const auto wait = [](double high, double longest, double low) {
+            std::vector<double> x, heights(10, low);
+            for (int i = 0; i < 10; ++i) x.push_back((i + 0.5) * 1e-3);
+            DiskSurface surface = bumps(x, heights);
+            surface.bumpHeights[4] = high;
+            surface.bumpLengths[4] = longest;
+            surface.bumpShape = BumpShape::Cosine; // which does not reach the next one
+            return of(surface).wait;
+        };
+        for (const double longest : {60e-6, 300e-6, 800e-6, 2e-3})
+            QVERIFY2(std::abs(wait(40e-9, longest, 1e-9) - 1e-3) < 1e-15, qPrintable(QString::number(longest)));
+        QVERIFY(std::abs(wait(20e-9, 2e-3, 0.1e-9) - 1e-3) < 1e-15);
+        QVERIFY(wait(0.1e-9, 1.5e-3, 1e-9) < 0.21e-3);
+        // Nor do long ones hide a short one.
+        DiskSurface surface = bumps({0.5e-3, 2.5e-3, 4.5e-3, 6.5e-3, 8.5e-3}, std::vector<double>(5, 40e-9));
+        surface.bumpLengths = {1e-3, 1e-3, 30e-6, 1e-3, 1e-3};
+        surface.bumpHeights[2] = 5e-9;
+        QVERIFY(std::abs(of(surface).wait - 1e-3) < 1e-15);
+    }
+    /// Askew, the path comes back 15 um beside itself after each track: the bump, 60 um wide, is met at 80 % or more of
+    /// its height while r^2 < ln(1/0.8)/4.5 = 0.0496, that is over 2 * 0.223 * 30 um = 13.4 um, at most once in 200 um.
     void bumpsAskew()
     {
         const SurfaceRecurrence askew = of(bumps({1e-3}, {12e-9}), {speed, speed * 15e-6 / 10e-3});
         QVERIFY2(askew.wait >= 11.9e-3 && askew.wait <= 14.1e-3, qPrintable(QString::number(askew.wait)));
         // A bump of 12 nm every 0.2 mm under a slider of 1 mm: each track has it.
-        const SurfaceRecurrence wide = of(bumps({1e-3}, {12e-9}), {speed, speed * 15e-6 / 10e-3}, {0.0, 1e-3});
+        const SurfaceRecurrence wide =
+            of(bumps({1e-3}, {12e-9}), {speed, speed * 15e-6 / 10e-3}, {0.0, 1e-3, sliderLength});
         QVERIFY(std::abs(wide.wait - 1e-3) < 1e-9);
     }
     /// Against the widest gap of the tracks themselves.
@@ -150,17 +190,56 @@ private slots:
         QCOMPARE(tracksUntilDense(0.0, 1.0, 0.1), 1.0);
         QCOMPARE(tracksUntilDense(1.25, 1.0, 0.1), 4.0); // closes
     }
-    /// Roughness is steady after sqrt(2 I/s) = 1/5, I = lc sqrt(pi/2): 62.7 correlation lengths.
+    /// The path over roughness: without skew one track, askew all of the map, whose highest place counts.
     void roughness()
     {
         DiskSurface surface;
         surface.kind = DiskSurfaceKind::Rough;
-        surface.correlationLength = 2e-6;
-        const SurfaceRecurrence rough = of(surface);
-        QVERIFY(std::abs(rough.wait - 62.67 * 2e-6 / speed) < 1e-8);
-        QVERIFY(std::abs(rough.period - 1e-4) < 1e-15);
-        surface.correlationLength = 20e-6; // the track of 1 mm is shorter
-        QVERIFY(std::abs(of(surface).wait - 1e-4) < 1e-15);
+        surface.correlationLength = 4e-6;
+        surface.cell = 1e-6;
+        surface.track = 0.4e-3;
+        surface.trackWidth = 64e-6;
+        QVERIFY(std::abs(of(surface).period - 4e-5) < 1e-15);
+        QVERIFY(of(surface).wait <= 4e-5 + 1e-12 && of(surface).wait > 1e-5);
+        // 10 um beside itself after each track: the middles of 64 um are 2 um apart after 32 of them, 1.28 ms.
+        const Velocity askew{speed, speed * 10.0 / 400.0};
+        const double wait = of(surface, askew).wait;
+        QVERIFY2(wait > 4e-5 && wait <= 1.28e-3, qPrintable(QString::number(wait)));
+        // Along any part of the path of that length there is a place at least 0.8 times as high as the highest one.
+        const DiskTopography topography(surface);
+        const int count = 32 * 400, part = int(std::ceil(wait * speed / surface.cell));
+        std::vector<double> heights(std::size_t(2 * count));
+        for (int i = 0; i < 2 * count; ++i) {
+            const double x = (i % count) * surface.cell;
+            heights[std::size_t(i)] = topography.height(x, 0.5e-3 + 0.025 * x);
+        }
+        const double high = 0.8 * *std::ranges::max_element(heights);
+        int since = 0, longest = 0;
+        for (const double height : heights) {
+            since = height > high ? 0 : since + 1;
+            longest = std::max(longest, since);
+        }
+        QVERIFY2(longest <= part, qPrintable(QString("%1 %2").arg(longest).arg(part)));
+        // A slider as wide as the map sees all of it in one track, and meets high places more often than a line of it.
+        QVERIFY(of(surface, {speed, 0.0}, {0.0, 64e-6, sliderLength}).wait < of(surface).wait);
+        QVERIFY(of(surface, askew, {0.0, 64e-6, sliderLength}).wait <= 4e-5 + 1e-12);
+    }
+    /// A profile of 10 beats of two equal waves, 60 and 62 um long. The mean over n beats leaves sin(pi n)/(pi n) of a
+    /// cosine, its RMS is that over sqrt 2, and a fifth for n = 0.764; the times tried differ by 1.1. The places at
+    /// least 0.8 times as high as the highest one are less apart: 1 - 2 arccos(0.8)/pi = 0.59 beats and a wave. A beat
+    /// is 1.86 mm long.
+    void aBeatOfAProfile()
+    {
+        DiskSurface surface;
+        surface.kind = DiskSurfaceKind::File;
+        surface.file = "profile.txt";
+        HeightMap map{.nx = 18600, .ny = 1, .dx = 1e-6, .dy = 1e-6, .heights = {}};
+        map.closedX = true;
+        for (int i = 0; i < map.nx; ++i)
+            map.heights.push_back(
+                1e-9 * (std::sin(2.0 * std::numbers::pi * i / 60.0) + std::sin(2.0 * std::numbers::pi * i / 62.0)));
+        const double wait = surfaceRecurrence(surface, DiskTopography(surface, map), {speed, 0.0}, line).wait;
+        QVERIFY2(wait > 0.76 * 186e-6 && wait < 1.1 * 0.77 * 186e-6, qPrintable(QString::number(wait)));
     }
     /// A profile of 100 mm: of dense roughness a part tells, of one bump only the whole, also where it adds little to
     /// the mean square: 4^2 * 18 um of 0.3^2 * 100 mm, 3 %.
@@ -174,7 +253,7 @@ private slots:
             return surfaceRecurrence(surface, topography, {speed, 0.0}, line);
         };
         QVERIFY(std::abs(wait(0.0).period - 10e-3) < 1e-12);
-        QVERIFY2(wait(0.0).wait < 2e-3, qPrintable(QString::number(wait(0.0).wait)));
+        QVERIFY2(wait(0.0).wait < 5e-3, qPrintable(QString::number(wait(0.0).wait)));
         QVERIFY2(wait(4e-9).wait > 9.98e-3, qPrintable(QString::number(wait(4e-9).wait)));
         QVERIFY2(wait(8e-9).wait > 9.98e-3 && wait(8e-9).wait <= 10e-3, qPrintable(QString::number(wait(8e-9).wait)));
     }

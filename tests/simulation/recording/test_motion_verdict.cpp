@@ -189,6 +189,33 @@ private slots:
         QCOMPARE(judged(6e-6, INFINITY).motion, Motion::TooShort);
         QCOMPARE(judged(3e-6, INFINITY).motion, Motion::AtRest);
     }
+    /// The time that a short run names is enough, however long the landing takes: a run of that time waits for the
+    /// surface no more. One that lands later does so without a time.
+    void theNamedTimeIsEnough()
+    {
+        const auto judged = [](double landing, double duration) {
+            MotionSamples samples;
+            samples.interval = 1e-8;
+            samples.surface = {.period = 6e-6, .wait = 6e-6};
+            for (int i = 0; i * samples.interval < duration; ++i) {
+                const double time = i * samples.interval;
+                samples.add(7e-9 + 0.1e-9 * std::sin(6.28 * time / 0.5e-6) +
+                                20e-9 * std::max(0.0, 1.0 - time / landing),
+                            Touch::Never);
+            }
+            return judgeMotion(samples);
+        };
+        for (const double landing : {1e-6, 3e-6, 6e-6}) {
+            QVERIFY(judged(landing, 8e-6).rule.find("at least 13 us") != std::string::npos);
+            QVERIFY2(judged(landing, 13e-6).rule.find("surface repeats") == std::string::npos,
+                     qPrintable(QString::fromStdString(judged(landing, 13e-6).rule)));
+        }
+        const std::string late = judged(9e-6, 13e-6).rule;
+        QVERIFY(late.find("surface repeats") != std::string::npos && late.find("at least") == std::string::npos);
+        QCOMPARE(judged(1e-6, 13e-6).motion, Motion::Swings);
+        QCOMPARE(judged(6e-6, 13e-6).motion, Motion::TooShort); // the landing is in the part before
+        QCOMPARE(judged(6e-6, 26e-6).motion, Motion::Swings);
+    }
     /// A dip of 0.1 us every 2.3 us, at the end of a part of 3 us or not: whole periods hold as many each, so that the
     /// motion lasts. The last two periods of 2.3 us begin at 5.4 us.
     void wholePeriodsOfTheSurface()

@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include "core/studies/response/response_report.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -82,6 +83,34 @@ private slots:
         QCOMPARE(jumpBetween(task, result, 0, 1, false)->frequency(), 18.0);
         QCOMPARE(jumpBetween(task, result, 1, 0, true)->frequency(), 12.0);
         QVERIFY(jumpBetween(task, result, 1, 2, false) == nullptr);
+    }
+
+    /// Two states from the lowest frequency on, and a jump downwards between them: the sentence about the two states
+    /// says that they reach the lowest frequency, and nothing about jumps that are not there.
+    void twoStatesUpToAnEnd()
+    {
+        ResponseTask task;
+        task.frequencies = {10e3, 11e3, 12e3, 13e3, 14e3};
+        task.quantity.displayUnit = "nm";
+        const auto jump = [](bool down, double frequency, double before, double after) {
+            ResponseJump found;
+            found.down = down;
+            found.beyond = frequency;
+            found.before = pointOf(frequency, before, down).motion;
+            found.after = pointOf(frequency, after, down).motion;
+            return found;
+        };
+        ResponseResult result = resultOf({1e-9, 1e-9, 1e-9, 1e-9, 3e-9}, {2e-9, 2e-9, 3e-9, 3e-9, 3e-9});
+        result.linear.resize(5);
+        result.jumps = {jump(false, 13.5e3, 1e-9, 3e-9), jump(true, 11.5e3, 3e-9, 2e-9)};
+        std::vector<std::string> findings = responseFindings(task, result);
+        QCOMPARE(findings[0], std::string("Up: rises from 1 nm to 3 nm at 13.5 kHz: two states between 10 kHz, the "
+                                          "lowest one, and 13.5 kHz."));
+        QCOMPARE(findings[1], std::string("Down: falls from 3 nm to 2 nm at 11.5 kHz."));
+        result.jumps.erase(result.jumps.begin());
+        result.points[4] = pointOf(4, 1e-9, false);
+        findings = responseFindings(task, result);
+        QCOMPARE(findings[0], std::string("Two states between 10 kHz, the lowest one, and 14 kHz, the highest one."));
     }
 
     void pointsOfBothWays()

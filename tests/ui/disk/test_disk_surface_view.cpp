@@ -252,7 +252,7 @@ void TestDiskSurfaceView::makesNothingWhileHidden()
     std::atomic<int> made = 0;
     DiskSurfaceView view(nullptr, [&made](const Case&) {
         ++made;
-        return DiskSurfacePreview{"made", {}, {}, {}, {}, {}};
+        return DiskSurfacePreview{"made", {}, {}, {}, {}, 0.0, {}};
     });
     view.setCase(roughCase());
     QVERIFY(!view.controller().busy());
