@@ -197,8 +197,7 @@ PeriodicSpline::PeriodicSpline(int nx, int ny, double dx, double dy, std::vector
 }
 
 /// From the coefficients. A value between two points has those from one before to one behind them. Its second
-/// derivatives are means of second differences among them, with weights of sum 1; no direction has more than the larger
-/// of those along x and y with the mixed one (Gershgorin 1931).
+/// derivatives are means of second differences among them, with weights of sum 1.
 void PeriodicSpline::setBlocks()
 {
     blocksX_ = (nx_ + boundBlock - 1) / boundBlock;
@@ -225,10 +224,10 @@ void PeriodicSpline::setBlocks()
                         mixed = std::max(mixed, std::abs(c(i + 1, j + 1) - c(i, j + 1) - c(i + 1, j) + here));
                 }
             blockUpper_.push_back(atLeast(most));
-            blockCurvature_.push_back(
-                atLeast(std::max(along / (dx_ * dx_), across / (dy_ * dy_)) + mixed / (dx_ * dy_)));
+            blockCurvatureX_.push_back(atLeast(along / (dx_ * dx_) + mixed / (dx_ * dy_)));
+            blockCurvatureY_.push_back(atLeast(across / (dy_ * dy_) + mixed / (dx_ * dy_)));
         }
-    mostCurved_ = std::ranges::max(blockCurvature_);
+    mostCurved_ = {std::ranges::max(blockCurvatureX_), std::ranges::max(blockCurvatureY_)};
 }
 
 double PeriodicSpline::upperBound(double x0, double x1, double y0, double y1) const
@@ -236,9 +235,10 @@ double PeriodicSpline::upperBound(double x0, double x1, double y0, double y1) co
     return mostOf(blockUpper_, upper_, x0, x1, y0, y1);
 }
 
-double PeriodicSpline::curvature(double x0, double x1, double y0, double y1) const
+CurvatureBound PeriodicSpline::curvature(double x0, double x1, double y0, double y1) const
 {
-    return mostOf(blockCurvature_, mostCurved_, x0, x1, y0, y1);
+    return {mostOf(blockCurvatureX_, mostCurved_.x, x0, x1, y0, y1),
+            mostOf(blockCurvatureY_, mostCurved_.y, x0, x1, y0, y1)};
 }
 
 double PeriodicSpline::mostOf(const std::vector<float>& blocks, double all, double x0, double x1, double y0,

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
+#include "core/numerics/curvature_bound.h"
 
 namespace touchdown {
 
@@ -43,8 +44,8 @@ public:
     double lowerBound() const { return lower_; }
     /// A bound of the values in a rectangle: the largest coefficient of the blocks of 4 x 4 cells that it meets.
     double upperBound(double x0, double x1, double y0, double y1) const;
-    /// A bound there of the second derivative in any direction [unit of the values/m^2], of the same blocks.
-    double curvature(double x0, double x1, double y0, double y1) const;
+    /// A bound there, of the same blocks.
+    CurvatureBound curvature(double x0, double x1, double y0, double y1) const;
 
 private:
     void setBlocks();
@@ -53,9 +54,10 @@ private:
     int nx_ = 0, ny_ = 0;
     double dx_ = 0.0, dy_ = 0.0;
     std::vector<double> sums_; // S
-    double upper_ = 0.0, lower_ = 0.0, mostCurved_ = 0.0;
+    double upper_ = 0.0, lower_ = 0.0;
+    CurvatureBound mostCurved_;
     int blocksX_ = 0, blocksY_ = 0;
-    std::vector<float> blockUpper_, blockCurvature_; // row by row
+    std::vector<float> blockUpper_, blockCurvatureX_, blockCurvatureY_; // row by row
 };
 
 } // namespace touchdown

@@ -48,7 +48,8 @@ DiskSurfacePreview previewOf(const Case& c)
     made.statistics = surfaceStatistics(c.diskSurface, made.topography);
     if (c.model != ModelKind::Contact) {
         const double middle = 0.5 * c.slider.width;
-        const DiskStrip strip = c.model == ModelKind::Film ? DiskStrip{0.0, c.slider.width} : DiskStrip{middle, middle};
+        DiskStrip strip{middle, middle, c.slider.length};
+        if (c.model == ModelKind::Film) strip = {0.0, c.slider.width, c.slider.length};
         made.repeat =
             surfaceRecurrence(c.diskSurface, made.topography, surfaceVelocity(c, made.topography), strip).period;
     }
@@ -132,7 +133,7 @@ std::vector<QStringList> diskStatistics(const DiskSurfacePreview& preview, const
     if (period.ny == 1) rows.erase(rows.begin() + 4); // a profile has no slope across
     if (preview.repeat > 0.0)
         rows.push_back(
-            {tr("Repeats"), std::isfinite(preview.repeat) ? timeText(preview.repeat, locale) : tr("never"), {}});
+            {tr("Repeats"), std::isfinite(preview.repeat) ? timeText(preview.repeat, locale) : tr("not known"), {}});
     if (rough && asked.seed >= 0) rows.push_back({tr("Seed"), QString::number(asked.seed), {}});
     return rows;
 }

@@ -103,7 +103,7 @@ double Bumps::upperBound(double x0, double x1, double y0, double y1) const
     return sum;
 }
 
-double Bumps::curvature(double x0, double x1, double y0, double y1) const
+CurvatureBound Bumps::curvature(double x0, double x1, double y0, double y1) const
 {
     const auto squares = [](double u, double v) { return u * u + v * v; };
     const auto mostBent = [&](double rr) { // by r, up to there
@@ -118,12 +118,12 @@ double Bumps::curvature(double x0, double x1, double y0, double y1) const
     forCopies(x0, x1, y0, y1, [&](const Bump& b, double cx, double cy) {
         const double near =
             squares((std::clamp(cx, x0, x1) - cx) / b.halfLength, (std::clamp(cy, y0, y1) - cy) / b.halfWidth);
-        if (near >= reach_ * reach_) return;
+        if (near >= reach_ * reach_ || b.height == 0.0) return;
         const double far = squares(std::max(cx - x0, x1 - cx) / b.halfLength, std::max(cy - y0, y1 - cy) / b.halfWidth),
                      half = std::min(b.halfLength, b.halfWidth);
         sum += std::abs(b.height) * mostBent(far) / (half * half);
     });
-    return sum;
+    return {sum, sum};
 }
 
 double Bumps::height(double x, double y) const

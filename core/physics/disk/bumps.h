@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
+#include "core/numerics/curvature_bound.h"
 #include "core/physics/disk/disk_point.h"
 #include "core/physics/disk/disk_surface.h"
 
@@ -37,8 +38,8 @@ public:
     double lowest() const { return lowest_; }
     /// A bound of the height in a rectangle [m].
     double upperBound(double x0, double x1, double y0, double y1) const;
-    /// A bound of the second derivative in any direction there [1/m]: infinity at the base of an ellipsoid.
-    double curvature(double x0, double x1, double y0, double y1) const;
+    /// A bound there: infinity at the base of an ellipsoid.
+    CurvatureBound curvature(double x0, double x1, double y0, double y1) const;
 
 private:
     struct Bump {

@@ -115,9 +115,10 @@ double DiskTopography::upperBound(double x0, double x1, double y0, double y1) co
     return sum;
 }
 
-double DiskTopography::curvature(double x0, double x1, double y0, double y1) const
+CurvatureBound DiskTopography::curvature(double x0, double x1, double y0, double y1) const
 {
-    double sum = waves_.curvature() + bumps_.curvature(x0, x1, y0, y1);
+    CurvatureBound sum = waves_.curvature();
+    sum += bumps_.curvature(x0, x1, y0, y1);
     for (const PeriodicSpline& map : maps_) sum += map.curvature(x0, x1, y0, y1);
     return sum;
 }

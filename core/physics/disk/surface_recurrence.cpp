@@ -170,7 +170,9 @@ double waitForMap(const DiskTopography& topography, const UniformGrid& map, cons
     const double apart = 2.0 * map.dy + (strip.outer - strip.inner);
     const double tracks = askew ? tracksUntilDense(track * velocity.y / velocity.x, width, apart) : 1.0;
     const double across = map.ny > 1 ? std::min(strip.outer - strip.inner, width) : 0.0;
-    const double lines = 1.0 + std::floor(std::min(mostLines - 1.0, across / (2.0 * map.dy)));
+    // The whole of the path before more than one line of it.
+    const double most = std::min(mostLines - 1.0, across / (2.0 * map.dy)),
+                 lines = 1.0 + std::floor(std::clamp(mostPlaces / (tracks * map.nx) - 1.0, 0.0, most));
     const auto count = std::size_t(std::clamp(tracks * map.nx, 1.0, mostPlaces / lines));
     const double interval = map.dx / std::abs(velocity.x), slope = askew ? velocity.y / velocity.x : 0.0;
     std::vector<std::vector<double>> heights; // the first line is the middle of the strip

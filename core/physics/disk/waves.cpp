@@ -70,10 +70,13 @@ double Waves::upperBound(double x0, double x1, double y0, double y1) const
     return sum;
 }
 
-double Waves::curvature() const
+CurvatureBound Waves::curvature() const
 {
-    double sum = 0.0;
-    for (const Wave& w : waves_) sum += std::abs(w.amplitude) * (w.kx * w.kx + w.ky * w.ky);
+    CurvatureBound sum;
+    for (const Wave& w : waves_) {
+        const double kx = std::abs(w.kx), ky = std::abs(w.ky), height = std::abs(w.amplitude);
+        sum += {height * kx * (kx + ky), height * ky * (kx + ky)};
+    }
     return sum;
 }
 

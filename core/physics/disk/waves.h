@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/numerics/cell_grid.h"
+#include "core/numerics/curvature_bound.h"
 #include "core/physics/disk/disk_point.h"
 #include "core/physics/disk/disk_surface.h"
 
@@ -28,8 +29,7 @@ public:
     double amplitude() const; // the sum of all [m]
     /// A bound of the height in a rectangle [m]: each wave's own highest point there.
     double upperBound(double x0, double x1, double y0, double y1) const;
-    /// A bound of the second derivative in any direction [1/m].
-    double curvature() const;
+    CurvatureBound curvature() const;
 
 private:
     struct Wave {

@@ -30,7 +30,7 @@ DiskClearance::DiskClearance(const Recess& recess, const MinimumSpacing& spacing
     const int tiles = 1 << knownLevels;
     for (int j = 0; j < tiles; ++j)
         for (int i = 0; i < tiles; ++i) {
-            const Sides tile = sidesOf({0.0, knownLevels, i, j});
+            const Sides tile = sidesOf({0.0, knownLevels, knownLevels, i, j});
             double least;
             if (isSmooth(tile)) {
                 const Plane plane = planeOf(tile);
@@ -55,8 +55,8 @@ DiskClearance::DiskClearance(const Recess& recess, const MinimumSpacing& spacing
 
 DiskClearance::Sides DiskClearance::sidesOf(const Box& box) const
 {
-    const double halfLength = 0.5 * recess_.length() / (1 << box.level),
-                 halfWidth = 0.5 * recess_.width() / (1 << box.level);
+    const double halfLength = 0.5 * recess_.length() / (1 << box.levelX),
+                 halfWidth = 0.5 * recess_.width() / (1 << box.levelY);
     return {(2 * box.i + 1) * halfLength, (2 * box.j + 1) * halfWidth, halfLength, halfWidth};
 }
 
@@ -113,14 +113,16 @@ DiskClearance::DiskUnder DiskClearance::under(const Sides& s, double time) const
 
 double DiskClearance::leastOf(const Box& box) const
 {
-    const int known = std::min(box.level, knownLevels), finer = box.level - known;
-    return least_[static_cast<std::size_t>(known)]
-                 [static_cast<std::size_t>((box.j >> finer) * (1 << known) + (box.i >> finer))];
+    // Up to the known levels both are the same.
+    const int known = std::min(box.levelX, knownLevels);
+    return least_[static_cast<std::size_t>(known)][static_cast<std::size_t>(
+        (box.j >> (box.levelY - known)) * (1 << known) + (box.i >> (box.levelX - known)))];
 }
 
-DiskClearance::Box DiskClearance::boxOf(int level, int i, int j, const Attitude& attitude, double time) const
+DiskClearance::Box DiskClearance::boxOf(int levelX, int levelY, int i, int j, const Attitude& attitude,
+                                        double time) const
 {
-    Box box{0.0, level, i, j};
+    Box box{0.0, levelX, levelY, i, j};
     const Sides s = sidesOf(box);
     box.bound = leastOf(box) +
                 lift(attitude, s.x + std::copysign(s.halfLength, attitude.pitch),
@@ -135,7 +137,8 @@ double DiskClearance::boundOf(const Plane& plane, const Sides& s, const Attitude
     return plane.recess + lift(attitude, s.x, s.y) - disk.height -
            std::abs(plane.slopeX - attitude.pitch - disk.slopeX) * s.halfLength -
            std::abs(plane.slopeY - attitude.roll - disk.slopeY) * s.halfWidth -
-           0.5 * disk.curvature * (s.halfLength * s.halfLength + s.halfWidth * s.halfWidth) - plane.slack;
+           0.5 * (disk.curvature.x * s.halfLength * s.halfLength + disk.curvature.y * s.halfWidth * s.halfWidth) -
+           plane.slack;
 }
 
 /// Whether the gap may be below `below` [m] in the box, and not only on edges.
@@ -144,14 +147,28 @@ bool DiskClearance::canHold(double below, const Box& box, const Sides& s, const 
 {
     if (boundOf({.recess = leastOf(box)}, s, attitude, disk) >= below) return false;
     if (isSmooth(s)) return boundOf(planeOf(s), s, attitude, disk) < below;
-    if (box.level >= edgeLevel && s.x - s.halfLength > recess_.taperLength()) {
+    if (std::min(box.levelX, box.levelY) >= edgeLevel && s.x - s.halfLength > recess_.taperLength()) {
         const Recess::Slopes form = recess_.formSlopes(s.x, s.y);
-        const double changes = disk.curvature * (s.halfLength + s.halfWidth);
-        if (std::abs(form.x - attitude.pitch - disk.slopeX) > changes ||
-            std::abs(form.y - attitude.roll - disk.slopeY) > changes)
+        const double changesX = disk.curvature.x * (s.halfLength + s.halfWidth),
+                     changesY = disk.curvature.y * (s.halfLength + s.halfWidth);
+        if (std::abs(form.x - attitude.pitch - disk.slopeX) > changesX ||
+            std::abs(form.y - attitude.roll - disk.slopeY) > changesY)
             return false; // nowhere level
     }
-    return box.level == knownLevels || boundOf({.recess = leastRecess(s, 2)}, s, attitude, disk) < below;
+    const bool tile = box.levelX == knownLevels && box.levelY == knownLevels;
+    return tile || boundOf({.recess = leastRecess(s, 2)}, s, attitude, disk) < below;
+}
+
+/// Whether the gap changes more along the box than across it.
+bool DiskClearance::halvesLength(const Box& box, const Sides& s, const Attitude& attitude, const DiskUnder& disk) const
+{
+    const Recess::Slopes form = recess_.formSlopes(s.x, s.y);
+    const double along = (std::abs(form.x - attitude.pitch - disk.slopeX) + 0.5 * disk.curvature.x * s.halfLength) *
+                         s.halfLength,
+                 across = (std::abs(form.y - attitude.roll - disk.slopeY) + 0.5 * disk.curvature.y * s.halfWidth) *
+                          s.halfWidth;
+    // Alike, as where both are infinite: the longer side.
+    return along == across ? box.levelX <= box.levelY : along > across;
 }
 
 void DiskClearance::lookAlong(const MinimumSpacing::EdgePart& edge, int level, const Attitude& attitude, double time,
@@ -168,7 +185,7 @@ void DiskClearance::lookAlong(const MinimumSpacing::EdgePart& edge, int level, c
     const DiskUnder disk = under(sides, time);
     const double recess = recess_.at(at.x, at.y);
     if (std::min(mean, recess) + here - disk.height - std::abs(tilt - 0.5 * (disk.slopeX * dx + disk.slopeY * dy)) -
-            0.125 * disk.curvature * (dx * dx + dy * dy) >=
+            0.125 * (disk.curvature.x * dx * dx + disk.curvature.y * dy * dy) >=
         below)
         return;
     if (const double gap = recess + here - disk.height; gap < least.gap) least = {gap, at.x, at.y};
@@ -212,7 +229,7 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
     least = followed(least, attitude, time);
     const double tolerance = allowed * (disk_.highest() - disk_.lowest());
     for (const MinimumSpacing::EdgePart& edge : spacing_.edges()) lookAlong(edge, 0, attitude, time, tolerance, least);
-    heap_.assign(1, boxOf(0, 0, 0, attitude, time));
+    heap_.assign(1, boxOf(0, 0, 0, 0, attitude, time));
     for (std::size_t count = 0; !heap_.empty() && count < mostBoxes; ++count) {
         std::pop_heap(heap_.begin(), heap_.end());
         const Box box = heap_.back();
@@ -222,11 +239,14 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
         const DiskUnder disk = under(sides, time);
         const double middle = recess_.at(sides.x, sides.y);
         look({middle + lift(attitude, sides.x, sides.y) - disk.height, sides.x, sides.y});
-        if (box.level >= knownLevels && !canHold(least.gap - tolerance, box, sides, attitude, disk)) continue;
-        if (box.level == deepest) continue;
-        for (const int up : {0, 1})
-            for (const int right : {0, 1}) {
-                const Box child = boxOf(box.level + 1, 2 * box.i + right, 2 * box.j + up, attitude, time);
+        const bool small = box.levelX >= knownLevels;
+        if (small && !canHold(least.gap - tolerance, box, sides, attitude, disk)) continue;
+        const bool alongX = !small || halvesLength(box, sides, attitude, disk), alongY = !small || !alongX;
+        if ((alongX ? box.levelX : box.levelY) == deepest) continue;
+        for (int up = 0; up <= (alongY ? 1 : 0); ++up)
+            for (int right = 0; right <= (alongX ? 1 : 0); ++right) {
+                const Box child = boxOf(box.levelX + alongX, box.levelY + alongY, alongX ? 2 * box.i + right : box.i,
+                                        alongY ? 2 * box.j + up : box.j, attitude, time);
                 if (child.bound >= least.gap - tolerance) continue;
                 heap_.push_back(child);
                 std::push_heap(heap_.begin(), heap_.end());

@@ -4,7 +4,8 @@
 //
 //   min over x, y of  s(x, y) + lift(x, y) - w(x - U t, y - V t).
 //
-// Branch and bound (Land & Doig 1960): the slider is divided into boxes, halved along both sides. The box with the
+// Branch and bound (Land & Doig 1960): the slider is divided into boxes, halved along both sides, and the smaller ones
+// along that side on which the gap changes more. The box with the
 // least bound is looked at in its middle and divided, until no bound is below the least gap found by more than 1/1000
 // of the disk's range of heights. There are two bounds of the gap in a box: its least recess, plus the lift at its
 // lowest corner, less a bound of the disk under it; and in small boxes the tangents in the middle, less what recess and
@@ -12,7 +13,8 @@
 // one of them crosses is left out where the gap beside the line is nowhere level. At first the nearest point to the
 // mean plane (minimum_spacing.h) and the last place found are followed downhill, at the end the least gap found. Under
 // 300 drawn sliders over one to eight waves of 1.3 to 300 um, roughness or bumps, 1.4 million other points and a search
-// from their lowest found none lower by more than 1e-4 of the disk's RMS height (of 1 nm for bumps).
+// from their lowest found none lower by more than 1e-4 of the disk's RMS height (of 1 nm for bumps); under rails askew
+// up to 1e-3.
 #pragma once
 
 #include <optional>
@@ -46,10 +48,10 @@ public:
     }
 
 private:
-    /// At level n the slider has 2^n boxes along each side.
+    /// At levels m, n the slider has 2^m by 2^n boxes.
     struct Box {
         double bound; // of the gap [m]
-        int level, i, j;
+        int levelX, levelY, i, j;
         bool operator<(const Box& other) const { return bound > other.bound; } // the least first in a heap
     };
     struct Found {
@@ -66,9 +68,9 @@ private:
         double slopeX = 0.0, slopeY = 0.0; // [-]
         double slack = 0.0;                // [m]
     };
-    /// Of the disk, in the middle of a box; curvature in all of it [1/m].
+    /// Of the disk, in the middle of a box; curvature in all of it.
     struct DiskUnder : DiskPoint {
-        double curvature;
+        CurvatureBound curvature;
     };
     double lift(const Attitude& attitude, double x, double y) const;
     Found gapAt(const Attitude& attitude, double x, double y, double time) const;
@@ -83,7 +85,8 @@ private:
     double highestUnder(const Sides& sides, double time) const; // a bound [m]
     DiskUnder under(const Sides& sides, double time) const;
     double leastOf(const Box& box) const; // what least_ knows [m]
-    Box boxOf(int level, int i, int j, const Attitude& attitude, double time) const;
+    Box boxOf(int levelX, int levelY, int i, int j, const Attitude& attitude, double time) const;
+    bool halvesLength(const Box& box, const Sides& sides, const Attitude& attitude, const DiskUnder& disk) const;
     double boundOf(const Plane& plane, const Sides& sides, const Attitude& attitude, const DiskUnder& disk) const;
     bool canHold(double below, const Box& box, const Sides& sides, const Attitude& attitude,
                  const DiskUnder& disk) const;

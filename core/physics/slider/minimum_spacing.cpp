@@ -139,6 +139,7 @@ void MinimumSpacing::addEdgePart(SurfacePoint from, SurfacePoint to)
     };
     from = onSlider(from);
     to = onSlider(to);
+    if (from == to) return;
     const double first = recess_.at(from.x, from.y), last = recess_.at(to.x, to.y),
                  middle = recess_.at(0.5 * (from.x + to.x), 0.5 * (from.y + to.y));
     edges_.push_back({from, to, first, last, std::max(0.5 * (first + last) - middle, 0.0)});

@@ -274,6 +274,9 @@ private:
             scene_.lookAtCells(attitude);
             lowestForCells_ = low;
         }
+        if (scene_.topography.flat() && case_.contact == ContactKind::None && spacing <= 0.0)
+            return fail(RunFailure::Other,
+                        diskReachesSlider(case_, scene_.clearance->at(attitude, point_.time), point_.time));
         const std::optional<FilmRecorder::Reached>& reached = recorder_->reached();
         if (!reached || !unseenDisk_.empty()) return true;
         std::string message = diskReachesSlider(case_, reached->place, reached->time);
@@ -387,7 +390,7 @@ private:
     }
     bool fail(RunFailure failure, std::string message)
     {
-        if (recorder_) run_.keepPoints();
+        if (recorder_) run_.keepPoints(); // all are of accepted steps
         return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure,
                    std::move(message));
     }

@@ -37,7 +37,7 @@ public:
     /// A sample; `smooth`: the same law has held since the point or sample before.
     void addSample(double time, std::span<const double> values, bool smooth = true);
     /// A point of the motion between samples, for the extremes of the quantities. It counts once a sample follows, or
-    /// keepPoints() is called: points beyond the last good sample of a run that fails do not.
+    /// keepPoints() is called: at the end of a run, where the points behind the last sample are good.
     void addPoint(double time, std::span<const double> values, bool smooth = true)
     {
         extremes_.add(time, values, smooth);

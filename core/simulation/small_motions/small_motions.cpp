@@ -154,7 +154,7 @@ std::vector<SmallMotions::Mode> SmallMotions::find(double tolerance, const std::
     }
     // The film answers with roots of its own, which decay within few periods. Where one of them was met, a mode that
     // decays more slowly may have been passed by: it is sought from the other rates.
-    for (std::size_t k = 0; k < known.size(); ++k)
+    for (std::size_t k = 0; k < known.size() && !asBefore; ++k)
         for (const double frequency : frequencies) {
             if (decayOf(known[k].rate) < doubtfulDecay || !asked()) break;
             std::vector<Mode> others = known;

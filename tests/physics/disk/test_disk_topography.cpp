@@ -405,15 +405,16 @@ void TestDiskTopography::boundsItsCurvature()
     double most = 0.0, least = 1e300; // share of a bound that is reached [-], bound [1/m]
     for (int box = 0; box < 1000; ++box) {
         const double x0 = draw(0.0, s.track), y0 = draw(0.0, s.trackWidth), side = draw(0.5e-6, 20e-6);
-        const double bound = disk.curvature(x0 - step, x0 + side + step, y0 - step, y0 + side + step);
-        least = std::min(least, bound);
+        const CurvatureBound bound = disk.curvature(x0 - step, x0 + side + step, y0 - step, y0 + side + step);
+        least = std::min(least, bound.x + bound.y);
         for (int place = 0; place < 30; ++place) {
             const double x = x0 + draw(0.0, side), y = y0 + draw(0.0, side), angle = draw(0.0, 3.2),
                          dx = step * std::cos(angle), dy = step * std::sin(angle);
             const double bent =
                 disk.height(x - dx, y - dy) + disk.height(x + dx, y + dy) - 2.0 * disk.height(x, y); // [m]
-            QVERIFY(std::abs(bent) <= 1.0001 * bound * step * step + 1e-23);
-            if (bound > 0.0) most = std::max(most, std::abs(bent) / (bound * step * step));
+            const double allowed = bound.x * dx * dx + bound.y * dy * dy;                            // [m]
+            QVERIFY(std::abs(bent) <= 1.0001 * allowed + 1e-23);
+            if (allowed > 0.0) most = std::max(most, std::abs(bent) / allowed);
         }
     }
     QVERIFY2(most > 0.4 && std::isfinite(least), qPrintable(QString::number(most)));

@@ -23,6 +23,7 @@ class TestFilmRunDisk : public QObject {
 private slots:
     void aDiskThatRisesIntoTheSliderIsTheCause_data();
     void aDiskThatRisesIntoTheSliderIsTheCause();
+    void aSliderThatFallsToAFlatDiskReachesIt();
     void aBumpThatPassesWithinAStepIsSeen();
     void aLawOnTheMeanPlaneDoesNotSeeTheDisk();
     void theLeastGapIsThatOfItsSamples_data();
@@ -116,6 +117,17 @@ void TestFilmRunDisk::aDiskThatRisesIntoTheSliderIsTheCause()
     QVERIFY2(message.contains("above its mean plane"), qPrintable(message));
     for (const auto& [name, values] : flight.columns)
         for (const double value : values) QVERIFY2(std::isfinite(value), name.c_str());
+}
+
+void TestFilmRunDisk::aSliderThatFallsToAFlatDiskReachesIt()
+{
+    Case c = pico(10e-6);
+    c.initial.verticalVelocity = -0.1;
+    const Flight flight = fly(c);
+    QVERIFY(flight.summary.status == RunStatus::Failed);
+    const QString message = QString::fromStdString(flight.summary.message);
+    QVERIFY2(message.contains("reaches the mean plane of the disk at "), qPrintable(message));
+    for (const double spacing : flight.columns.at("minimum_spacing")) QVERIFY(spacing > -1e-9);
 }
 
 /// A flat pad of 0.2 mm that cannot move, 20 nm above the disk at its trailing edge, without a static state.
