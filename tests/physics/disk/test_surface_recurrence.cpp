@@ -257,6 +257,26 @@ private slots:
         QVERIFY2(wait(4e-9).wait > 9.98e-3, qPrintable(QString::number(wait(4e-9).wait)));
         QVERIFY2(wait(8e-9).wait > 9.98e-3 && wait(8e-9).wait <= 10e-3, qPrintable(QString::number(wait(8e-9).wait)));
     }
+
+    /// Under a wide slider several lines of a map are read, each to its end: a bump near that is met once a track.
+    void aLongMapIsReadToItsEnd()
+    {
+        DiskSurface surface;
+        surface.kind = DiskSurfaceKind::File;
+        surface.file = "map.txt";
+        const HeightMap row = profile(70000, 0.0);
+        HeightMap map = row;
+        map.ny = 33;
+        map.closedX = map.closedY = true;
+        for (int j = 1; j < map.ny; ++j) map.heights.insert(map.heights.end(), row.heights.begin(), row.heights.end());
+        for (int j = 0; j < map.ny; ++j)
+            for (int i = -60; i <= 60; ++i)
+                map.heights[static_cast<std::size_t>(j * map.nx + 69000 + i)] += 20e-9 * std::exp(-i * i / 400.0);
+        const DiskTopography topography(surface, map);
+        const SurfaceRecurrence found =
+            surfaceRecurrence(surface, topography, {speed, 0.0}, {0.0, 33e-6, sliderLength});
+        QVERIFY2(found.wait > 6.9e-3 && found.wait <= 7e-3, qPrintable(QString::number(found.wait)));
+    }
 };
 
 TOUCHDOWN_TEST(TestSurfaceRecurrence)
