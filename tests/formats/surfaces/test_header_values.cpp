@@ -4,9 +4,8 @@
 #include <QTest>
 
 #include <cmath>
-#include <functional>
 
-#include "core/formats/cml_text.h"
+#include "tests/support/refused_line.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -15,15 +14,7 @@ namespace test_header_values {
 
 const std::string rows = "1 2 3 4\n5 6 7 8\n";
 
-int refusedLine(const std::function<void()>& action)
-{
-    try {
-        action();
-    } catch (const CmlError& error) {
-        return error.line();
-    }
-    return -1;
-}
+using test::refusedLine;
 
 bool near(double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(b); }
 

@@ -3,24 +3,15 @@
 
 #include <QTest>
 
-#include <functional>
-
 #include "core/formats/cml_text.h"
+#include "tests/support/refused_line.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
 
 namespace test_surface_heading {
 
-int refusedLine(const std::function<void()>& action)
-{
-    try {
-        action();
-    } catch (const CmlError& error) {
-        return error.line();
-    }
-    return -1;
-}
+using test::refusedLine;
 
 ColumnUnits unitsOf(const std::string& text, const ColumnUnits& key = {})
 {
