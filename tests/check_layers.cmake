@@ -81,6 +81,7 @@ set(known_arrows
     app/commands/study_command->app/commands/case_commands
     core/results/stored_values->core/results/results_reader
     core/results/stored_values->core/results/steady_reader
+    core/studies/study/stored_report->core/studies/study/study_file_reader
     core/simulation/contact/contact_doubts->core/simulation/contact/contact_run
     core/simulation/flight/film_recorder->core/simulation/flight/film_run
     core/simulation/flight/film_scene->core/simulation/flight/film_run

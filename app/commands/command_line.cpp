@@ -31,7 +31,7 @@
 #include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
-#include "core/results/reader_program.h"
+#include "core/studies/reader_program.h"
 #include "core/studies/study_plan.h"
 
 namespace touchdown {

@@ -18,7 +18,7 @@
 #include "app/terminal/standard_streams.h"
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
-#include "core/results/reader_program.h"
+#include "core/studies/reader_program.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/start_card.h"

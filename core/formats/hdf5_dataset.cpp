@@ -2,6 +2,7 @@
 #include "core/formats/hdf5_dataset.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <numeric>
@@ -242,6 +243,12 @@ void Hdf5Dataset::copyMissing(const Hdf5Dataset& from) const
             offset[d] = 0;
         }
     }
+}
+
+void checkFinite(std::span<const double> numbers, const std::string& name)
+{
+    if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+        throw Hdf5Error(name + " holds something that is not a number");
 }
 
 } // namespace touchdown

@@ -66,4 +66,7 @@ public:
     hsize_t storedBytes() const { return H5Dget_storage_size(*this); }
 };
 
+/// Throws Hdf5Error where one of the numbers is NaN or infinite; `name` is theirs.
+void checkFinite(std::span<const double> numbers, const std::string& name);
+
 } // namespace touchdown

@@ -8,7 +8,7 @@
 // program continues.
 //
 // The second process is this program again, with arguments that no person gives. Each program that reads such files
-// begins with runReader (core/results/reader_program.h).
+// begins with runReader (core/studies/reader_program.h).
 #pragma once
 
 #include <sys/types.h>

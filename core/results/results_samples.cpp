@@ -61,6 +61,8 @@ void readTimeSeries(const Hdf5Group& file, StoredSamples& stored)
 {
     const Hdf5Group group = file.group(series);
     stored.samples.time = group.get("time").column();
+    checkFinite(stored.samples.time, "time");
+    if (!std::ranges::is_sorted(stored.samples.time)) throw Hdf5Error("its times do not rise");
     for (const std::string& name : group.names()) {
         if (name == "time") continue;
         const Hdf5Dataset dataset = group.get(name);
@@ -75,6 +77,7 @@ void readSet(const Hdf5Group& file, const std::string& name, StoredSamples& stor
 {
     const Hdf5Group group = file.group(name);
     const std::vector<double> times = group.get("time").column();
+    checkFinite(times, "time");
     RecordedFields set;
     set.group = name;
     set.grid = {group.get("x_lines").column(), group.get("y_lines").column()};
@@ -88,7 +91,10 @@ void readSet(const Hdf5Group& file, const std::string& name, StoredSamples& stor
         const Hdf5Dataset dataset = group.get(member);
         if (dataset.shape() != wanted) throw Hdf5Error(member + " does not fit the grid of " + name);
         set.quantities.push_back(quantityOf(member, dataset));
-        for (std::size_t k = 0; k < times.size(); ++k) stored.snapshots[first + k].values.push_back(dataset.entry(k));
+        for (std::size_t k = 0; k < times.size(); ++k) {
+            stored.snapshots[first + k].values.push_back(dataset.entry(k));
+            checkFinite(stored.snapshots[first + k].values.back(), member);
+        }
     }
     stored.sets.push_back(std::move(set));
 }

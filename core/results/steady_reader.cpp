@@ -58,8 +58,7 @@ void readFields(const Hdf5Group& state, SteadyResult& result)
     const std::size_t cells = result.grid.cells();
     const auto field = [&](const char* name, std::vector<double>& values) {
         values = numbers(state, std::string("fields/") + name, cells);
-        if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
-            throw Hdf5Error(std::string("fields/") + name + " holds something that is not a number");
+        checkFinite(values, std::string("fields/") + name);
     };
     field("pressure", result.pressure);
     field("gap", result.gap);

@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "core/results/reader_program.h"
+#include "core/studies/reader_program.h"
 
 #ifdef QT_WIDGETS_LIB
 #include <QApplication>

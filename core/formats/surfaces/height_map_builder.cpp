@@ -59,6 +59,9 @@ HeightMap builtMap(const MapAxis& x, const MapAxis& y, std::vector<double> heigh
     if (x.points < fewestPoints)
         throw CmlError(0, "a surface needs at least " + std::to_string(fewestPoints) + " points along the track, not " +
                               std::to_string(x.points));
+    const bool finite = std::ranges::all_of(heights, [](double h) { return std::isfinite(h); });
+    if (!finite || !std::isfinite(x.step) || !std::isfinite(y.step))
+        throw CmlError(0, "holds numbers that are too large, or become so by their unit or scale");
     const auto [lowest, highest] = std::ranges::minmax_element(heights);
     const double range = *highest - *lowest;
     HeightMap map;

@@ -168,8 +168,9 @@ HeightMap mapOfWaveDefinition(const MapTable& table, const ColumnUnits& key)
 void refusePlaces(const MapTable& table)
 {
     const auto equal = [&](std::size_t count, const auto& at) {
+        if (count < 4) return false;
         const double step = at(1) - at(0);
-        bool same = count > 3 && step != 0.0;
+        bool same = step != 0.0;
         for (std::size_t i = 2; same && i < count; ++i)
             same = std::abs(at(i) - at(0) - static_cast<double>(i) * step) <= 1e-3 * std::abs(step);
         return same;

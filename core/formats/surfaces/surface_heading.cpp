@@ -140,7 +140,7 @@ std::optional<Heading> headingOf(const HeadingLine& line, const MapTable& table)
     const bool order = heading.fits() || (heading.holdsNone() && heading.fits(0));
     const auto tells = [](const ColumnName& each) { return each.role != ColumnRole::Any; };
     const auto unnamed = [](const HeadingCell& each) { return each.name.empty(); }; // "units: um; nm"
-    const bool list = heading.cells.size() > 1 && std::ranges::all_of(heading.cells | std::views::drop(1), unnamed);
+    const bool list = heading.cells.size() > 1 && std::all_of(heading.cells.begin() + 1, heading.cells.end(), unnamed);
     const bool meant = heading.unitsAlone() || list || std::ranges::any_of(heading.names, tells);
     if (line.comment && !(heading.known() && order && meant)) return std::nullopt;
     if (line.comment && heading.holdsNone() && !heading.hasUnits() && &line != &table.headings.back())

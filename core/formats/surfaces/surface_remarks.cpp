@@ -275,7 +275,8 @@ std::vector<HeadingLine> unusedRemarks(const MapTable& table, const HeaderValues
     };
     for (const HeadingLine& line : table.headings) judge(line, &line == &table.headings.back());
     std::vector<HeadingLine> behind;
-    for (const TableBreak& each : table.breaks | std::views::take(mostRemarksRead)) behind.push_back(each.line);
+    for (std::size_t i = 0; i < std::min(table.breaks.size(), mostRemarksRead); ++i)
+        behind.push_back(table.breaks[i].line);
     for (const HeadingLine& line : behind) judge(line, false);
     const auto compare = [&](const HeaderValues& given, const std::vector<HeadingLine>& lines) {
         for (const auto& [field, value] : given.given())

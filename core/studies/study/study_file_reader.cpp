@@ -9,7 +9,11 @@
 
 #include "core/case_files/case_reader.h"
 #include "core/formats/hdf5_file.h"
+#include "core/formats/hdf5_inspection.h"
+#include "core/formats/reader_process.h"
 #include "core/results/file_header.h"
+#include "core/results/stored_values.h"
+#include "core/studies/study/stored_report.h"
 #include "core/studies/study/study_file.h"
 
 namespace touchdown {
@@ -46,6 +50,7 @@ std::vector<StudyValue> readValues(const Hdf5Group& table, const std::string& na
         return values;
     }
     const std::vector<double> numbers = dataset.column();
+    checkFinite(numbers, name);
     const std::string mark = name + "_known";
     const std::vector<double> isKnown =
         table.has(mark) ? table.get(mark).column() : std::vector<double>(numbers.size(), 1.0);
@@ -95,6 +100,7 @@ ChartSeries readSeries(const Hdf5Group& group)
     for (const std::size_t length :
          {y.size(), xError.size(), yError.size(), chosen.size(), labels.size(), kinds.size()})
         checkLength(length, x.size(), "series " + series.name);
+    for (const auto& numbers : {x, y, xError, yError}) checkFinite(numbers, "series " + series.name);
     for (std::size_t i = 0; i < x.size(); ++i) {
         ChartPoint point{x[i], y[i], labels[i]};
         point.kind = named(kinds[i], {PointKind::Good, PointKind::WrongState, PointKind::Failed}, PointKind::Good);
@@ -119,6 +125,10 @@ ChartMap readMap(const Hdf5Group& group)
     ChartMap map;
     map.x = group.get("x").column();
     map.y = group.get("y").column();
+    for (const auto& places : {map.x, map.y}) {
+        checkFinite(places, "a map");
+        if (!std::ranges::is_sorted(places)) throw Hdf5Error("the places of a map do not rise");
+    }
     const std::vector<std::string> names = group.get("class_name").texts();
     const std::vector<double> severities = group.get("class_severity").column();
     checkLength(severities.size(), names.size(), "class_severity");
@@ -182,9 +192,36 @@ StudyReport readReport(const Hdf5Group& file)
     return report;
 }
 
+/// The lengths and choices are those that the reader found.
+bool fits(const StoredStudy& stored)
+{
+    const StudyReport& report = stored.report;
+    const auto isTable = [](const StudyTable& table) {
+        return std::ranges::all_of(table.rows, [&](const auto& row) { return row.size() == table.columns.size(); });
+    };
+    const auto isSeries = [](const ChartSeries& series) {
+        return series.line <= ChartLine::Steps && std::ranges::all_of(series.points, [](const ChartPoint& point) {
+                   return point.kind <= PointKind::Failed;
+               });
+    };
+    const auto isMap = [](const ChartMap& map) {
+        const auto isCell = [&](int cell) { return cell >= -1 && cell < static_cast<int>(map.classes.size()); };
+        return map.cells.size() == map.x.size() * map.y.size() && std::ranges::all_of(map.cells, isCell) &&
+               (map.details.empty() || map.details.size() == map.cells.size());
+    };
+    const auto isPanel = [&](const ChartPanel& panel) {
+        return std::ranges::all_of(panel.series, isSeries) && (!panel.map || isMap(*panel.map));
+    };
+    const auto isChart = [&](const StudyChart& chart) { return std::ranges::all_of(chart.panels, isPanel); };
+    return report.status <= StudyStatus::Failed && std::ranges::all_of(report.tables, isTable) &&
+           std::ranges::all_of(report.charts, isChart);
+}
+
 } // namespace
 
-StoredStudy readStudy(const std::filesystem::path& path)
+StoredStudy readStudy(const std::filesystem::path& path) { return readByProcess<StoredStudy>("study", path, fits); }
+
+StoredStudy readStudyDirectly(const std::filesystem::path& path)
 {
     const Hdf5Access access;
     const auto refused = [](std::string problem) {
@@ -198,6 +235,7 @@ StoredStudy readStudy(const std::filesystem::path& path)
         if (std::string problem = foreignFile(path, file, studyFormat, studyFormatMajor, "the report of a study");
             !problem.empty())
             return refused(std::move(problem));
+        inspectHdf5File(file, readerLimits(path).data);
         return {readReport(file), file.get("case/text").text(), file.get("study/text").text(), {}};
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads the report of a study from a file (study_file.h says what it holds). The columns of its tables that are left
-// out where there is little room are not marked in the file.
+// Reads the report of a study from a file (study_file.h says what it holds), in a process of its own
+// (core/formats/reader_process.h). The columns of its tables that are left out where there is little room are not
+// marked in the file.
 #pragma once
 
 #include <filesystem>
@@ -18,5 +19,7 @@ struct StoredStudy {
     std::string problem;   // "" when it was read; else one sentence, and nothing else is set
 };
 StoredStudy readStudy(const std::filesystem::path& file);
+/// The same in this process: for that process, and for files that this program wrote.
+StoredStudy readStudyDirectly(const std::filesystem::path& file);
 
 } // namespace touchdown

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/results/reader_program.h"
+#include "core/studies/reader_program.h"
 
 #include <new>
 #include <string>
@@ -11,6 +11,8 @@
 #include "core/results/results_reader.h"
 #include "core/results/steady_reader.h"
 #include "core/results/stored_values.h"
+#include "core/studies/study/stored_report.h"
+#include "core/studies/study/study_file_reader.h"
 
 namespace touchdown {
 
@@ -40,6 +42,7 @@ std::optional<int> runReader(int argc, const char* const* argv)
     if (task->reader == "surface") sendSurface(answer, *task);
     if (task->reader == "run") answer(readResultsDirectly(task->file));
     if (task->reader == "steady") answer(readSteadyDirectly(task->file));
+    if (task->reader == "study") answer(readStudyDirectly(task->file));
     if (task->reader == "format") answer(formatDirectly(task->file));
     return 0;
 }

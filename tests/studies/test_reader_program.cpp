@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // HDF5 files that are damaged or made to harm: each ends in an answer or in one sentence, and this program lives.
-#include "core/results/reader_program.h"
+#include "core/studies/reader_program.h"
 
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -22,6 +22,8 @@
 #include "core/results/results_reader.h"
 #include "core/results/steady_reader.h"
 #include "core/results/steady_writer.h"
+#include "core/studies/study/study_file.h"
+#include "core/studies/study/study_file_reader.h"
 #include "tests/support/sample_results.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
@@ -374,18 +376,45 @@ private slots:
         }
     }
 
+    void damagedReports()
+    {
+        StudyReport report;
+        report.kind = "hysteresis";
+        report.findings = {"One.", "Two."};
+        ChartPanel panel;
+        panel.series = {{"up", {{1.0, 2.0, "a"}, {2.0, 3.0}}}};
+        panel.map = ChartMap{{1.0, 2.0}, {1.0}, {{"good", 0}}, {0, -1}, {"first", "second"}};
+        report.charts = {{"Chart", "Caption.", {panel}}};
+        report.tables = {{"runs", {{"a", "m", "nm", "A"}, {"b"}}, {{1.0, "x"}, {{}, "y"}}}};
+        report.found = sampleCase();
+        QCOMPARE(writeStudy(path("study.h5"), report, sampleCase(), sampleCaseText, ""), std::string());
+        const StoredStudy there = readStudy(path("study.h5"));
+        QCOMPARE(there.problem, std::string());
+        QCOMPARE(there.caseText, sampleCaseText);
+        QVERIFY(there.report.tables[0].rows == report.tables[0].rows);
+        QVERIFY(there.report.found && there.report.found->springs.cutoff == sampleCase().springs.cutoff);
+        QCOMPARE(there.report.charts[0].panels[0].map->cells, panel.map->cells);
+        for (const QByteArray& bytes : damaged(bytesOf(path("study.h5")), 40)) {
+            put(path("bad.h5"), bytes);
+            const StoredStudy study = readStudy(path("bad.h5"));
+            QVERIFY(study.problem.empty() || isSentence(study.problem));
+        }
+    }
+
     // A results file has no links: they would lead elsewhere.
     void resultsWithALink()
     {
         ResultsWriter writer;
         QCOMPARE(writer.open(path("run.h5"), sampleCase(), sampleCaseText, sampleQuantities), std::string());
         QCOMPARE(writer.finish(sampleSummary()), std::string());
-        {
+        QCOMPARE(writeStudy(path("study.h5"), {}, sampleCase(), sampleCaseText, ""), std::string());
+        for (const auto& [name, link] : {std::pair{"run.h5", "timeseries/other"}, {"study.h5", "tables/other"}}) {
             const Hdf5Access access;
-            const Hdf5Group file = openHdf5File(path("run.h5"), H5F_ACC_RDWR);
-            checkHdf5(H5Lcreate_external("other.h5", "/height", file, "timeseries/other", H5P_DEFAULT, H5P_DEFAULT));
+            const Hdf5Group file = openHdf5File(path(name), H5F_ACC_RDWR);
+            checkHdf5(H5Lcreate_external("other.h5", "/height", file, link, H5P_DEFAULT, H5P_DEFAULT));
         }
         QVERIFY(readResults(path("run.h5")).problem.find("is a link to another place or file") != std::string::npos);
+        QVERIFY(readStudy(path("study.h5")).problem.find("is a link to another place or file") != std::string::npos);
     }
 
     // A file of one second of computing time is small; the limits grow with the file.
