@@ -66,8 +66,9 @@ void readTomlText(Bytes bytes)
     for (const TomlEntry& entry : toml.entries)
         mustHold(entry.begin < entry.end && entry.end <= text.size(), "a value lies in the text: " + entry.key);
     if (toml.entries.empty()) return;
-    // One value is replaced: the others stay, and the text stays TOML.
+    // One value of a kind that a case may hold is replaced: the others stay, and the text stays TOML.
     const TomlEntry& chosen = toml.entries[bytes.back() % toml.entries.size()];
+    if (std::holds_alternative<std::monostate>(chosen.value)) return;
     TomlEditor editor(text, toml);
     editor.put(chosen.key, "123456");
     const std::string changed = editor.result();
