@@ -132,6 +132,7 @@ ChartMap readMap(const Hdf5Group& group)
     const std::vector<std::string> names = group.get("class_name").texts();
     const std::vector<double> severities = group.get("class_severity").column();
     checkLength(severities.size(), names.size(), "class_severity");
+    checkFinite(severities, "class_severity");
     for (std::size_t i = 0; i < names.size(); ++i)
         map.classes.push_back({names[i], static_cast<int>(std::clamp(severities[i], 0.0, 3.0))});
     const std::vector<double> cells = group.get("cells").column();
