@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <utility>
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_text.h"
@@ -218,7 +220,8 @@ StatementFinding judge(const Statement& statement, SampledRun run, SampledRun li
     return {within(statement, value), shown(value, statement)};
 }
 
-CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback)
+CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback,
+                                  const std::function<StudyReport(const CheckedStatements&)>& reportOf)
 {
     const std::size_t count = task.statements.size();
     SharedRuns shared;
@@ -228,6 +231,7 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         double start = 0.0; // value of the ensemble's key
         bool done = false, agrees = false;
     };
+    std::mutex mutex; // of what has ended: `made`, and `drawn` from its runs on
     std::vector<Drawn> drawn;
     for (std::size_t i = 0; i < count; ++i) {
         const Statement& statement = task.statements[i];
@@ -247,6 +251,7 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
     const auto runShared = [&](std::size_t i, const GoOn& goOn) {
         Work& work = shared.all[i];
         work.run = measureRun(work.c, work.sampled, goOn, {}, done.teller(i));
+        const std::lock_guard lock(mutex);
         made[i] = work.run.summary.status != RunStatus::Cancelled;
     };
     const auto runDrawn = [&](std::size_t i, const GoOn& goOn) {
@@ -257,32 +262,46 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         const std::optional<std::string> sampled = sampledBy(statement);
         const std::vector<std::string> names = sampled ? std::vector{*sampled} : std::vector<std::string>{};
         const MeasuredRun run = measureRun(c, names, goOn, {}, done.teller(shared.all.size() + i));
-        each.agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
+        const bool agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
+        const std::lock_guard lock(mutex);
+        each.agrees = agrees;
         each.done = run.summary.status != RunStatus::Cancelled;
     };
+    const auto checkAll = [&] {
+        CheckedStatements result;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Statement& statement = task.statements[i];
+            CheckedStatement& checked = result.all.emplace_back();
+            if (!made[own[i]] || !made[like[i]]) continue;
+            checked.finding = judge(statement, shared.at(own[i], sampledBy(statement)), likeOf(i));
+            checked.done = true;
+            if (!statement.ensemble) continue;
+            const auto isOf = [&](const Drawn& each) { return each.statement == i; };
+            const auto agrees =
+                std::ranges::count_if(drawn, [&](const Drawn& each) { return isOf(each) && each.agrees; });
+            checked.done = std::ranges::all_of(drawn, [&](const Drawn& each) { return !isOf(each) || each.done; });
+            if (checked.done) checked.share = shareOf(std::size_t(agrees), std::size_t(statement.ensemble->starts));
+        }
+        return result;
+    };
     const std::size_t total = shared.all.size() + drawn.size();
+    std::size_t told = 0;
     const auto tell = [&](std::size_t ended) {
+        if (!callback) return true;
         const std::string doing = "run " + std::to_string(std::min(ended + 1, total)) + " of " + std::to_string(total);
-        return !callback || callback({.share = done.share(), .doing = doing, .soFar = nullptr});
+        std::optional<StudyReport> soFar;
+        if (reportOf && std::exchange(told, ended) < ended) {
+            const std::lock_guard lock(mutex);
+            soFar = reportOf(checkAll());
+        }
+        return callback({.share = done.share(), .doing = doing, .soFar = soFar ? &*soFar : nullptr});
     };
     // Ensembles may compare with runs of the cases themselves, which end first.
-    CheckedStatements result;
     const bool whole =
         runParallel(shared.all.size(), jobs, runShared, tell) &&
         runParallel(drawn.size(), jobs, runDrawn, [&](std::size_t ended) { return tell(shared.all.size() + ended); });
+    CheckedStatements result = checkAll();
     if (!whole) result.status = StudyStatus::Cancelled;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Statement& statement = task.statements[i];
-        CheckedStatement& checked = result.all.emplace_back();
-        if (!made[own[i]] || !made[like[i]]) continue;
-        checked.finding = judge(statement, shared.at(own[i], sampledBy(statement)), likeOf(i));
-        checked.done = true;
-        if (!statement.ensemble) continue;
-        const auto isOf = [&](const Drawn& each) { return each.statement == i; };
-        const auto agrees = std::ranges::count_if(drawn, [&](const Drawn& each) { return isOf(each) && each.agrees; });
-        checked.done = std::ranges::all_of(drawn, [&](const Drawn& each) { return !isOf(each) || each.done; });
-        if (checked.done) checked.share = shareOf(std::size_t(agrees), std::size_t(statement.ensemble->starts));
-    }
     return result;
 }
 
