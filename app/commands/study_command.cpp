@@ -199,16 +199,14 @@ std::string writeFound(const std::string& file, const StudyPlan& plan, const Cas
 }
 
 /// Writes all requested files, also of a study that ended early. Returns the problems.
-std::vector<std::string> writeFiles(const CommandArguments& arguments, const StudyPlan& plan, const StudyReport& report)
+std::vector<std::string> writeFiles(const CommandArguments& arguments, const StudyPlan& plan, const StudyReport& report,
+                                    StudyWriter& out)
 {
     std::vector<std::string> problems;
     const auto keep = [&](std::string problem) {
         if (!problem.empty()) problems.push_back(std::move(problem));
     };
-    const Case& c = plan.start.value;
-    // The text holds the contents of the files that the case names: the report needs no other file.
-    if (!arguments.out.empty())
-        keep(writeStudy(arguments.out, report, c, updateCaseText(plan.start.text, c), plan.text));
+    if (!arguments.out.empty()) keep(out.finish(report));
     if (!arguments.csv.empty() && !report.tables.empty()) keep(writeStudyCsv(arguments.csv, report));
     if (!arguments.apply.empty() && report.found) keep(writeFound(arguments.apply, plan, *report.found));
     return problems;
@@ -285,17 +283,27 @@ int studyCommand(const CommandArguments& arguments)
         openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options, arguments.outside());
     warnOf(plan);
     if (const auto problems = problemsOf(plan, arguments); !problems.empty()) return refuse(problems, arguments.json);
-    TargetLocks locks(targetsOf(arguments));
+    TargetLocks locks({{"--csv", arguments.csv}, {"--apply", arguments.apply}});
     if (!locks.problems().empty()) return refuse(locks.problems(), arguments.json);
+    StudyWriter out;
+    if (!arguments.out.empty()) {
+        const Case& c = plan.start.value;
+        // The text holds the contents of the files that the case names: the report needs no other file.
+        const std::string problem =
+            out.open(arguments.out, {plan.kind, plan.title, c, updateCaseText(plan.start.text, c), plan.text});
+        if (!problem.empty()) return refuse({{"", 0, "--out", problem}}, arguments.json);
+    }
 
     ProgressLine line(arguments.progress);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, [&](const StudyProgress& progress) {
+        // A state that cannot be written is no reason to stop: the whole report tells the problem at the end.
+        if (!arguments.out.empty()) out.update(progress.soFar);
         return line.show({progress.share, progress.doing});
     });
     line.end();
     locks.release();
-    const std::vector<std::string> problems = writeFiles(arguments, plan, report);
+    const std::vector<std::string> problems = writeFiles(arguments, plan, report, out);
     if (!problems.empty()) {
         report.status = StudyStatus::Failed;
         report.message = problems.front();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
+#include "core/formats/quotation.h"
 
 #include <filesystem>
 #include <memory>
@@ -83,6 +84,19 @@ ReadMap readMap(const Case& c)
 }
 
 } // namespace
+
+void DiskFileCheck::nameIn(const std::string& place, int line)
+{
+    for (InputProblem& problem : problems) {
+        if (problem.line > 0) {
+            problem.message += "; " + place + (line > 0 ? ':' + std::to_string(line) : "") + " names this file";
+            continue;
+        }
+        problem.message = inQuotes(problem.file) + ' ' + problem.message;
+        problem.file = place;
+        problem.line = line;
+    }
+}
 
 DiskFileCheck checkDiskFile(const Case& c)
 {

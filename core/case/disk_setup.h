@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/case/case.h"
@@ -17,6 +18,9 @@ namespace touchdown {
 struct DiskFileCheck {
     std::vector<InputProblem> problems;
     std::vector<InputProblem> warnings;
+    /// Gives the problems the place that names the file: those of the whole file stand there, those of its lines tell
+    /// it. Line 0: a place without lines, such as an option.
+    void nameIn(const std::string& place, int line);
 };
 DiskFileCheck checkDiskFile(const Case& c);
 

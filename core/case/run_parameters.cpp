@@ -98,7 +98,8 @@ std::vector<Parameter> runParameters()
                "Weight of the new acceleration in the velocity; above 1/2 it damps and is of first order.",
                "Newmark 1959: 1/2, no numerical damping"),
         number("run.sample_interval", "sample interval", "", microseconds, positive(longestRun),
-               at(&Case::run, &RunCase::sampleInterval), always, "Time between recorded samples.", "ours"),
+               at(&Case::run, &RunCase::sampleInterval), always,
+               "Time between recorded samples. The last sample is at the end of the run.", "ours"),
         boolean("run.step_check", "step check", at(&Case::run, &RunCase::stepCheck), withStepCheck,
                 "Whether a fixed-step run is repeated with half the step, to report a different end state. An adaptive "
                 "run that touches a moving surface is repeated with a hundredth of the tolerance, to report another "

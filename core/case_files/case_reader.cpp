@@ -119,7 +119,8 @@ public:
         addCombinations(toml);
         addUnused(toml);
         if (document_.valid() && surface_ == MeasuredSurface::Checked) {
-            const DiskFileCheck disk = checkDiskFile(document_.value);
+            DiskFileCheck disk = checkDiskFile(document_.value);
+            disk.nameIn(document_.name, lineOf(std::string(surfaceFileKey), toml));
             document_.problems = disk.problems;
             document_.warnings.insert(document_.warnings.end(), disk.warnings.begin(), disk.warnings.end());
         }

@@ -69,6 +69,29 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting,
     return problem(key, std::move(outside));
 }
 
+/// The line of a key in the text of the case; 0 where it has none.
+int lineOf(const CaseDocument& document, std::string_view key)
+{
+    for (const TomlEntry& entry : readToml(document.text).entries)
+        if (entry.key == key) return entry.line;
+    return 0;
+}
+
+/// A contradiction belongs to a setting that takes part in it, else to the line of the case.
+InputProblem placed(const CaseProblem& problem, const CaseDocument& document, const std::vector<std::string>& settings)
+{
+    InputProblem result = problem.in(document.name, lineOf(document, problem.key));
+    auto setting = std::ranges::find(settings, problem.key, keyOf);
+    if (setting == settings.end())
+        setting = std::ranges::find_if(settings, [&](const auto& each) { return problem.concerns(keyOf(each)); });
+    if (setting == settings.end()) return result;
+    result.file = "--set";
+    result.line = 0;
+    result.key = keyOf(*setting);
+    if (result.key != problem.key) result.message = problem.key + ' ' + problem.message;
+    return result;
+}
+
 /// Where a setting chose another model: values that neither the text nor a setting states are its defaults.
 void followModel(CaseDocument& document, ModelKind before, const std::vector<std::string>& settings)
 {
@@ -140,10 +163,14 @@ void applySettings(CaseDocument& document, const std::vector<std::string>& setti
     followModel(document, before, settings);
     if (!document.valid()) return;
     for (const CaseProblem& problem : checkCombinations(document.value))
-        document.problems.push_back(problem.in(document.name));
+        document.problems.push_back(placed(problem, document, settings));
     renewWarnings(document, settings);
     if (document.valid()) {
-        const DiskFileCheck disk = checkDiskFile(document.value);
+        DiskFileCheck disk = checkDiskFile(document.value);
+        if (std::ranges::find(settings, surfaceFileKey, keyOf) != settings.end())
+            disk.nameIn("--set", 0);
+        else
+            disk.nameIn(document.name, lineOf(document, surfaceFileKey));
         document.problems = disk.problems;
         std::erase_if(document.warnings, isOfDisk);
         document.warnings.insert(document.warnings.end(), disk.warnings.begin(), disk.warnings.end());

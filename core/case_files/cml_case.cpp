@@ -263,7 +263,8 @@ void findTrackProfile(const fs::path& path, OutsidePaths outside, CmlParameters&
     }
     if (file) {
         parameters.choose("disk.surface.file", fs::weakly_canonical(*file, error).string(), line);
-        const DiskFileCheck disk = checkDiskFile(c);
+        DiskFileCheck disk = checkDiskFile(c);
+        disk.nameIn(parameters.file(), line);
         parameters.problems.insert(parameters.problems.end(), disk.problems.begin(), disk.problems.end());
         parameters.warnings.insert(parameters.warnings.end(), disk.warnings.begin(), disk.warnings.end());
         return;

@@ -21,6 +21,11 @@ Hdf5Handle fileAccess()
     return list;
 }
 
+std::string refusalOf(const std::string& what, const fs::path& file, const std::string& reason)
+{
+    return "cannot write " + what + " to " + file.string() + ": " + reason;
+}
+
 } // namespace
 
 Hdf5Group createHdf5File(const fs::path& file)
@@ -35,26 +40,33 @@ Hdf5Group openHdf5File(const fs::path& file, unsigned flags)
     return {H5Fopen(file.c_str(), flags, fileAccess()), H5Fclose};
 }
 
-std::string writeHdf5File(const fs::path& file, const std::string& what,
+std::string writeHdf5File(const OutputLock& lock, const std::string& what,
                           const std::function<void(const Hdf5Group&)>& fill)
 {
-    const auto refuse = [&](const std::string& reason) {
-        return "cannot write " + what + " to " + file.string() + ": " + reason;
-    };
-    std::error_code none;
-    if (fs::is_directory(file, none)) return refuse("it is a directory");
     const Hdf5Access access;
     try {
-        const PartFile part(file);
+        const PartFile part(lock, PartName::Own);
         Hdf5Group root = createHdf5File(part.path());
         part.takeMode();
         fill(root);
         root.close();
         part.show();
     } catch (const std::exception& failure) {
-        return refuse(failure.what());
+        return refusalOf(what, lock.target(), failure.what());
     }
     return {};
+}
+
+std::string writeHdf5File(const fs::path& file, const std::string& what,
+                          const std::function<void(const Hdf5Group&)>& fill)
+{
+    std::error_code none;
+    if (fs::is_directory(file, none)) return refusalOf(what, file, "it is a directory");
+    try {
+        return writeHdf5File(OutputLock(file), what, fill);
+    } catch (const std::exception& failure) {
+        return refusalOf(what, file, failure.what());
+    }
 }
 
 } // namespace touchdown

@@ -11,6 +11,8 @@
 
 namespace touchdown {
 
+class OutputLock;
+
 /// Creates a file that keeps the order of creation; one that exists is a failure. Throws Hdf5Error.
 Hdf5Group createHdf5File(const std::filesystem::path& file);
 /// `flags`: H5F_ACC_RDONLY or H5F_ACC_RDWR. Throws Hdf5Error.
@@ -19,6 +21,9 @@ Hdf5Group openHdf5File(const std::filesystem::path& file, unsigned flags = H5F_A
 /// Lets `fill` write a file that appears whole or not at all (core/formats/output_file.h). Returns "" or the problem in
 /// one sentence that begins "cannot write WHAT to NAME: ".
 std::string writeHdf5File(const std::filesystem::path& file, const std::string& what,
+                          const std::function<void(const Hdf5Group&)>& fill);
+/// The same for a file that the caller has locked.
+std::string writeHdf5File(const OutputLock& lock, const std::string& what,
                           const std::function<void(const Hdf5Group&)>& fill);
 
 } // namespace touchdown

@@ -2,16 +2,29 @@
 #include "core/formats/output_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
+#include <map>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
+#include <sys/vfs.h>
 #include <unistd.h>
 
 namespace touchdown {
@@ -48,8 +61,9 @@ fs::path linkTarget(const fs::path& file)
 namespace {
 
 constexpr std::string_view ownMark = ".touchdown.";
-constexpr std::string_view partEnding = ".part";
-constexpr std::size_t idLength = 8; // hexadecimal digits between them
+constexpr std::string_view partEnding = ".part", lockEnding = "lock";
+constexpr std::size_t idLength = 8;                       // hexadecimal digits between them
+constexpr auto patience = std::chrono::milliseconds(300); // with a program that removes leftovers under this lock
 
 /// The beginning of the names of what stands beside a file while it is written: "run.h5.touchdown.".
 std::string markedName(const fs::path& file)
@@ -68,36 +82,71 @@ std::string newId()
     return text;
 }
 
-bool isPart(const std::string& name, const std::string& beginning)
+fs::path parentOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// The marked beginning of a name that a killed program may have left; "" of any other name.
+std::string markOf(const fs::directory_entry& entry)
 {
-    return name.size() == beginning.size() + idLength + partEnding.size() && name.starts_with(beginning) &&
-           name.ends_with(partEnding) &&
-           name.find_first_not_of("0123456789abcdef", beginning.size()) == name.size() - partEnding.size();
+    std::error_code none;
+    if (entry.symlink_status(none).type() != fs::file_type::regular) return {};
+    std::string name = entry.path().filename().string();
+    const auto cut = [&](std::string_view ending, std::size_t digits) {
+        if (name.size() <= ending.size() + digits || !name.ends_with(ending)) return std::string();
+        const std::size_t length = name.size() - ending.size() - digits;
+        const bool own = name.find_first_not_of("0123456789abcdef", length) == name.size() - ending.size() &&
+                         std::string_view(name).substr(0, length).ends_with(ownMark) && length > ownMark.size();
+        return own ? name.substr(0, length) : std::string();
+    };
+    if (std::string mark = cut(partEnding, idLength); !mark.empty()) return mark;
+    return entry.file_size(none) == 0 ? cut(lockEnding, 0) : std::string();
 }
 
-/// Those of killed programs. The caller holds the lock, so that no other program is at work on one.
-void removeParts(const fs::path& file)
+/// A file system of this computer alone, whose names are all different: a name of the system can stand for a file.
+bool isLocal(const fs::path& folder)
 {
-    const std::string beginning = markedName(file);
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    std::error_code error;
-    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
-        std::error_code none;
-        if (isPart(each->path().filename().string(), beginning) &&
-            each->symlink_status(none).type() == fs::file_type::regular)
-            fs::remove(each->path(), none);
+    // Those that <linux/magic.h> does not name, too.
+    constexpr long zfs = 0x2fc12fc1, bcachefs = 0xca451a4e;
+    constexpr std::array local{long{EXT4_SUPER_MAGIC},
+                               long{XFS_SUPER_MAGIC},
+                               long{BTRFS_SUPER_MAGIC},
+                               long{TMPFS_MAGIC},
+                               long{RAMFS_MAGIC},
+                               long{F2FS_SUPER_MAGIC},
+                               long{OVERLAYFS_SUPER_MAGIC},
+                               zfs,
+                               bcachefs};
+    struct statfs status {};
+    return ::statfs(folder.c_str(), &status) == 0 && std::ranges::find(local, long{status.f_type}) != local.end();
+}
+
+/// Fowler, Noll & Vo 1991, variant 1a.
+std::uint64_t hashOf(const std::string& text)
+{
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    return hash;
+}
+
+/// Asks again for a short time. Throws where the answer stays "no".
+template <class Take>
+void takeSoon(std::chrono::milliseconds wait, Take&& take)
+{
+    constexpr auto pause = std::chrono::milliseconds(10);
+    for (auto waited = std::chrono::milliseconds(0); !take(); waited += pause) {
+        if (waited >= wait) throw std::runtime_error("another run writes to it");
+        std::this_thread::sleep_for(pause);
     }
 }
 
-/// Opens a lock, or creates it; never through a symbolic link. -1 and errno if that failed.
-int openLock(const fs::path& lock)
+/// Opens a lock, never through a symbolic link; `create`: where there is none. -1 and errno if that failed.
+int openLock(const fs::path& lock, bool create)
 {
     while (true) {
         // Writable: some network file systems lock no other files.
         int descriptor = ::open(lock.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (descriptor < 0 && errno == EACCES)
             descriptor = ::open(lock.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        if (descriptor >= 0 || errno != ENOENT) return descriptor;
+        if (descriptor >= 0 || errno != ENOENT || !create) return descriptor;
         descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0 || errno != EEXIST) return descriptor;
     }
@@ -111,52 +160,149 @@ bool standsAt(const struct stat& held, const fs::path& path)
 
 } // namespace
 
-OutputLock::OutputLock(const fs::path& file) : lock_(file.parent_path() / (markedName(file) + "lock"))
+OutputLock::OutputLock(fs::path target, std::string mark, Means means, std::chrono::milliseconds wait)
+    : target_(std::move(target)), lock_(parentOf(target_) / (mark + std::string(lockEnding))), mark_(std::move(mark))
 {
-    while (!held_) {
-        const int descriptor = openLock(lock_);
-        if (descriptor < 0 && errno != ELOOP && errno != EISDIR)
+    const bool named = means == Means::Name && isLocal(parentOf(target_)) && takeName(wait);
+    try {
+        takeFile(!named, wait);
+    } catch (...) {
+        if (named) ::close(name_);
+        throw;
+    }
+}
+
+OutputLock::OutputLock(const fs::path& file, Means means)
+    : OutputLock(linkTarget(file), markedName(linkTarget(file)), means, patience)
+{
+    if (held()) removeLeftovers(means);
+}
+
+void OutputLock::removeLeftovers(Means means) const
+{
+    const fs::path folder = parentOf(target_);
+    std::map<std::string, std::vector<fs::path>> left; // parts, by mark
+    std::error_code error;
+    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
+        const std::string mark = markOf(*each);
+        if (mark.empty()) continue;
+        std::vector<fs::path>& parts = left[mark];
+        if (each->path().native().ends_with(partEnding)) parts.push_back(each->path());
+    }
+    for (const auto& [mark, parts] : left) {
+        try {
+            const std::unique_ptr<OutputLock> lock(
+                mark == mark_ ? nullptr : new OutputLock(folder / mark, mark, means, std::chrono::milliseconds(0)));
+            if (lock && !lock->held()) continue;
+            for (const fs::path& part : parts) fs::remove(part, error);
+        } catch (const std::exception&) { // another program is at work on it
+            continue;
+        }
+    }
+}
+
+bool OutputLock::takeName(std::chrono::milliseconds wait)
+{
+    struct stat folder {};
+    if (::stat(parentOf(target_).c_str(), &folder) != 0) throw std::system_error(errno, std::generic_category());
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    // A name that begins with a zero is one of the system, and no file.
+    const int length =
+        std::snprintf(address.sun_path + 1, sizeof address.sun_path - 1, "touchdown-output-%llx-%llx-%llx",
+                      static_cast<unsigned long long>(folder.st_dev), static_cast<unsigned long long>(folder.st_ino),
+                      static_cast<unsigned long long>(hashOf(mark_)));
+    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + static_cast<std::size_t>(length));
+    const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    if (descriptor < 0) return false;
+    bool taken = false;
+    try {
+        takeSoon(wait, [&] {
+            taken = ::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0;
+            return taken || errno != EADDRINUSE;
+        });
+    } catch (...) {
+        ::close(descriptor);
+        throw;
+    }
+    if (taken)
+        name_ = descriptor;
+    else
+        ::close(descriptor);
+    return taken;
+}
+
+void OutputLock::takeFile(bool create, std::chrono::milliseconds wait)
+{
+    takeSoon(wait, [&] {
+        const int descriptor = openLock(lock_, create);
+        if (descriptor < 0 && errno != ELOOP && errno != EISDIR) {
+            if (!create) return true;
             throw std::system_error(errno, std::generic_category());
+        }
         struct stat status {};
         const bool isLock =
             descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size == 0;
         const int failure = isLock && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 ? errno : 0;
         // The writer before may have removed it meanwhile.
-        held_ = isLock && failure == 0 && standsAt(status, lock_);
-        if (held_) {
-            descriptor_ = descriptor;
-            return;
+        if (isLock && failure == 0 && standsAt(status, lock_)) {
+            if (!create) ::unlink(lock_.c_str()); // of a killed program
+            if (create)
+                file_ = descriptor;
+            else
+                ::close(descriptor);
+            return true;
         }
         if (descriptor >= 0) ::close(descriptor);
-        if (!isLock) throw std::runtime_error(lock_.string() + " is in the way: remove it or rename it");
-        if (failure == EWOULDBLOCK) throw std::runtime_error("another run writes to it");
-        if (failure != 0) { // a file system without locks
-            ::unlink(lock_.c_str());
-            return;
-        }
-    }
+        if (!isLock && create) throw std::runtime_error(lock_.string() + " is in the way: remove it or rename it");
+        if (!isLock) return true;
+        if (failure == EWOULDBLOCK || failure == 0) return false;
+        if (create) ::unlink(lock_.c_str()); // a file system without locks
+        return true;
+    });
 }
 
 OutputLock::~OutputLock()
 {
-    if (!held_) return;
-    ::unlink(lock_.c_str()); // before it is unlocked, so that no other writer loses its own
-    ::close(descriptor_);
+    if (file_ >= 0) {
+        ::unlink(lock_.c_str()); // before it is unlocked, so that no other writer loses its own
+        ::close(file_);
+    }
+    if (name_ >= 0) ::close(name_);
 }
 
-PartFile::PartFile(const fs::path& file)
-    : target_(linkTarget(file)),
-      lock_(target_),
-      part_(target_.parent_path() / (markedName(target_) + newId() + std::string(partEnding)))
+PartFile::PartFile(const fs::path& file, PartName name) : lock_(std::in_place, file), target_(lock_->target())
 {
-    if (lock_.held()) removeParts(target_);
+    begin(name);
 }
 
-PartFile::~PartFile() { ::unlink(part_.c_str()); }
+PartFile::PartFile(const OutputLock& lock, PartName name) : target_(lock.target()) { begin(name); }
+
+void PartFile::begin(PartName name)
+{
+    name_ = part_ = target_.parent_path() / (markedName(target_) + newId() + std::string(partEnding));
+    if (name == PartName::Own) return;
+    unnamed_ = ::open(parentOf(target_).c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0666);
+    if (unnamed_ < 0) return;
+    const std::string path = "/proc/self/fd/" + std::to_string(unnamed_);
+    if (::access(path.c_str(), W_OK) == 0)
+        part_ = path;
+    else
+        ::close(std::exchange(unnamed_, -1));
+}
+
+PartFile::~PartFile()
+{
+    if (unnamed_ >= 0)
+        ::close(unnamed_);
+    else
+        ::unlink(part_.c_str());
+}
 
 int PartFile::create() const
 {
-    const int descriptor = ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const int flags = isNamed() ? O_CREAT | O_EXCL : O_TRUNC;
+    const int descriptor = ::open(part_.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666);
     struct stat old {};
     if (descriptor >= 0 && ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor, old.st_mode & 07777u);
     return descriptor;
@@ -172,7 +318,18 @@ void PartFile::takeMode() const
 void PartFile::show() const
 {
     takeMode();
-    if (std::rename(part_.c_str(), target_.c_str()) != 0) throw std::system_error(errno, std::generic_category());
+    const auto link = [this](const fs::path& name) {
+        return ::linkat(AT_FDCWD, part_.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    };
+    if (!isNamed()) {
+        if (link(target_)) return;
+        // Only a name takes the place of another one.
+        if (errno != EEXIST || !link(name_)) throw std::system_error(errno, std::generic_category());
+    }
+    if (std::rename(name_.c_str(), target_.c_str()) == 0) return;
+    const int reason = errno;
+    if (!isNamed()) ::unlink(name_.c_str());
+    throw std::system_error(reason, std::generic_category());
 }
 
 } // namespace touchdown

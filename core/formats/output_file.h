@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A file that appears whole or not at all, and that one program writes at a time.
+// A file that appears whole or not at all, and that one program writes at a time. A program that is killed leaves
+// nothing where the file system has files without a name; what it leaves elsewhere, and beside a file that is brought
+// up to date during a run, is removed by the next program that writes into the folder.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
-
-#include <sys/types.h>
 
 namespace touchdown {
 
@@ -19,40 +21,59 @@ std::string checkOutputFile(const std::filesystem::path& file);
 std::filesystem::path linkTarget(const std::filesystem::path& file);
 
 /// Keeps a file for one writer: while one lives, another for the same file is refused, in this program and in others.
-/// NAME.touchdown.lock stands for it; the system unlocks it when the program ends, however it ends.
+/// On a local file system it is a name of the system, of an abstract socket, which ends with the program, however it
+/// ends. Elsewhere, other computers have to see it: there NAME.touchdown.lock stands for it, which the system unlocks.
+/// Removes what killed programs have left in the folder.
 class OutputLock {
 public:
+    enum class Means : bool { Name, File }; // File: as on a file system of a network
     /// Throws std::exception with the reason: "another run writes to it".
-    explicit OutputLock(const std::filesystem::path& file);
-    ~OutputLock(); // removes the lock
+    explicit OutputLock(const std::filesystem::path& file, Means means = Means::Name);
+    ~OutputLock();
     OutputLock(const OutputLock&) = delete;
     OutputLock& operator=(const OutputLock&) = delete;
 
+    /// The file itself, or what a symbolic link of that name leads to.
+    const std::filesystem::path& target() const { return target_; }
     /// False on a file system without locks.
-    bool held() const { return held_; }
+    bool held() const { return name_ >= 0 || file_ >= 0; }
 
 private:
-    std::filesystem::path lock_;
-    int descriptor_ = -1;
-    bool held_ = false;
+    OutputLock(std::filesystem::path target, std::string mark, Means means, std::chrono::milliseconds wait);
+    /// Of killed programs: parts and locks that no program holds.
+    void removeLeftovers(Means means) const;
+    /// Both wait for another that holds the lock, then throw. False where the system has no such names.
+    bool takeName(std::chrono::milliseconds wait);
+    void takeFile(bool create, std::chrono::milliseconds wait);
+
+    std::filesystem::path target_, lock_;
+    std::string mark_;          // the beginning of the names beside the file: "run.h5.touchdown."
+    int name_ = -1, file_ = -1; // descriptors
 };
 
-/// NAME.touchdown.*.part, which takes the place of NAME when it is whole, with the mode of the file that it replaces.
-/// Until then, and after any failure, NAME is as it was. A part that a killed program left is removed by the next one.
+/// Whether a new file has a name before it takes the place of another one. HDF5 opens files by a name only.
+enum class PartName : bool { None, Own };
+
+/// A new file, which takes the place of NAME when it is whole, with the mode of the file that it replaces. Until then,
+/// and after any failure, NAME is as it was. PartName::None: it goes with the program, where the file system has files
+/// without a name. Else, NAME.touchdown.*.part stays until the next program that writes into the folder.
 class PartFile {
 public:
     /// Locks the file. Throws std::exception with the reason.
-    explicit PartFile(const std::filesystem::path& file);
+    explicit PartFile(const std::filesystem::path& file, PartName name = PartName::None);
+    /// Of a file that the caller has locked; the lock must last.
+    explicit PartFile(const OutputLock& lock, PartName name = PartName::None);
     ~PartFile(); // removes the part and unlocks the file
     PartFile(const PartFile&) = delete;
     PartFile& operator=(const PartFile&) = delete;
 
     /// The file itself, or what a symbolic link of that name leads to.
     const std::filesystem::path& target() const { return target_; }
-    /// A new name. To be created, so that nothing that exists is opened or followed, and written and closed by the
-    /// caller.
+    /// To be created, so that nothing that exists is opened or followed, or, of a part without a name, emptied; and to
+    /// be written and closed by the caller.
     const std::filesystem::path& path() const { return part_; }
-    /// Creates it and returns its descriptor, open for writing; -1 and errno if that failed.
+    bool isNamed() const { return unnamed_ < 0; }
+    /// Creates it and returns a descriptor of it, open for writing; -1 and errno if that failed.
     int create() const;
     /// Gives it the mode of the file that it will replace, if there is one. Throws std::system_error.
     void takeMode() const;
@@ -60,8 +81,12 @@ public:
     void show() const;
 
 private:
+    void begin(PartName name);
+
+    std::optional<OutputLock> lock_; // none: it is the caller's
     std::filesystem::path target_;
-    OutputLock lock_;
+    std::filesystem::path name_; // of a part that has or needs one
+    int unnamed_ = -1;           // its descriptor; -1: it has a name
     std::filesystem::path part_;
 };
 

@@ -44,7 +44,10 @@ bool HeldFile::standsAt(const std::filesystem::path& path) const
 }
 
 ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeader header, bool live)
-    : part_(file), header_(std::move(header)), arrays_(growingArrays(header_.quantities, header_.fields)), live_(live)
+    : part_(file, PartName::Own),
+      header_(std::move(header)),
+      arrays_(growingArrays(header_.quantities, header_.fields)),
+      live_(live)
 {
     publish({});
 }

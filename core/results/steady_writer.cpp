@@ -121,7 +121,8 @@ struct SteadyWriter::File {
     std::size_t count = 0;
     std::vector<std::pair<Quantity, std::vector<double>>> series; // columns
 
-    File(const fs::path& file, const Case& c, const std::string& caseText) : path(file), part(file), value(c)
+    File(const fs::path& file, const Case& c, const std::string& caseText)
+        : path(file), part(file, PartName::Own), value(c)
     {
         const Hdf5Access access;
         Hdf5Group created = createHdf5File(part.path());

@@ -84,7 +84,7 @@ private slots:
         const Outcome o = folder_->touchdown({"run", "mine/a.toml", "--json"});
         QCOMPARE(o.code, 2);
         QVERIFY(isRefusal(o, {"--json"}));
-        QVERIFY2(o.err.startsWith("map.h5: disk.surface.file: "), o.err.constData());
+        QVERIFY2(o.err.startsWith("mine/a.toml:8: disk.surface.file: \"map.h5\" "), o.err.constData());
         QCOMPARE(o.err.count('\n'), 1);
     }
 };

@@ -138,6 +138,40 @@ private slots:
         QCOMPARE(folder_->files(), before);
     }
 
+    void killedCommandsLeaveNoLitter_data()
+    {
+        QTest::addColumn<QStringList>("arguments");
+        QTest::addColumn<QStringList>("left");
+        const auto row = [](const char* name, const QStringList& arguments, const QStringList& left) {
+            QTest::newRow(name) << arguments << left;
+        };
+        row("run", {"run", "fig10a", "--set", "run.duration=9 s", "--out", "a.h5", "--csv", "a.csv"}, {"a.h5"});
+        row("steady", {"steady", "film_pico", "--set", "film.nodes=700,700", "film.tolerance=1e-13", "--out", "a.h5"},
+            {});
+        row("study",
+            {"study", "hysteresis", "fig10a", "--option", "steps=400", "hold=100 ms", "--out", "a.h5", "--csv",
+             "a.csv"},
+            {"a.h5"});
+    }
+    /// kill -9: what is not shown goes with the program, or with the next one that writes into the folder.
+    void killedCommandsLeaveNoLitter()
+    {
+        QFETCH(const QStringList, arguments);
+        QFETCH(const QStringList, left);
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.start(TOUCHDOWN_COMMAND, arguments + QStringList{"--progress"});
+        process.setReadChannel(QProcess::StandardError);
+        QVERIFY(process.waitForReadyRead(60000)); // it is under way
+        process.kill();
+        QVERIFY(process.waitForFinished(20000));
+        QCOMPARE(process.exitStatus(), QProcess::CrashExit);
+        for (const QString& file : folder_->files())
+            QVERIFY2(left.contains(file) || file.startsWith("a.h5.touchdown."), qPrintable(file));
+        QCOMPARE(folder_->touchdown({"convert", "fig10a", "b.toml"}).code, 0);
+        QCOMPARE(folder_->files(), left + QStringList{"b.toml"});
+    }
+
     void plantedFilesStay_data()
     {
         QTest::addColumn<QStringList>("arguments");
@@ -171,12 +205,12 @@ private slots:
         folder_->put("own", precious);
         for (const char* lock : {"a.h5.touchdown.lock", "a.csv.touchdown.lock", "a.toml.touchdown.lock"})
             QVERIFY(QFile::link("own", folder_->path(lock)));
-        const QStringList before = folder_->files();
+        // A local file system needs no lock's file; elsewhere one is in the way (tests/formats/test_output_file.cpp).
         const Outcome o = folder_->touchdown(arguments);
-        QCOMPARE(o.code, 2);
-        QVERIFY2(o.err.contains("is in the way"), o.err);
+        QVERIFY2(o.code == 0 || o.err.contains("is in the way"), o.err);
         QCOMPARE(content("own"), precious);
-        QCOMPARE(folder_->files(), before);
+        for (const char* lock : {"a.h5.touchdown.lock", "a.csv.touchdown.lock", "a.toml.touchdown.lock"})
+            QCOMPARE(QFileInfo(folder_->path(lock)).symLinkTarget(), folder_->path("own"));
     }
 
     void modesAreKept_data() { plantedFilesStay_data(); }

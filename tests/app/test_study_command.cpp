@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <csignal>
 
+#include "core/studies/study/study_file_reader.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
@@ -113,6 +114,29 @@ private slots:
         const QJsonObject study = QJsonDocument::fromJson(process.readAllStandardOutput()).object();
         QCOMPARE(study["status"].toString(), QString("cancelled"));
         QVERIFY(folder_->files().contains("a.h5"));
+    }
+
+    /// kill -9: what was found until then is in the file, and nothing is beside it.
+    void killed()
+    {
+        folder_->put("a.toml", "case = \"fig10a\"\nsteps = 400\nhold = \"20 ms\"\nequilibria = false\n");
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.start(TOUCHDOWN_COMMAND, {"study", "hysteresis", "a.toml", "--out", "a.h5", "--csv", "a.csv"});
+        const std::string file = folder_->path("a.h5").toStdString();
+        QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder_->path("a.h5")), 20000);
+        QCOMPARE(readStudy(file).report.status, StudyStatus::Interrupted);
+        QTRY_VERIFY_WITH_TIMEOUT(!readStudy(file).report.tables.empty(), 60000);
+        process.kill();
+        QVERIFY(process.waitForFinished(20000));
+        const StoredStudy stored = readStudy(file);
+        QCOMPARE(stored.problem, std::string());
+        QCOMPARE(stored.report.status, StudyStatus::Interrupted);
+        QVERIFY(!stored.report.tables.front().rows.empty());
+        QVERIFY(stored.studyText.find("steps = 400") != std::string::npos);
+        const QStringList next{"study", "hysteresis", "fig10a", "--out", "b.h5"};
+        QCOMPARE(folder_->touchdown(next + quick_).code, 0);
+        QCOMPARE(folder_->files(), (QStringList{"a.h5", "a.toml", "b.h5"}));
     }
 
     void refuses_data()

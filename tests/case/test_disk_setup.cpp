@@ -69,6 +69,27 @@ private slots:
         applySettings(document, {"disk.surface.file=measured/track.txt"});
         QVERIFY(document.valid());
     }
+    /// One of the whole file stands at the line that names it; one of its lines tells that line. A setting has none.
+    void aProblemNamesTheCaseThatNamesTheFile()
+    {
+        const std::string name = path("case.toml").string();
+        QVERIFY(QFile::remove(folder_->filePath("measured/track.txt")));
+        CaseDocument document = readCaseFile(path("case.toml"));
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QCOMPARE(document.problems.front().text(),
+                 name + ":11: disk.surface.file: \"measured/track.txt\" does not exist");
+        applySettings(document, {"run.duration=1 ms"});
+        QCOMPARE(document.problems.front().line, 11);
+        applySettings(document, {"disk.surface.file=other.txt"});
+        QCOMPARE(document.problems.front().text(),
+                 std::string("--set: disk.surface.file: \"other.txt\" does not exist"));
+        put("measured/track.txt", "0 0\n1 x\n");
+        document = readCaseFile(path("case.toml"));
+        QCOMPARE(document.problems.front().file, std::string("measured/track.txt"));
+        QVERIFY(document.problems.front().line > 0);
+        QVERIFY2(document.problems.front().message.ends_with("; " + name + ":11 names this file"),
+                 document.problems.front().message.c_str());
+    }
     void problems_data()
     {
         QTest::addColumn<QByteArray>("file");

@@ -2,11 +2,13 @@
 #include "core/formats/output_file.h"
 
 #include <cerrno>
+#include <csignal>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
 
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <QDir>
@@ -95,7 +97,7 @@ private slots:
     void aFailureIsThrown()
     {
         QVERIFY_EXCEPTION_THROWN(PartFile(path("none/a")), std::system_error);
-        const PartFile part(path("a"));
+        const PartFile part(path("a"), PartName::Own);
         QVERIFY_EXCEPTION_THROWN(part.show(), std::system_error); // it was never created
     }
 
@@ -103,12 +105,16 @@ private slots:
     {
         write(path("a"), "old");
         fs::permissions(path("a"), fs::perms(0600));
-        const PartFile part(path("a"));
-        const int descriptor = part.create();
-        QVERIFY(descriptor >= 0);
-        ::close(descriptor);
-        QCOMPARE(fs::status(part.path()).permissions(), fs::perms(0600));
-        QCOMPARE(part.create(), -1);
+        const PartFile unnamed(path("a")), named(path("b"), PartName::Own);
+        write(path("b"), "old");
+        fs::permissions(path("b"), fs::perms(0600));
+        for (const PartFile* part : {&unnamed, &named}) {
+            const int descriptor = part->create();
+            QVERIFY(descriptor >= 0);
+            ::close(descriptor);
+            QCOMPARE(fs::status(part->path()).permissions(), fs::perms(0600));
+        }
+        QCOMPARE(named.create(), -1);
         QCOMPARE(errno, EEXIST);
     }
 
@@ -131,20 +137,67 @@ private slots:
         QCOMPARE(files(), (QStringList{"a", "link"}));
     }
 
-    /// Only its own, of this file, and no links.
-    void partsOfKilledProgramsAreRemoved()
+    /// A child writes as commands do, and is killed before it shows its files.
+    void aKilledProgramLeavesNothingBesideAFileThatItHasNotShown()
     {
-        write(path("a.touchdown.0123abcd.part"), "half");
-        write(path("a.touchdown.lock"), "");
-        const QStringList others{"a.part", "a.touchdown.0123abcx.part", "a.touchdown.0123abcd.partly",
-                                 "b.touchdown.0123abcd.part", "precious"};
+        write(path("a"), "old");
+        int told[2];
+        QCOMPARE(::pipe(told), 0);
+        const pid_t child = ::fork();
+        if (child == 0) {
+            const PartFile first(path("a")), second(path("b"));
+            write(first.path(), "half");
+            write(second.path(), "half");
+            if (::write(told[1], ".", 1) == 1) ::pause();
+            ::_exit(1);
+        }
+        char dot = 0;
+        QCOMPARE(::read(told[0], &dot, 1), ssize_t{1});
+        QVERIFY_EXCEPTION_THROWN(PartFile(path("b")), std::runtime_error);
+        ::kill(child, SIGKILL);
+        QCOMPARE(::waitpid(child, nullptr, 0), child);
+        for (const int end : told) ::close(end);
+        if (PartFile(path("c")).isNamed()) QSKIP("the file system has no files without a name");
+        QCOMPARE(files(), QStringList{"a"});
+        QCOMPARE(read(path("a")), std::string("old"));
+    }
+
+    /// Of all files in the folder; only names that the program gives, and no links.
+    void leftoversOfKilledProgramsAreRemoved_data()
+    {
+        QTest::addColumn<bool>("byFile");
+        QTest::newRow("local") << false;
+        QTest::newRow("network") << true;
+    }
+    void leftoversOfKilledProgramsAreRemoved()
+    {
+        QFETCH(const bool, byFile);
+        const auto means = byFile ? OutputLock::Means::File : OutputLock::Means::Name;
+        for (const char* name : {"a.touchdown.0123abcd.part", "b.h5.touchdown.0123abcd.part"})
+            write(path(name), "half");
+        for (const char* name : {"a.touchdown.lock", "c.touchdown.lock"}) write(path(name), "");
+        const QStringList others{"a.part",   "a.touchdown.0123abcx.part", "a.touchdown.0123abcd.partly",
+                                 "precious", ".touchdown.0123abcd.part",  "d.touchdown.lock"};
         for (const QString& other : others) write(path(qPrintable(other)), "mine");
         fs::create_symlink("precious", path("a.touchdown.89abcdef.part"));
-        static_cast<void>(PartFile(path("a")));
-        QStringList left = others + QStringList{"a.touchdown.89abcdef.part"};
+        fs::create_symlink("precious", path("e.touchdown.lock"));
+        {
+            const OutputLock atWork(path("x"), means);
+            write(path("x.touchdown.0123abcd.part"), "half");
+            static_cast<void>(OutputLock(path("a"), means));
+            QVERIFY_EXCEPTION_THROWN(OutputLock(path("x"), means), std::runtime_error);
+        }
+        QStringList left =
+            others + QStringList{"a.touchdown.89abcdef.part", "e.touchdown.lock", "x.touchdown.0123abcd.part"};
         left.sort();
         QCOMPARE(files(), left);
         for (const QString& other : others) QCOMPARE(read(path(qPrintable(other))), std::string("mine"));
+    }
+    /// As programs do that lock by a file, too: other versions, and those of other computers.
+    void aLockByFileCountsEverywhere()
+    {
+        const OutputLock first(path("a"), OutputLock::Means::File);
+        QVERIFY_EXCEPTION_THROWN(OutputLock(path("a")), std::runtime_error);
     }
 
     void whatIsNoLockStays_data()
@@ -161,7 +214,7 @@ private slots:
             fs::create_symlink("mine", path("a.touchdown.lock"));
         else
             write(path("a.touchdown.lock"), "mine");
-        QVERIFY_EXCEPTION_THROWN(PartFile(path("a")), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(OutputLock(path("a"), OutputLock::Means::File), std::runtime_error);
         QCOMPARE(read(path("a.touchdown.lock")), std::string("mine"));
         QCOMPARE(fs::is_symlink(path("a.touchdown.lock")), link);
     }
@@ -176,7 +229,10 @@ private slots:
     }
 
 private:
-    QStringList files() const { return QDir(folder_->path()).entryList(QDir::Files | QDir::System, QDir::Name); }
+    QStringList files() const
+    {
+        return QDir(folder_->path()).entryList(QDir::Files | QDir::System | QDir::Hidden, QDir::Name);
+    }
     fs::path path(const char* name) const { return fs::path(folder_->path().toStdString()) / name; }
     std::unique_ptr<QTemporaryDir> folder_;
 };

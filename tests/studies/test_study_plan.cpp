@@ -141,6 +141,26 @@ private slots:
         const StudyPlan asked = parse("case = \"contact_hertz\"\n", nullptr, {"disk.surface.file=" + secret});
         QVERIFY2(!said(asked).contains("outside"), qPrintable(said(asked)));
     }
+    /// A contradiction that settings make stands at the setting: that of the key, or another one that takes part.
+    void aContradictionOfSettingsHasTheirPlace()
+    {
+        const std::string head = "case = \"fig10a\"\n[set]\n";
+        const StudyPlan own = parse(head + "\"run.sample_interval\" = \"1 s\"\n");
+        QCOMPARE(own.problems.size(), std::size_t{1});
+        QCOMPARE(own.problems.front().file, std::string("a.toml"));
+        QCOMPARE(own.problems.front().line, 3);
+        QCOMPARE(own.problems.front().key, std::string("set.run.sample_interval"));
+        const StudyPlan duration = parse(head + "title = \"t\"\n\"run.duration\" = \"1 ns\"\n");
+        QVERIFY(!duration.problems.empty());
+        for (const InputProblem& problem : duration.problems) {
+            QCOMPARE(problem.line, 4);
+            QCOMPARE(problem.key, std::string("set.run.duration"));
+        }
+        QVERIFY2(said(duration).contains("run.sample_interval must be at most run.duration"),
+                 qPrintable(said(duration)));
+        const StudyPlan typed = parse("case = \"fig10a\"\n", nullptr, {"run.sample_interval=1 s"});
+        QCOMPARE(typed.problems.front().file, std::string("--set"));
+    }
     /// Nor does a method, unless the user allows it.
     void aMethodsSurfaceElsewhere()
     {

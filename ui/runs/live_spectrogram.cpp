@@ -65,10 +65,9 @@ std::shared_ptr<LiveSpectrogram::Shown> shownOf(const MinMaxPyramid& column, std
         for (std::size_t k = 0; k < to.size(); ++k) to[k] = column.value(first + k);
         return !stop.stop_requested();
     };
-    // The last sample may come at the end of a run that broke off, at another interval.
     const double interval = column.time(1) - column.time(0);
     auto made = std::make_shared<const Spectrogram>(
-        spectrogram(column.size(), read, interval, length, LiveSpectrogram::mostColumns));
+        spectrogram(evenSamples(column, column.size()), read, interval, length, LiveSpectrogram::mostColumns));
     if (made->empty()) return nullptr;
     auto shown = std::make_shared<LiveSpectrogram::Shown>();
     shown->data = made;

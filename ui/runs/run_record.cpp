@@ -299,6 +299,14 @@ QString saveTimeSeries(const RunRecord& record, const QString& file)
     return QString::fromStdString(problem);
 }
 
+std::size_t evenSamples(const MinMaxPyramid& column, std::size_t count)
+{
+    constexpr double rounding = 1e-6; // [-]
+    if (count < 3) return count;
+    const double interval = column.time(1) - column.time(0), last = column.time(count - 1) - column.time(count - 2);
+    return last < (1.0 - rounding) * interval ? count - 1 : count;
+}
+
 Signal signalOf(const RunRecord& record, std::string_view quantity, double start)
 {
     const MinMaxPyramid* column = record.pyramid(quantity);
@@ -306,11 +314,11 @@ Signal signalOf(const RunRecord& record, std::string_view quantity, double start
     const auto [begin, end] = column->samplesWithin(start, column->lastTime());
     if (end - begin < 8) return {};
     Signal signal;
-    // Samples are evenly spaced except for the last, which may come at the end of a run that broke off.
     signal.interval = column->time(begin + 1) - column->time(begin);
-    for (std::size_t k = begin; k < end;) {
+    const std::size_t even = evenSamples(*column, end);
+    for (std::size_t k = begin; k < even;) {
         const std::size_t piece = k / SampleColumn::pieceSize;
-        const std::size_t next = std::min(end, (piece + 1) * SampleColumn::pieceSize);
+        const std::size_t next = std::min(even, (piece + 1) * SampleColumn::pieceSize);
         signal.parts.push_back(column->values().piece(piece).subspan(k % SampleColumn::pieceSize, next - k));
         signal.owners.push_back(column->values().owner(piece));
         k = next;

@@ -111,13 +111,17 @@ QString saveHdf5(const RunRecord& record, const QString& file);
 /// The time series as CSV.
 QString saveTimeSeries(const RunRecord& record, const QString& file);
 
+/// Of the first `count` samples of a quantity those at equal intervals: all but the last one, where that is the end of
+/// a run between two of them.
+std::size_t evenSamples(const MinMaxPyramid& column, std::size_t count);
+
 /// Samples of a quantity, for another thread: they stay as they are whatever happens to the record.
 struct Signal {
     double interval = 0.0; // between samples [s]
     std::vector<std::span<const double>> parts;
     std::vector<std::shared_ptr<const double[]>> owners; // of the parts
 };
-/// From `start` [s] on; without parts while there is too little for a spectrum.
+/// From `start` [s] on, at equal intervals; without parts while there is too little for a spectrum.
 Signal signalOf(const RunRecord& record, std::string_view quantity, double start);
 Spectrum spectrumOf(const Signal& signal, const WelchOptions& options);
 /// The power spectrum of a quantity over what the record holds, from `start` on; empty while there is too little.

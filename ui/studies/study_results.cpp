@@ -239,7 +239,7 @@ void StudyResults::writeFindings()
                     .arg(colour.name(), mark, text.toHtmlEscaped());
     };
     if (report_->status == StudyStatus::Failed) add(QStringLiteral("✕"), colours.failure, sentence(report_->message));
-    if (report_->status == StudyStatus::Cancelled)
+    if (report_->status == StudyStatus::Cancelled || report_->status == StudyStatus::Interrupted)
         add(QStringLiteral("◼"), colours.muted, tr("Stopped: these are the results up to that point."));
     // The first finding of a study that checks something is its verdict.
     const StudyVerdict verdict = report_->status == StudyStatus::Completed ? verdictOf(*report_) : StudyVerdict::None;

@@ -54,7 +54,8 @@ QString copyWholeFile(const QString& from, const QString& path)
     if (const std::string problem = checkOutputFile(target); !problem.empty()) return QString::fromStdString(problem);
     try {
         PartFile part(target);
-        std::filesystem::copy_file(from.toStdString(), part.path());
+        const auto over = std::filesystem::copy_options::overwrite_existing; // a part without a name exists
+        std::filesystem::copy_file(from.toStdString(), part.path(), over);
         part.show();
         return {};
     } catch (const std::system_error& error) {

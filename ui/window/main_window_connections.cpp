@@ -286,6 +286,7 @@ void MainWindow::onStudied(const StudyReport& report)
     if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
     switch (report.status) {
     case StudyStatus::Completed: messages_->show(kindOf(report), lines.join(QLatin1Char('\n'))); break;
+    case StudyStatus::Interrupted: // only in a file
     case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
     case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
     }

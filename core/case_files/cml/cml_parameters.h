@@ -25,6 +25,7 @@ public:
     const Case& value() const { return value_; }
     /// The file of the following values.
     void beginFile(std::string file) { file_ = std::move(file); }
+    const std::string& file() const { return file_; }
 
     /// The slider's size and its surface.
     void setSurface(const CmlRails& rails);

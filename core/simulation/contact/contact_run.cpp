@@ -40,8 +40,9 @@ public:
             case_, [this] { return lookAtClock(); }, coarser_);
         for (const PadStation& station : padStations(case_))
             if (!lookAtClock() || !visit(station)) break;
+        if (!values_.empty()) recorder_.addLastSample(time_, values_, false);
         flush();
-        Summary summary = recorder_.summary(end_, time_, values_);
+        Summary summary = recorder_.summary(end_, time_);
         summary.steps = steps_;
         summary.evaluations = iterations_;
         // The statistics of a long track take their time, and somebody who stops a run does not wait for them.
@@ -326,7 +327,7 @@ private:
     RunRecorder recorder_;
     ContactFigures figures_;
     std::unique_ptr<ContactModel> model_;
-    std::vector<double> values_; // of the newest sample; empty without one
+    std::vector<double> values_; // of the newest station; empty without one
     bool started_ = false, startsInContact_ = false;
     bool away_ = false; // on the way out
     ContactForces forces_;

@@ -24,13 +24,16 @@ std::vector<PadStation> padStations(const Case& c)
 {
     const double duration = c.run.duration, interval = c.run.sampleInterval;
     const double slack = 1e-9 * interval;
-    const auto count = static_cast<std::size_t>(std::floor(duration / interval + 1e-9)) + 1;
-    std::vector<PadStation> list(count);
-    for (std::size_t i = 0; i < count; ++i)
+    std::vector<PadStation> list(static_cast<std::size_t>(std::floor(duration / interval + 1e-9)) + 1);
+    for (std::size_t i = 0; i < list.size(); ++i)
         list[i] = {std::min(static_cast<double>(i) * interval, duration), true, false};
-    if (list.back().time > duration - slack) list.back().time = duration;
+    if (list.back().time > duration - slack)
+        list.back().time = duration;
+    else
+        list.push_back({duration, true, false});
 
     const auto snapshots = static_cast<std::size_t>(c.run.fieldSnapshots);
+    const std::size_t count = list.size();
     for (std::size_t i = 0; i < std::min(snapshots, count); ++i)
         list[snapshots == 1 ? 0 : i * (count - 1) / (std::min(snapshots, count) - 1)].snapshot = true;
     // The closest approach is a state of its own where no sample falls onto it.

@@ -136,7 +136,7 @@ void FilmRecorder::add(const FilmPoint& point)
         evaluate(point, until, near || k == parts);
         run_.addPoint(until, values_);
     }
-    if (point.time >= case_.run.duration) run_.keepPoints();
+    if (point.time >= case_.run.duration) recordEnd(point);
     addToEnergy(point);
     earlier_ = last_;
     last_ = point;
@@ -155,6 +155,13 @@ void FilmRecorder::record(const FilmPoint& to, double time)
     evaluate(to, time);
     run_.addSample(time, values_);
     if (run_.full()) run_.send(std::min(last_.time, case_.run.duration));
+}
+
+void FilmRecorder::recordEnd(const FilmPoint& to)
+{
+    const double time = std::min(to.time, case_.run.duration);
+    evaluate(to, time);
+    run_.addLastSample(time, values_);
 }
 
 /// Forces and energies between two points as a parabola through them and an earlier one; straight where there is none,
@@ -231,10 +238,9 @@ double FilmRecorder::energyImbalance() const
     return range > 0.0 ? mostMissing_ / range : 0.0;
 }
 
-Summary FilmRecorder::summary(const RunEnd& end)
+Summary FilmRecorder::summary(const RunEnd& end) const
 {
-    if (last_.time < case_.run.duration) evaluate(last_, last_.time);
-    return run_.summary(end, std::min(last_.time, case_.run.duration), values_);
+    return run_.summary(end, std::min(last_.time, case_.run.duration));
 }
 
 } // namespace touchdown

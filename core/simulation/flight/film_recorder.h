@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Turns the steps of a run of the film into samples at equal intervals. Within a step the slider moves along a
-// polynomial (film_point.h); forces and energies along parabolas. Four points of each step find the extremes between
-// samples.
+// Turns the steps of a run of the film into samples at equal intervals, and one at its end. Within a step the slider
+// moves along a polynomial (film_point.h); forces and energies along parabolas. Four points of each step find the
+// extremes between samples.
 #pragma once
 
 #include <array>
@@ -47,6 +47,11 @@ public:
     void add(const FilmPoint& point);
     /// The forces at the last point have jumped to these.
     void jump(const FilmPoint& point);
+    /// The last sample of a run that has ended at the last point, before its duration.
+    void end()
+    {
+        if (last_.time < case_.run.duration) recordEnd(last_);
+    }
 
     /// Where and when the disk was first found to reach the slider.
     struct Reached {
@@ -57,8 +62,7 @@ public:
 
     /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].
     double energyImbalance() const;
-    /// With the values of the last point, or at the duration where that is beyond.
-    Summary summary(const RunEnd& end);
+    Summary summary(const RunEnd& end) const;
 
 private:
     struct Point {
@@ -66,6 +70,7 @@ private:
         double recess = 0.0; // [m]
     };
     void record(const FilmPoint& to, double time);
+    void recordEnd(const FilmPoint& to);
     /// Sets values_, between the last point and `to`. `seek`: the minimum gap; else it is not known (NaN).
     void evaluate(const FilmPoint& to, double time, bool seek = true);
     double heightOf(const Point& point, const Attitude& attitude) const; // above the mean plane [m]

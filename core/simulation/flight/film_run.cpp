@@ -56,8 +56,11 @@ public:
     Summary run()
     {
         if (prepare()) advance();
-        if (recorder_ && !run_.send(reached()) && end_.completed()) stop();
-        Summary summary = recorder_ ? recorder_->summary(end_) : run_.summary(end_, 0.0, {});
+        if (recorder_) {
+            recorder_->end();
+            if (!run_.send(reached()) && end_.completed()) stop();
+        }
+        Summary summary = recorder_ ? recorder_->summary(end_) : run_.summary(end_, 0.0);
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
@@ -390,7 +393,6 @@ private:
     }
     bool fail(RunFailure failure, std::string message)
     {
-        if (recorder_) run_.keepPoints(); // all are of accepted steps
         return end(failure == RunFailure::Diverged ? RunStatus::Diverged : RunStatus::Failed, failure,
                    std::move(message));
     }

@@ -13,6 +13,7 @@ namespace touchdown {
 namespace {
 
 constexpr double longestSilence = 0.015; // [s]
+constexpr double sameTime = 1e-6;        // less than this is rounding, of the sample interval [-]
 constexpr std::size_t mostEvents = 100'000;
 
 } // namespace
@@ -20,6 +21,7 @@ constexpr std::size_t mostEvents = 100'000;
 RunRecorder::RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback)
     : quantities_(std::move(quantities)),
       duration_(c.run.duration),
+      interval_(c.run.sampleInterval),
       callback_(callback),
       statistics_(c, quantities_),
       extremes_(quantities_.size())
@@ -36,13 +38,13 @@ void RunRecorder::addSample(double time, std::span<const double> values, bool sm
     extremes_.add(time, values, smooth);
     statistics_.addSample(time, values, extremes_.least(), extremes_.most());
     extremes_.restart();
+    newestTime_ = time;
+    newest_.assign(values.begin(), values.end());
 }
 
-void RunRecorder::keepPoints()
+void RunRecorder::addLastSample(double time, std::span<const double> values, bool smooth)
 {
-    if (!extremes_.any()) return;
-    statistics_.addExtremes(extremes_.least(), extremes_.most());
-    extremes_.restart();
+    if (time - newestTime_ > sameTime * interval_) addSample(time, values, smooth);
 }
 
 void RunRecorder::addEvent(double time, std::string name)
@@ -73,7 +75,7 @@ bool RunRecorder::send(double time, double begin)
     return !stopped_;
 }
 
-Summary RunRecorder::summary(const RunEnd& end, double endTime, std::span<const double> values) const
+Summary RunRecorder::summary(const RunEnd& end, double endTime) const
 {
     Summary summary;
     summary.status = end.status;
@@ -81,8 +83,8 @@ Summary RunRecorder::summary(const RunEnd& end, double endTime, std::span<const 
     summary.message = end.message;
     summary.endTime = endTime;
     summary.events = events_;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (std::isfinite(values[i])) summary.final.emplace_back(quantities_[i].name, values[i]);
+    for (std::size_t i = 0; i < newest_.size(); ++i)
+        if (std::isfinite(newest_[i])) summary.final.emplace_back(quantities_[i].name, newest_[i]);
     if (droppedEvents_ > 0)
         summary.warnings.push_back("only the first " + std::to_string(mostEvents) +
                                    " switches are listed and counted; there are " + std::to_string(droppedEvents_) +

@@ -34,15 +34,15 @@ public:
     const std::vector<Quantity>& quantities() const { return quantities_; }
     /// Where a disk that is not flat moves: how often its surface comes again, before the first sample.
     void moveOver(const SurfaceRecurrence& surface) { statistics_.moveOver(surface); }
-    /// A sample; `smooth`: the same law has held since the point or sample before.
+    /// A sample; `smooth`: the same law has held since the point or sample before. The last one is the end of the run.
     void addSample(double time, std::span<const double> values, bool smooth = true);
-    /// A point of the motion between samples, for the extremes of the quantities. It counts once a sample follows, or
-    /// keepPoints() is called: at the end of a run, where the points behind the last sample are good.
+    /// The same, unless the newest sample is at this time.
+    void addLastSample(double time, std::span<const double> values, bool smooth = true);
+    /// A point of the motion between samples, for the extremes of the quantities. It counts once a sample follows.
     void addPoint(double time, std::span<const double> values, bool smooth = true)
     {
         extremes_.add(time, values, smooth);
     }
-    void keepPoints();
     /// The first 100 000 are kept.
     void addEvent(double time, std::string name);
     /// A run that failed at `time` has no events after it; those that were sent stay.
@@ -58,21 +58,25 @@ public:
     /// Sends when it is time to, also within long solutions; false once somebody has stopped the run.
     bool lookAtClock(double time) { return stopped_ || !silent() ? !stopped_ : send(time); }
     bool stopped() const { return stopped_; }
+    /// The values of the newest sample; empty without one.
+    const std::vector<double>& newest() const { return newest_; }
 
     /// Wall time spent outside the solver [s].
     double secondsOutside() const { return secondsOutside_; }
-    /// Status, events, statistics and the final values, of the quantities in their order; empty where there are none.
-    Summary summary(const RunEnd& end, double endTime, std::span<const double> values) const;
+    /// Status, events, statistics, and the values of the newest sample as the final ones.
+    Summary summary(const RunEnd& end, double endTime) const;
     /// Wall and solver time, since the construction.
     void setTimes(Summary& summary) const;
 
 private:
     std::vector<Quantity> quantities_;
-    double duration_; // [s]
+    double duration_, interval_; // [s]
     const RunCallback& callback_;
     RunStatistics statistics_;
     SampleExtremes extremes_;
     SampleBatch samples_;
+    double newestTime_ = 0.0;    // of the newest sample [s]
+    std::vector<double> newest_; // its values
     std::vector<RunEvent> events_, newEvents_;
     std::size_t droppedEvents_ = 0;
     double firstDropped_ = 0.0; // [s]

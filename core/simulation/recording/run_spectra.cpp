@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/recording/run_spectra.h"
 
+#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/run_statistics.h"
 
 namespace touchdown {
@@ -26,7 +27,8 @@ void RunSpectra::add(const SampleBatch& batch)
     for (Signal& signal : signals_) {
         const std::vector<double>& column = batch.columns[signal.column];
         for (std::size_t k = 0; k < batch.size(); ++k)
-            if (batch.time[k] >= options_.start) signal.values.push_back(column[k]);
+            if (batch.time[k] >= options_.start && !isBetweenSamples(batch.time[k], interval_))
+                signal.values.push_back(column[k]);
         if (signal.values.size() > 2 * mostSamples)
             signal.values.erase(signal.values.begin(), signal.values.end() - mostSamples);
     }

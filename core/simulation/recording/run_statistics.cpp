@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/formats/units.h"
+#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/motion_verdict.h"
 
 namespace touchdown {
@@ -29,9 +30,9 @@ void BlockStatistics::Block::merge(const Block& other)
     max = std::max(max, other.max);
 }
 
-void BlockStatistics::add(double value, double least, double most)
+void BlockStatistics::add(double value, double least, double most, double weight)
 {
-    const Block one{1.0, value, 0.0, least, most};
+    const Block one{weight, value, 0.0, least, most};
     if (blocks_.empty() || blocks_.back().count >= double(blockLength_)) {
         if (blocks_.size() == mostBlocks) {
             for (std::size_t i = 0; i < mostBlocks / 2; ++i) {
@@ -47,18 +48,14 @@ void BlockStatistics::add(double value, double least, double most)
     }
 }
 
-void BlockStatistics::extend(double least, double most)
-{
-    if (blocks_.empty()) return;
-    blocks_.back().min = std::min(blocks_.back().min, least);
-    blocks_.back().max = std::max(blocks_.back().max, most);
-}
-
 Statistics BlockStatistics::over(double begin, double end) const
 {
     if (blocks_.empty()) return {};
+    constexpr double rounding = 1e-9; // [blocks]
     const double count = double(blocks_.size());
-    const auto first = static_cast<std::size_t>(std::min(begin * count, count - 1.0));
+    // From the first block to the last: a last sample between two others ends a part of an interval after them.
+    const double length = count < 2.0 ? 0.0 : count - 2.0 + std::min(blocks_.back().count, 1.0);
+    const auto first = static_cast<std::size_t>(std::clamp(std::ceil(begin * length - rounding), 0.0, count - 1.0));
     const auto last = std::max(first + 1, static_cast<std::size_t>(std::ceil(end * count)));
     Block sum = blocks_[first];
     for (std::size_t i = first + 1; i < std::min(last, blocks_.size()); ++i) sum.merge(blocks_[i]);
@@ -116,37 +113,31 @@ void RunStatistics::addSample(double time, std::span<const double> values, std::
                               std::span<const double> most)
 {
     // The extremes before the first sample of the tail may be older than the tail.
-    const double tail = 0.9 * case_.run.duration - 1e-6 * case_.run.sampleInterval; // less what rounding may take
-    const bool entersTail = time >= tail && time - case_.run.sampleInterval < tail;
+    const double interval = case_.run.sampleInterval;
+    const double tail = 0.9 * case_.run.duration - 1e-6 * interval; // less what rounding may take
+    const bool entersTail = time >= tail && (samples_ == 0 || newestTime_ < tail);
+    const bool between = samples_ > 0 && isBetweenSamples(time, interval);
+    const double weight = between ? std::min((time - newestTime_) / interval, 1.0) : 1.0;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
         const std::size_t column = columns_[i];
         if (entersTail)
-            blocks_[i].add(values[column]);
+            blocks_[i].add(values[column], values[column], values[column], weight);
         else
-            blocks_[i].add(values[column], least[column], most[column]);
+            blocks_[i].add(values[column], least[column], most[column], weight);
     }
-    widen(least, most);
+    for (std::size_t i = 0; i < extremes_.size(); ++i) {
+        extremes_[i].least = std::min(extremes_[i].least, least[i]);
+        extremes_[i].most = std::max(extremes_[i].most, most[i]);
+    }
+    ++samples_;
+    newestTime_ = time;
+    if (between) return;
     motion_.add(values[spacingColumn_], least[spacingColumn_], most[spacingColumn_], touch_.between(least, most));
     if (time < case_.spectrum.start) ++beforeSpectrum_;
     if (motion_.spacing.size() > 2 * mostSpectrumSamples) {
         const std::size_t dropped = motion_.spacing.size() - mostSpectrumSamples;
         motion_.dropFirst(dropped);
         beforeSpectrum_ -= std::min(beforeSpectrum_, dropped);
-    }
-    ++samples_;
-}
-
-void RunStatistics::addExtremes(std::span<const double> least, std::span<const double> most)
-{
-    for (std::size_t i = 0; i < columns_.size(); ++i) blocks_[i].extend(least[columns_[i]], most[columns_[i]]);
-    widen(least, most);
-}
-
-void RunStatistics::widen(std::span<const double> least, std::span<const double> most)
-{
-    for (std::size_t i = 0; i < extremes_.size(); ++i) {
-        extremes_[i].least = std::min(extremes_[i].least, least[i]);
-        extremes_[i].most = std::max(extremes_[i].most, most[i]);
     }
 }
 

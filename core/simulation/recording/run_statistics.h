@@ -17,16 +17,15 @@ namespace touchdown {
 class BlockStatistics {
 public:
     void add(double value) { add(value, value, value); }
-    /// A sample, and the extremes since the sample before.
-    void add(double value, double least, double most);
-    /// Extremes after the last sample.
-    void extend(double least, double most);
-    /// Over the samples from the share `begin` to `end` of all (0..1), to whole blocks. At least one block.
+    /// A sample, and the extremes since the sample before. Only the last sample may have a weight less than 1, where
+    /// the time since the sample before is that part of an interval.
+    void add(double value, double least, double most, double weight = 1.0);
+    /// Over the samples from the share `begin` to `end` of their time (0..1), to whole blocks. At least one block.
     Statistics over(double begin, double end) const;
 
 private:
     struct Block {
-        double count = 0.0, mean = 0.0, squares = 0.0; // squares: sum of (x - mean)^2
+        double count = 0.0, mean = 0.0, squares = 0.0; // squares: sum of (x - mean)^2; each sample by its weight
         double min = 0.0, max = 0.0;
         void merge(const Block& other);
     };
@@ -74,15 +73,10 @@ public:
     /// By quantity: the values, and their extremes since the sample before.
     void addSample(double time, std::span<const double> values, std::span<const double> least,
                    std::span<const double> most);
-    /// Extremes after the last sample.
-    void addExtremes(std::span<const double> least, std::span<const double> most);
     /// Sets tail, extremes, verdict and peaks of a summary with its end time and events.
     void finish(Summary& summary) const;
 
 private:
-    /// The extremes of the whole run.
-    void widen(std::span<const double> least, std::span<const double> most);
-
     const Case& case_;
     const std::vector<Quantity>& quantities_;
     bool oscillates_;                  // a pad that is moved does not
@@ -93,6 +87,7 @@ private:
     TouchColumns touch_;
     MotionSamples motion_;           // the newest samples
     std::size_t beforeSpectrum_ = 0; // of these, before the spectrum's start
+    double newestTime_ = 0.0;        // of the newest sample [s]
     std::size_t samples_ = 0;
 };
 

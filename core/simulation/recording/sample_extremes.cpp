@@ -41,7 +41,6 @@ void SampleExtremes::add(double time, std::span<const double> values, bool smoot
     last_.time = time;
     last_.values.assign(values.begin(), values.end());
     smoothPoints_ = std::min<std::size_t>(2, smoothPoints_ + 1);
-    any_ = true;
 }
 
 void SampleExtremes::restart()
@@ -54,7 +53,6 @@ void SampleExtremes::clear()
 {
     least_.assign(quantities_, std::numeric_limits<double>::infinity());
     most_.assign(quantities_, -std::numeric_limits<double>::infinity());
-    any_ = false;
 }
 
 } // namespace touchdown

@@ -20,8 +20,6 @@ public:
 
     /// A point of the motion, not before the last one. `smooth`: the same law has held since the point before.
     void add(double time, std::span<const double> values, bool smooth);
-    /// Whether a point was added since the last restart.
-    bool any() const { return any_; }
     /// Since the last restart, by quantity.
     const std::vector<double>& least() const { return least_; }
     const std::vector<double>& most() const { return most_; }
@@ -38,7 +36,6 @@ private:
     std::size_t quantities_;
     Point last_, before_;
     std::size_t smoothPoints_ = 0; // in a row up to the last one, at most 2
-    bool any_ = false;
     std::vector<double> least_, most_;
 };
 

@@ -26,7 +26,7 @@ SpringRecorder::SpringRecorder(const SpringModel& model, const DiskUnderSprings&
 
 void SpringRecorder::begin(const State& y, Mode mode)
 {
-    last_ = lastGood_ = points_[0] = {0.0, y, mode, true};
+    last_ = lastSample_ = points_[0] = {0.0, y, mode, true};
     filled_ = 1;
     index_ = 1;
     nextTime_ = interval_;
@@ -81,9 +81,8 @@ bool SpringRecorder::judge(const Point& point, const double* values)
     return false;
 }
 
-void SpringRecorder::flush()
+void SpringRecorder::record()
 {
-    const double begin = wallClock();
     for (std::size_t i = 0; i < filled_ && end_.completed(); ++i) {
         const Point& point = points_[i];
         observe(point, values_);
@@ -92,24 +91,44 @@ void SpringRecorder::flush()
             continue;
         }
         if (!judge(point, values_.data())) break;
-        lastGood_ = point;
+        lastSample_ = point;
         run_.addSample(point.time, values_, point.smooth);
     }
     filled_ = 0;
     // The newest step ends beyond the newest sample, unless it is not yet recorded to its end.
-    if (end_.completed() && last_.time > lastGood_.time) {
+    if (end_.completed() && last_.time > lastSample_.time) {
         observe(last_, values_);
-        if (judge(last_, values_.data())) {
-            lastGood_ = last_;
-            if (last_.time > newest_) run_.addPoint(last_.time, values_, smooth_);
-            if (last_.time >= newest_) run_.keepPoints();
-        }
+        judge(last_, values_.data());
     }
-    last_ = lastGood_;
+    // Within a step, the newest sample is beyond the end of the step before.
+    if (failedAt_ || lastSample_.time > last_.time) last_ = lastSample_;
+}
+
+void SpringRecorder::send(double begin)
+{
     if (!run_.send(last_.time, begin) && end_.completed()) {
         end_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + fewDigitsOfTime(last_.time, 4)};
         goOn_ = false;
     }
+}
+
+void SpringRecorder::flush()
+{
+    const double begin = wallClock();
+    record();
+    send(begin);
+}
+
+void SpringRecorder::finish()
+{
+    const double begin = wallClock();
+    record();
+    // The points after the newest sample of a run that failed are not good.
+    if (!failedAt_) {
+        observe(last_, values_);
+        run_.addLastSample(last_.time, values_, smooth_);
+    }
+    send(begin);
 }
 
 } // namespace touchdown

@@ -61,8 +61,8 @@ public:
         return goOn_;
     }
     void event(double time, int guard, bool upper, Mode before, Mode after);
-    /// Hands on the samples that were not yet sent; call once after the last step.
-    void flush();
+    /// After the last step: the last sample, where the run has ended, and what was not yet sent.
+    void finish();
 
     /// The last state that can be trusted.
     const Point& last() const { return last_; }
@@ -70,8 +70,6 @@ public:
     double endTime() const { return failedAt_.value_or(last_.time); }
     /// How the run ends when its samples say so.
     const RunEnd& end() const { return end_; }
-    /// All quantities there.
-    void observe(const Point& point, std::vector<double>& values) const;
     const RunRecorder& run() const { return run_; }
     /// When the front or rear spring was lost and has not come back; negative if it carries [s].
     double lostSince(int guard) const { return lostSince_[guard == SpringModel::Front ? 0 : 1]; }
@@ -92,6 +90,13 @@ private:
         return goOn_;
     }
     void lookAtClock();
+    /// Hands on the samples that were not yet sent.
+    void flush();
+    /// Records the points that are not yet recorded.
+    void record();
+    void send(double begin);
+    /// All quantities there.
+    void observe(const Point& point, std::vector<double>& values) const;
     bool judge(const Point& point, const double* values);
 
     const SpringModel& model_;
@@ -108,7 +113,7 @@ private:
     bool goOn_ = true;
     bool smooth_ = true; // the same law holds since the newest point
     Point last_;
-    Point lastGood_;                 // the newest that was looked at and sane
+    Point lastSample_;               // the newest, which was looked at and sane
     std::optional<double> failedAt_; // [s]
     RunEnd end_;
     std::vector<double> values_;

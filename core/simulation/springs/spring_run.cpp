@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/formats/units.h"
+#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/springs/spring_integration.h"
 #include "core/simulation/springs/spring_recorder.h"
 #include "core/simulation/springs/springs_over_disk.h"
@@ -55,8 +56,10 @@ RunEnd explain(const IntegrationResult& result)
 }
 
 /// A spring that does not carry at the end, and has not for the last tenth of the run, is lost for good.
-RunEnd lostSpring(const SpringRecorder& recorder, double separation, double duration)
+RunEnd lostSpring(const SpringRecorder& recorder, double duration)
 {
+    const RunRecorder& run = recorder.run();
+    const auto separation = static_cast<std::size_t>(findQuantity(run.quantities(), "flying_height"));
     for (const int guard : {SpringModel::Rear, SpringModel::Front}) {
         const double since = recorder.lostSince(guard);
         if (since < 0.0 || since > 0.9 * duration) continue;
@@ -67,7 +70,7 @@ RunEnd lostSpring(const SpringRecorder& recorder, double separation, double dura
         return {RunStatus::Failed, failure,
                 std::string(name(failure)) + " since " + time(since) +
                     (pressed ? "; the pad hangs on the contact stiffness at " : "; the slider ends at ") +
-                    spacing(separation) + ", " + angle(last.y[1]) + ": outside the model"};
+                    spacing(run.newest()[separation]) + ", " + angle(last.y[1]) + ": outside the model"};
     }
     return {};
 }
@@ -87,7 +90,7 @@ Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const 
     const IntegrationResult result = disk.moves() ? integrateOverDisk(model, disk, c, step, recorder)
                                                   : integrateSprings(model, c, step, model.shortestPeriod(), recorder);
     const double solverSeconds = wallClock() - solverBegin - recorder.run().secondsOutside();
-    recorder.flush();
+    recorder.finish();
 
     RunEnd end = recorder.end();
     double endTime = recorder.endTime();
@@ -95,11 +98,8 @@ Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const 
         end = explain(result);
         if (!end.completed()) endTime = result.time;
     }
-    std::vector<double> values(recorder.run().quantities().size());
-    recorder.observe(recorder.last(), values);
-    const auto separation = static_cast<std::size_t>(findQuantity(recorder.run().quantities(), "flying_height"));
-    if (end.completed()) end = lostSpring(recorder, values[separation], c.run.duration);
-    Summary summary = recorder.run().summary(end, endTime, values);
+    if (end.completed()) end = lostSpring(recorder, c.run.duration);
+    Summary summary = recorder.run().summary(end, endTime);
     summary.steps = result.steps;
     summary.rejectedSteps = result.rejectedSteps;
     summary.evaluations = result.evaluations;
@@ -175,15 +175,16 @@ StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& 
     return check;
 }
 
-/// The flying heights of a run, one for each sample.
+/// The flying heights of a run at the multiples of its sample interval.
 class FlyingHeights {
 public:
     /// Hands the updates on.
     FlyingHeights(const Case& c, const RunCallback& callback)
         : column_(static_cast<std::size_t>(findQuantity(SpringModel::quantities(c), "flying_height"))),
-          record_([this, &callback](const RunUpdate& update) {
-              const std::vector<double>& batch = update.samples.columns[column_];
-              heights_.insert(heights_.end(), batch.begin(), batch.end());
+          record_([this, &callback, interval = c.run.sampleInterval](const RunUpdate& update) {
+              const SampleBatch& batch = update.samples;
+              for (std::size_t k = 0; k < batch.size(); ++k)
+                  if (!isBetweenSamples(batch.time[k], interval)) heights_.push_back(batch.columns[column_][k]);
               return !callback || callback(update);
           })
     {}

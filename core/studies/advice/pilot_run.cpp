@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/run.h"
 #include "core/studies/runs/measured_run.h"
@@ -72,11 +73,12 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
         for (std::size_t k = 0; k < batch.size(); ++k) {
             const double under = disk >= 0 ? batch.columns[static_cast<std::size_t>(disk)][k] : 0.0;
             const double value = batch.columns[spacing][k] + under;
-            pilot.samples.spacing.push_back(value);
             const auto valueOf = [&](std::size_t column) { return batch.columns[column][k]; };
-            pilot.samples.touching.push_back(touch.touches(valueOf));
             pilot.lowest = std::min(pilot.lowest, value);
             pilot.contactActs = pilot.contactActs || touch.acts(valueOf);
+            if (isBetweenSamples(batch.time[k], pilot.samples.interval)) continue;
+            pilot.samples.spacing.push_back(value);
+            pilot.samples.touching.push_back(touch.touches(valueOf));
         }
         if (batch.size() > 0) pilot.course.emplace_back(update.time, threadSeconds() - begin);
         if (goOn && !goOn()) {

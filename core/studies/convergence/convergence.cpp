@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
+#include <utility>
 
 #include "core/case/contact_check.h"
 #include "core/formats/units.h"
@@ -149,10 +151,14 @@ StudyTable observedOf(const ConvergenceStudy& study)
 StudyReport perform(const Case& start, ConvergenceOptions options, int jobs, const StudyCallback& callback)
 {
     options.jobs = jobs;
-    const auto done = [&](int solved, double share) {
-        return !callback ||
-               callback({.share = share,
-                         .doing = std::to_string(solved) + " of " + std::to_string(options.levels) + " levels"});
+    int told = 0;
+    const auto done = [&](int solved, double share, const ConvergenceStudy& study) {
+        if (!callback) return true;
+        std::optional<StudyReport> soFar;
+        if (std::exchange(told, solved) < solved) soFar = convergenceReport(study);
+        return callback({.share = share,
+                         .doing = std::to_string(solved) + " of " + std::to_string(options.levels) + " levels",
+                         .soFar = soFar ? &*soFar : nullptr});
     };
     return convergenceReport(studyConvergence(start, options, done));
 }
@@ -192,8 +198,7 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
     return {};
 }
 
-ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
-                                  const std::function<bool(int, double)>& done)
+ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options, const LevelsDone& done)
 {
     ConvergenceStudy study;
     study.separation = c.approach.closest;
@@ -207,12 +212,18 @@ ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& optio
     std::vector<double> costs;
     for (int level = options.levels; level-- > 0;) costs.push_back(std::pow(4.0, level));
     WorkDone work(std::move(costs));
+    std::mutex mutex; // of the levels
     const auto solve = [&](std::size_t i, const GoOn& goOn) {
-        ConvergenceLevel& level = study.levels[study.levels.size() - 1 - i];
-        level = solveLevel(c, level.cell, goOn);
+        const std::size_t at = study.levels.size() - 1 - i;
+        ConvergenceLevel level = solveLevel(c, study.levels[at].cell, goOn);
         work.teller(i)(1.0);
+        const std::lock_guard lock(mutex);
+        study.levels[at] = std::move(level);
     };
-    const auto poll = [&](std::size_t count) { return !done || done(static_cast<int>(count), work.share()); };
+    const auto poll = [&](std::size_t count) {
+        const std::lock_guard lock(mutex);
+        return !done || done(static_cast<int>(count), work.share(), study);
+    };
     if (!runParallel(study.levels.size(), options.jobs, solve, poll)) study.status = StudyStatus::Cancelled;
     if (study.status == StudyStatus::Cancelled) {
         study.message = "stopped before all levels were solved";
@@ -248,7 +259,8 @@ StudyPerformance planConvergence(StudyReader& reader)
 {
     if (reader.start().model == ModelKind::Film)
         return [task = readFilmConvergence(reader)](int jobs, const StudyCallback& callback) {
-            return filmConvergenceReport(task, performFilmConvergence(task, jobs, callback));
+            const auto report = [&](const FilmConvergence& study) { return filmConvergenceReport(task, study); };
+            return report(performFilmConvergence(task, jobs, callback, report));
         };
     ConvergenceOptions options;
     options.levels = reader.integer("levels");

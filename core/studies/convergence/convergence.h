@@ -58,10 +58,10 @@ struct ConvergenceStudy {
 /// Why a valid case without a film cannot be studied so, in a sentence; "" when it can.
 std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options);
 
-/// `done` receives how many levels are solved and the share of the work, and stops the study by returning false. Called
-/// on the thread of the study.
-ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options,
-                                  const std::function<bool(int solved, double share)>& done = {});
+/// `done` receives how many levels are solved, the share of the work and the levels so far, and stops the study by
+/// returning false. Called on the thread of the study.
+using LevelsDone = std::function<bool(int solved, double share, const ConvergenceStudy& soFar)>;
+ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options, const LevelsDone& done = {});
 
 StudyReport convergenceReport(const ConvergenceStudy& study);
 

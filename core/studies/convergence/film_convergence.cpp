@@ -44,8 +44,9 @@ Case prepared(Case c, bool fixedAttitude)
 /// Runs one after the other or several at a time, with their shares of the progress.
 class FilmRuns {
 public:
-    FilmRuns(const FilmConvergenceTask& task, int jobs, const StudyCallback& callback)
-        : task_(task), jobs_(jobs), callback_(callback)
+    FilmRuns(const FilmConvergenceTask& task, int jobs, const StudyCallback& callback,
+             const std::function<StudyReport(const FilmConvergence&)>& reportOf)
+        : task_(task), jobs_(jobs), callback_(callback), reportOf_(reportOf)
     {
         for (const Case& slider : task.sliders) sliders_.push_back(prepared(slider, task.fixedAttitude));
         for (std::size_t s = 0; s < sliders_.size(); ++s) {
@@ -95,6 +96,15 @@ private:
         return !callback_ || callback_({.share = told_, .doing = doing});
     }
 
+    /// Between solutions, so that none is being written.
+    bool tellSoFar(const std::string& doing)
+    {
+        if (!callback_ || !reportOf_) return true;
+        findErrors();
+        const StudyReport soFar = reportOf_(study_);
+        return callback_({.share = told_, .doing = doing, .soFar = &soFar});
+    }
+
     bool solveReferences()
     {
         const auto solve = [&](std::size_t s, const GoOn& goOn) {
@@ -114,6 +124,7 @@ private:
 
     bool solveRuns()
     {
+        if (!tellSoFar("references")) return false;
         for (FilmRun& run : study_.runs) {
             const FilmMethod& method = task_.methods[run.method];
             const auto solve = [&](std::size_t, const GoOn& goOn) {
@@ -124,6 +135,7 @@ private:
             if (!runParallel(1, 1, solve, [&](std::size_t) { return tell(costOf(run.nodes), begin, doing); }))
                 return false;
             done_ += costOf(run.nodes);
+            if (!tellSoFar(doing)) return false;
         }
         return true;
     }
@@ -142,6 +154,7 @@ private:
     const FilmConvergenceTask& task_;
     int jobs_;
     const StudyCallback& callback_;
+    const std::function<StudyReport(const FilmConvergence&)>& reportOf_;
     std::vector<Case> sliders_;
     FilmConvergence study_;
     double all_ = 0.0, done_ = 0.0; // cost
@@ -169,9 +182,10 @@ double resultOf(const FilmConvergenceTask& task, const FilmState& state)
     return task.fixedAttitude ? state.netForce : state.minimumSpacing;
 }
 
-FilmConvergence performFilmConvergence(const FilmConvergenceTask& task, int jobs, const StudyCallback& callback)
+FilmConvergence performFilmConvergence(const FilmConvergenceTask& task, int jobs, const StudyCallback& callback,
+                                       const std::function<StudyReport(const FilmConvergence&)>& reportOf)
 {
-    return FilmRuns(task, jobs, callback).perform();
+    return FilmRuns(task, jobs, callback, reportOf).perform();
 }
 
 double medianOf(std::vector<double> values)

@@ -75,8 +75,9 @@ struct FilmConvergence {
 /// What is compared: the net force [N] or the minimum spacing [m].
 double resultOf(const FilmConvergenceTask& task, const FilmState& state);
 
-/// `jobs`: references at a time.
-FilmConvergence performFilmConvergence(const FilmConvergenceTask& task, int jobs, const StudyCallback& callback);
+/// `jobs`: references at a time. `reportOf`: of the grids so far, for the callback, whenever one is solved.
+FilmConvergence performFilmConvergence(const FilmConvergenceTask& task, int jobs, const StudyCallback& callback,
+                                       const std::function<StudyReport(const FilmConvergence&)>& reportOf = {});
 
 /// The runs of one method on one grid, of all sliders.
 struct FilmGridSummary {

@@ -39,7 +39,7 @@ public:
                 const double time = std::lerp(time_, t, s);
                 if (time >= judgedFrom_) spacing_.add(map_.model().guards(at(time).template head<2>()).minCoeff());
             }
-        for (double time; (time = double(samples_.spacing.size()) * samples_.interval) <= t;) addSample(at(time));
+        for (double time; (time = double(taken_) * samples_.interval) <= t;) addSample(at(time));
         time_ = t;
         last_ = y;
         return ++steps_ % stepsBetweenAsking != 0 || !search_.goOn || search_.goOn();
@@ -62,6 +62,7 @@ public:
     std::size_t kept() const { return std::min(next_, keptStates); }
     std::size_t crossings() const { return crossings_; } // in the last tenth
     const SwingOf& spacing() const { return spacing_; }
+    std::size_t samples() const { return samples_.spacing.size(); }
     BouncingEnd end() const
     {
         const MotionVerdict verdict = judgeMotion(samples_);
@@ -75,6 +76,9 @@ private:
     {
         samples_.add(map_.model().guards(y.template head<2>()).minCoeff(),
                      mode_.contact == ContactRegion::Apart ? Touch::Never : Touch::Always);
+        ++taken_;
+        const std::size_t most = search_.mostSamples;
+        if (samples_.spacing.size() > 2 * most) samples_.dropFirst(samples_.spacing.size() - most);
     }
 
     const ReturnMap& map_;
@@ -86,7 +90,8 @@ private:
     std::array<Vector3, keptStates> states_;
     std::array<double, keptStates> times_{}; // [s]
     std::size_t next_ = 0, crossings_ = 0;
-    MotionSamples samples_;
+    MotionSamples samples_; // the newest
+    long long taken_ = 0;   // all samples
     SwingOf spacing_;
 };
 
@@ -125,6 +130,7 @@ BouncingRun searchCycle(const Case& c, double value, const Vector3& units, const
     }
     run.minimumSpacing = recorder.spacing();
     run.end = recorder.end();
+    run.samples = recorder.samples();
     if (recorder.crossings() < fewestCrossings || search.mostCrossings == 0) return run;
     const std::size_t most = std::min<std::size_t>(static_cast<std::size_t>(search.mostCrossings), recorder.kept() - 1);
     const Vector3& last = recorder.state(0);

@@ -40,6 +40,7 @@ struct BouncingSearch {
     int mostCrossings = 8;   // of a cycle; 0: no cycle is sought
     double tolerance = 1e-9; // of the run, in units of SpringModel::scale [-]
     std::function<bool()> goOn{};
+    std::size_t mostSamples = std::size_t{1} << 17; // that the verdict is given on: the newest, at most twice as many
 };
 
 struct BouncingRun {
@@ -50,6 +51,7 @@ struct BouncingRun {
     double frequency = 0.0;          // of the last crossings of the run, at most 64, by those of the cycle [Hz]
     std::optional<LimitCycle> cycle; // where one was found
     std::string problem;             // why a run that still crosses the section has none, or why the run failed
+    std::size_t samples = 0;         // that the verdict was given on
     double amplitude() const { return 0.5 * (minimumSpacing.most - minimumSpacing.least); }
 };
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "core/case/parameters.h"
 #include "core/formats/quotation.h"
@@ -40,14 +41,13 @@ double largestMeniscusForce(const Case& c)
 
 class CyclesPerformance {
 public:
-    CyclesPerformance(const CyclesTask& task, const StudyCallback& callback) : task_(task), callback_(callback)
-    {
-        result_.runs.resize(task_.values.size() * std::size_t(task_.starts));
-    }
+    CyclesPerformance(const CyclesTask& task, const StudyCallback& callback)
+        : task_(task), callback_(callback), runs_(task_.values.size() * std::size_t(task_.starts))
+    {}
 
     StudyReport perform(int jobs)
     {
-        const std::size_t count = result_.runs.size();
+        const std::size_t count = runs_.size();
         const auto search = [this](std::size_t i, const GoOn& goOn) { searchAt(i, goOn); };
         bool whole = runParallel(count, jobs, search, [this, count](std::size_t done) {
             return tell(0.5 * double(done) / double(count),
@@ -55,15 +55,16 @@ public:
         });
         const auto trace = [this](std::size_t, const GoOn& goOn) { traceAll(goOn); };
         whole = whole && runParallel(1, 1, trace, [this](std::size_t) { return tell(0.5 + 0.5 * traced_, "cycles"); });
-        StudyReport report = cyclesReport(task_, result_);
+        CyclesResult& result = found();
+        StudyReport report = cyclesReport(task_, result);
         if (!whole) {
             report.status = StudyStatus::Cancelled;
             report.message = "stopped before all cycles were followed";
             report.findings.clear();
-        } else if (std::ranges::all_of(result_.runs,
+        } else if (std::ranges::all_of(result.runs,
                                        [](const BouncingRun& run) { return run.end == BouncingEnd::Failed; })) {
             report.status = StudyStatus::Failed;
-            report.message = "no run has a valid end: " + result_.runs.front().problem;
+            report.message = "no run has a valid end: " + result.runs.front().problem;
             report.findings.clear();
         }
         return report;
@@ -80,16 +81,35 @@ private:
     void searchAt(std::size_t i, const GoOn& goOn)
     {
         const double value = task_.values[i / std::size_t(task_.starts)];
-        BouncingRun& run = result_.runs[i];
+        BouncingRun run;
         run.value = value;
-        const std::optional<Case> c = caseAt(value);
-        if (!c) {
+        if (const std::optional<Case> c = caseAt(value)) {
+            BouncingSearch search = task_.search;
+            search.goOn = goOn;
+            run = searchCycle(caseOfStart(*c, int(i % std::size_t(task_.starts))), value, task_.units, search);
+        } else {
             run.problem = "the case is not valid at " + task_.text.of(value);
-            return;
         }
-        BouncingSearch search = task_.search;
-        search.goOn = goOn;
-        run = searchCycle(caseOfStart(*c, int(i % std::size_t(task_.starts))), value, task_.units, search);
+        if (run.end == BouncingEnd::Failed && !goOn()) return; // it was stopped
+        const std::lock_guard lock(mutex_);
+        runs_[i] = std::move(run);
+        ++news_;
+    }
+
+    /// All that was found so far.
+    CyclesResult& found()
+    {
+        result_.runs.clear();
+        for (const std::optional<BouncingRun>& run : runs_)
+            if (run) result_.runs.push_back(*run);
+        return result_;
+    }
+
+    void keep(CycleBranch branch)
+    {
+        const std::lock_guard lock(mutex_);
+        result_.branches.push_back(std::move(branch));
+        ++news_;
     }
 
     /// In the order of the runs; a cycle on a branch that is known is not followed again.
@@ -103,9 +123,9 @@ private:
         };
         const CycleTrace trace{
             [this](double value) { return caseAt(value); }, task_.from, task_.to, task_.units, goOn, reached};
-        for (std::size_t i = 0; i < result_.runs.size() && result_.branches.size() < mostBranches && goOn(); ++i) {
-            traced_ = std::max(traced_.load(), double(i) / double(result_.runs.size()));
-            const std::optional<LimitCycle>& cycle = result_.runs[i].cycle;
+        for (std::size_t i = 0; i < runs_.size() && result_.branches.size() < mostBranches && goOn(); ++i) {
+            traced_ = std::max(traced_.load(), double(i) / double(runs_.size()));
+            const std::optional<LimitCycle> cycle = runs_[i] ? runs_[i]->cycle : std::nullopt;
             if (!cycle) continue;
             const auto known = [&](const CycleBranch& branch) { return liesOn(branch, *cycle); };
             if (std::ranges::any_of(result_.branches, known)) continue;
@@ -116,7 +136,7 @@ private:
     /// The branch of a cycle, then those that leave it at period doublings.
     void add(const CycleTrace& trace, const LimitCycle& cycle)
     {
-        result_.branches.push_back(traceCycle(trace, cycle));
+        keep(traceCycle(trace, cycle));
         for (std::size_t k = result_.branches.size() - 1; k < result_.branches.size(); ++k) {
             const CycleBranch branch = result_.branches[k];
             for (const MarkedCycle& mark : branch.marks) {
@@ -130,8 +150,7 @@ private:
                 const BouncingRun run =
                     searchCycle(*c, unstable->value, task_.units, search, Vector3((1.0 + perturbation) * unstable->x));
                 const auto known = [&](const CycleBranch& each) { return liesOn(each, *run.cycle); };
-                if (run.cycle && std::ranges::none_of(result_.branches, known))
-                    result_.branches.push_back(traceCycle(trace, *run.cycle));
+                if (run.cycle && std::ranges::none_of(result_.branches, known)) keep(traceCycle(trace, *run.cycle));
             }
         }
     }
@@ -147,14 +166,24 @@ private:
         return nullptr;
     }
 
-    bool tell(double share, const std::string& doing) const
+    bool tell(double share, const std::string& doing)
     {
-        return !callback_ || callback_({.share = share, .doing = doing, .soFar = nullptr});
+        if (!callback_) return true;
+        const std::lock_guard lock(mutex_);
+        std::optional<StudyReport> soFar;
+        if (std::exchange(news_, 0) > 0) {
+            soFar = cyclesReport(task_, found());
+            soFar->findings.clear();
+        }
+        return callback_({.share = share, .doing = doing, .soFar = soFar ? &*soFar : nullptr});
     }
 
     const CyclesTask& task_;
     const StudyCallback& callback_;
+    std::mutex mutex_;                             // of all below
+    std::vector<std::optional<BouncingRun>> runs_; // that have ended
     CyclesResult result_;
+    std::size_t news_ = 0; // since the last report
     std::atomic<double> traced_ = 0.0;
 };
 

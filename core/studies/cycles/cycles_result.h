@@ -25,7 +25,7 @@ struct CyclesTask {
 };
 
 struct CyclesResult {
-    std::vector<BouncingRun> runs; // by value, then by start
+    std::vector<BouncingRun> runs; // that have ended, by value, then by start
     std::vector<CycleBranch> branches;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
@@ -90,7 +91,7 @@ private:
         trial.point.problem = applyParameters(trial.tried, task_.parameters, trial.point.parameters);
         if (!trial.point.problem.empty()) return trial;
         trial.state = steady(trial.tried, [this](const SteadyProgress&) {
-            cancelled_ = callback_ && !callback_({iteration_, study_.solves, best_});
+            cancelled_ = callback_ && !callback_({iteration_, study_.solves, best_, std::exchange(better_, nullptr)});
             return !cancelled_;
         });
         ++study_.solves;
@@ -121,6 +122,7 @@ private:
         study_.state = trial.state;
         study_.found = trial.tried;
         best_ = trial.point.misfit;
+        better_ = &study_;
     }
 
     /// J by a difference of each parameter, away from the bound that is nearer; on the other side where there is no
@@ -222,6 +224,7 @@ private:
     DesignStudy study_;
     int iteration_ = 0;
     double best_ = 0.0;
+    const DesignStudy* better_ = nullptr; // not yet told
     bool cancelled_ = false;
     std::string obstacle_; // why the last set without a static state has none
 };

@@ -61,7 +61,8 @@ struct DesignStudy {
 /// Called while a static state is solved; return false to stop.
 struct DesignProgress {
     int iteration = 0, solves = 0;
-    double misfit = 0.0; // of the best so far [-]
+    double misfit = 0.0;                 // of the best so far [-]
+    const DesignStudy* better = nullptr; // with a better set, once after it was found
 };
 using DesignCallback = std::function<bool(const DesignProgress&)>;
 

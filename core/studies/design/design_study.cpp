@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <optional>
+#include <utility>
 
 #include "core/formats/units.h"
 #include "core/studies/design/design_task.h"
@@ -121,6 +123,13 @@ public:
         const std::lock_guard lock(mutex_);
         last_ = progress;
         first_ = std::max(first_, progress.misfit);
+        if (progress.better) better_ = *progress.better;
+    }
+    /// The best set so far, once.
+    std::optional<DesignStudy> better()
+    {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(better_, std::nullopt);
     }
     StudyProgress now() const
     {
@@ -134,6 +143,7 @@ public:
 private:
     mutable std::mutex mutex_;
     DesignProgress last_;
+    std::optional<DesignStudy> better_;
     double first_ = 0.0; // the largest misfit so far: that of the start
 };
 
@@ -148,7 +158,14 @@ StudyReport perform(const Case& start, const DesignTask& task, const StudyCallba
         });
     };
     // Also where the search ended by itself before it was told to stop.
-    const bool whole = runParallel(1, 1, search, [&](std::size_t) { return !callback || callback(progress.now()); });
+    const bool whole = runParallel(1, 1, search, [&](std::size_t) {
+        if (!callback) return true;
+        StudyProgress now = progress.now();
+        std::optional<StudyReport> soFar;
+        if (const std::optional<DesignStudy> better = progress.better()) soFar = designReport(task, *better);
+        if (soFar) now.soFar = &*soFar;
+        return callback(now);
+    });
     if (!whole && study.status != StudyStatus::Completed) study.status = StudyStatus::Cancelled;
     return designReport(task, study);
 }

@@ -7,6 +7,7 @@
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
+#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {
@@ -15,6 +16,19 @@ std::string_view spacingOf(const Case& c)
 {
     return c.model == ModelKind::Springs ? "flying_height" : "minimum_spacing";
 }
+
+namespace {
+
+/// Runs are compared at times at which all have a sample. A run that failed ends at a time of its own.
+void dropSampleBetween(MeasuredRun& run, double interval)
+{
+    if (run.time.empty() || !isBetweenSamples(run.time.back(), interval)) return;
+    run.time.pop_back();
+    for (std::vector<double>& column : run.columns)
+        if (!column.empty()) column.pop_back();
+}
+
+} // namespace
 
 MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn,
                        const RunOptions& options, const ShareTeller& tell)
@@ -43,6 +57,8 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
             }
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 if (batch.time[i] < tailBegin || spacing < 0) continue;
+                // The last sample is no whole interval after the one before.
+                if (!tail.empty() && isBetweenSamples(batch.time[i], c.run.sampleInterval)) continue;
                 tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
             }
             if (tell) tell(update.time / c.run.duration);
@@ -50,6 +66,7 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
         },
         options);
     if (tell) tell(1.0);
+    if (!run.valid()) dropSampleBetween(run, c.run.sampleInterval);
     if (!run.valid() || tail.empty()) return run;
     const Moments moments = momentsOf(tail);
     run.end = {endKindOf(run.summary.verdict.touch), moments.mean, moments.deviation, run.summary.verdict.motion};

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
+#include <utility>
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_text.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
 #include "core/numerics/spectrum.h"
+#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/studies/runs/parallel.h"
 #include "core/studies/runs/work_done.h"
@@ -64,12 +67,20 @@ StatementFinding judgePeak(const Statement& statement, const MeasuredRun& run)
     return {found, shown((found ? *inside : peaks.front()).frequency, statement)};
 }
 
-/// The samples over the last tenth of the run.
-std::span<const double> tailOf(const SampledRun& run)
+/// The samples from a time on, at equal intervals: without a last one between two of them, if there are others.
+std::span<const double> evenSamples(const Case& c, const SampledRun& run, double begin)
 {
-    const double begin = (1.0 - tailShare) * run.run->time.back();
-    const auto first = std::size_t(std::ranges::lower_bound(run.run->time, begin) - run.run->time.begin());
-    return run.samples().subspan(first);
+    const std::vector<double>& time = run.run->time;
+    const auto first = std::size_t(std::ranges::lower_bound(time, begin) - time.begin());
+    const std::span<const double> samples = run.samples().subspan(first);
+    const bool between = samples.size() > 1 && isBetweenSamples(time.back(), c.run.sampleInterval);
+    return samples.first(samples.size() - between);
+}
+
+/// Those over the last tenth of the run.
+std::span<const double> tailOf(const Case& c, const SampledRun& run)
+{
+    return evenSamples(c, run, (1.0 - tailShare) * run.run->time.back());
 }
 
 /// Peak to peak over the last tenth: between samples, too, where the run itself states it.
@@ -77,14 +88,13 @@ double swingOf(const Statement& statement, const SampledRun& run)
 {
     for (const auto& [quantity, tail] : run.run->summary.tail)
         if (quantity == statement.quantity.name) return tail.max - tail.min;
-    const auto [least, most] = std::ranges::minmax(tailOf(run));
+    const auto [least, most] = std::ranges::minmax(tailOf(statement.c, run));
     return most - least;
 }
 
 Spectrum spectrumOf(const Case& c, const SampledRun& run)
 {
-    const auto first = std::ranges::lower_bound(run.run->time, c.spectrum.start) - run.run->time.begin();
-    return welch(run.samples().subspan(std::size_t(first)), c.run.sampleInterval,
+    return welch(evenSamples(c, run, c.spectrum.start), c.run.sampleInterval,
                  welchOptions(c.spectrum, c.run.sampleInterval));
 }
 
@@ -118,11 +128,13 @@ double likenessOf(const Statement& statement, const SampledRun& run, const Sampl
     return both / std::sqrt(first * second);
 }
 
-/// At the times of the samples, which are the same in both.
-double largestDistance(std::span<const double> a, std::span<const double> b)
+/// At the times of the samples that are the same in both.
+double largestDistance(const SampledRun& a, const SampledRun& b)
 {
+    const std::span<const double> x = a.samples(), y = b.samples();
     double most = 0.0;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+        if (a.run->time[i] == b.run->time[i]) most = std::max(most, std::abs(x[i] - y[i]));
     return most;
 }
 
@@ -138,10 +150,10 @@ double valueOf(const Statement& statement, const SampledRun& run)
 {
     switch (statement.taken) {
     case Taken::End:
-    case Taken::Difference: return momentsOf(tailOf(run)).mean;
+    case Taken::Difference: return momentsOf(tailOf(statement.c, run)).mean;
     case Taken::Swing: return swingOf(statement, run);
-    case Taken::Rms: return momentsOf(tailOf(run)).deviation;
-    case Taken::Mean: return momentsOf(run.samples()).mean;
+    case Taken::Rms: return momentsOf(tailOf(statement.c, run)).deviation;
+    case Taken::Mean: return momentsOf(evenSamples(statement.c, run, 0.0)).mean;
     case Taken::Least: return extremesOf(statement, *run.run).least;
     case Taken::Greatest: return extremesOf(statement, *run.run).most;
     case Taken::Peaks: return peaksWithin(statement, run);
@@ -200,7 +212,7 @@ StatementFinding judge(const Statement& statement, SampledRun run, SampledRun li
     if (!run.run->valid() && !anyEnd) return {false, outcomeText(*run.run)};
     if (like.run != nullptr && !like.run->valid()) return {false, "what it is compared with " + outcomeText(*like.run)};
     if (statement.taken == Taken::Peak) return judgePeak(statement, *run.run);
-    const double value = statement.taken == Taken::Distance ? largestDistance(run.samples(), like.samples())
+    const double value = statement.taken == Taken::Distance ? largestDistance(run, like)
                          : statement.taken == Taken::Likeness
                              ? likenessOf(statement, run, like)
                              : valueOf(statement, run) - (like.run != nullptr ? valueOf(statement, like) : 0.0);
@@ -208,7 +220,8 @@ StatementFinding judge(const Statement& statement, SampledRun run, SampledRun li
     return {within(statement, value), shown(value, statement)};
 }
 
-CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback)
+CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback,
+                                  const std::function<StudyReport(const CheckedStatements&)>& reportOf)
 {
     const std::size_t count = task.statements.size();
     SharedRuns shared;
@@ -218,6 +231,7 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         double start = 0.0; // value of the ensemble's key
         bool done = false, agrees = false;
     };
+    std::mutex mutex; // of what has ended: `made`, and `drawn` from its runs on
     std::vector<Drawn> drawn;
     for (std::size_t i = 0; i < count; ++i) {
         const Statement& statement = task.statements[i];
@@ -237,6 +251,7 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
     const auto runShared = [&](std::size_t i, const GoOn& goOn) {
         Work& work = shared.all[i];
         work.run = measureRun(work.c, work.sampled, goOn, {}, done.teller(i));
+        const std::lock_guard lock(mutex);
         made[i] = work.run.summary.status != RunStatus::Cancelled;
     };
     const auto runDrawn = [&](std::size_t i, const GoOn& goOn) {
@@ -247,32 +262,46 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         const std::optional<std::string> sampled = sampledBy(statement);
         const std::vector<std::string> names = sampled ? std::vector{*sampled} : std::vector<std::string>{};
         const MeasuredRun run = measureRun(c, names, goOn, {}, done.teller(shared.all.size() + i));
-        each.agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
+        const bool agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
+        const std::lock_guard lock(mutex);
+        each.agrees = agrees;
         each.done = run.summary.status != RunStatus::Cancelled;
     };
+    const auto checkAll = [&] {
+        CheckedStatements result;
+        for (std::size_t i = 0; i < count; ++i) {
+            const Statement& statement = task.statements[i];
+            CheckedStatement& checked = result.all.emplace_back();
+            if (!made[own[i]] || !made[like[i]]) continue;
+            checked.finding = judge(statement, shared.at(own[i], sampledBy(statement)), likeOf(i));
+            checked.done = true;
+            if (!statement.ensemble) continue;
+            const auto isOf = [&](const Drawn& each) { return each.statement == i; };
+            const auto agrees =
+                std::ranges::count_if(drawn, [&](const Drawn& each) { return isOf(each) && each.agrees; });
+            checked.done = std::ranges::all_of(drawn, [&](const Drawn& each) { return !isOf(each) || each.done; });
+            if (checked.done) checked.share = shareOf(std::size_t(agrees), std::size_t(statement.ensemble->starts));
+        }
+        return result;
+    };
     const std::size_t total = shared.all.size() + drawn.size();
+    std::size_t told = 0;
     const auto tell = [&](std::size_t ended) {
+        if (!callback) return true;
         const std::string doing = "run " + std::to_string(std::min(ended + 1, total)) + " of " + std::to_string(total);
-        return !callback || callback({.share = done.share(), .doing = doing, .soFar = nullptr});
+        std::optional<StudyReport> soFar;
+        if (reportOf && std::exchange(told, ended) < ended) {
+            const std::lock_guard lock(mutex);
+            soFar = reportOf(checkAll());
+        }
+        return callback({.share = done.share(), .doing = doing, .soFar = soFar ? &*soFar : nullptr});
     };
     // Ensembles may compare with runs of the cases themselves, which end first.
-    CheckedStatements result;
     const bool whole =
         runParallel(shared.all.size(), jobs, runShared, tell) &&
         runParallel(drawn.size(), jobs, runDrawn, [&](std::size_t ended) { return tell(shared.all.size() + ended); });
+    CheckedStatements result = checkAll();
     if (!whole) result.status = StudyStatus::Cancelled;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Statement& statement = task.statements[i];
-        CheckedStatement& checked = result.all.emplace_back();
-        if (!made[own[i]] || !made[like[i]]) continue;
-        checked.finding = judge(statement, shared.at(own[i], sampledBy(statement)), likeOf(i));
-        checked.done = true;
-        if (!statement.ensemble) continue;
-        const auto isOf = [&](const Drawn& each) { return each.statement == i; };
-        const auto agrees = std::ranges::count_if(drawn, [&](const Drawn& each) { return isOf(each) && each.agrees; });
-        checked.done = std::ranges::all_of(drawn, [&](const Drawn& each) { return !isOf(each) || each.done; });
-        if (checked.done) checked.share = shareOf(std::size_t(agrees), std::size_t(statement.ensemble->starts));
-    }
     return result;
 }
 

@@ -3,6 +3,7 @@
 // The runs of a study of statements, and what each of them says.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,7 +45,9 @@ struct CheckedStatements {
     std::vector<CheckedStatement> all; // as task.statements; only whole ones are done
 };
 
-/// Runs that several statements share are made once. The outcome does not depend on `jobs`.
-CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback);
+/// Runs that several statements share are made once. The outcome does not depend on `jobs`. `reportOf`: of the
+/// statements so far, for the callback, whenever a run has ended.
+CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback,
+                                  const std::function<StudyReport(const CheckedStatements&)>& reportOf = {});
 
 } // namespace touchdown

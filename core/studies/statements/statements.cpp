@@ -146,7 +146,8 @@ StudyReport reportOf(const StatementTask& task, const CheckedStatements& checked
 StudyPerformance planStatements(StudyReader& reader)
 {
     return [task = readStatements(reader)](int jobs, const StudyCallback& callback) {
-        return reportOf(task, checkStatements(task, jobs, callback));
+        const auto report = [&](const CheckedStatements& checked) { return reportOf(task, checked); };
+        return report(checkStatements(task, jobs, callback, report));
     };
 }
 

@@ -17,11 +17,16 @@
 
 namespace touchdown {
 
-enum class StudyStatus : std::uint8_t { Completed, Cancelled, Failed };
+enum class StudyStatus : std::uint8_t {
+    Completed,
+    Cancelled,
+    Failed,
+    Interrupted // in a file: its program was killed, or is still at work
+};
 inline std::string_view name(StudyStatus status)
 {
-    constexpr std::array<std::string_view, 3> names{"completed", "cancelled", "failed"};
-    static_assert(names.size() == static_cast<std::size_t>(StudyStatus::Failed) + 1);
+    constexpr std::array<std::string_view, 4> names{"completed", "cancelled", "failed", "interrupted"};
+    static_assert(names.size() == static_cast<std::size_t>(StudyStatus::Interrupted) + 1);
     return names[static_cast<std::size_t>(status)];
 }
 

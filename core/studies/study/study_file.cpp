@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <utility>
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
@@ -141,27 +143,85 @@ void writeChart(const Hdf5Group& group, const StudyChart& chart)
     writeNumbered(group, "panels", chart.panels, writePanel);
 }
 
+void writeReport(const Hdf5Group& file, const StudyReport& report, const Case& c, const std::string& caseText,
+                 const std::string& studyText)
+{
+    writeFileHeader(file, studyFormat, studyFormatMajor, studyFormatMinor, dateNow(), report.title);
+    file.set("kind", report.kind);
+    file.set("status", name(report.status));
+    file.set("message", report.message);
+    file.set("wall_seconds", report.wallSeconds);
+    writeCaseGroup(file, c, caseText);
+    file.create("study").put("text", studyText, "1", "The study as it was given");
+    file.put("findings", report.findings, "1", "What the study found");
+    file.put("warnings", report.warnings, "1", "What weakens that");
+    const Hdf5Group tables = file.create("tables");
+    for (const StudyTable& table : report.tables) writeTable(tables.create(table.name), table);
+    writeNumbered(file, "charts", report.charts, writeChart);
+    if (report.found)
+        file.create("found").put("text", formatCase(*report.found), "1", "The case that the study advises");
+}
+
+constexpr const char* what = "the study"; // that cannot be written
+
 } // namespace
+
+std::string StudyWriter::open(const std::filesystem::path& file, StudySubject subject)
+{
+    lock_.reset();
+    pending_.reset();
+    if (std::string problem = checkOutputFile(file); !problem.empty()) return problem;
+    try {
+        lock_ = std::make_unique<OutputLock>(file);
+    } catch (const std::exception& failure) {
+        return "cannot write to " + file.string() + ": " + failure.what();
+    }
+    subject_ = std::move(subject);
+    begin_ = Clock::now();
+    pending_.emplace();
+    written_ = begin_ - interval_;
+    std::string problem = update(nullptr);
+    if (!problem.empty()) lock_.reset();
+    return problem;
+}
+
+std::string StudyWriter::update(const StudyReport* soFar)
+{
+    if (!lock_) return "no file of a study is open";
+    if (soFar != nullptr) pending_ = *soFar;
+    const Clock::time_point now = Clock::now();
+    if (!pending_ || now - written_ < interval_) return {};
+    StudyReport report = std::move(*pending_);
+    pending_.reset();
+    report.status = StudyStatus::Interrupted;
+    report.message = "the study was interrupted; what it had not found yet is missing";
+    report.kind = subject_.kind;
+    if (report.title.empty()) report.title = subject_.title;
+    report.wallSeconds = std::chrono::duration<double>(now - begin_).count();
+    std::string problem = write(report);
+    written_ = Clock::now();
+    return problem;
+}
+
+std::string StudyWriter::finish(const StudyReport& report)
+{
+    if (!lock_) return "no file of a study is open";
+    std::string problem = write(report);
+    lock_.reset();
+    return problem;
+}
+
+std::string StudyWriter::write(const StudyReport& report)
+{
+    return writeHdf5File(*lock_, what, [&](const Hdf5Group& file) {
+        writeReport(file, report, subject_.value, subject_.caseText, subject_.studyText);
+    });
+}
 
 std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c,
                        const std::string& caseText, const std::string& studyText)
 {
-    return writeHdf5File(path, "the study", [&](const Hdf5Group& file) {
-        writeFileHeader(file, studyFormat, studyFormatMajor, studyFormatMinor, dateNow(), report.title);
-        file.set("kind", report.kind);
-        file.set("status", name(report.status));
-        file.set("message", report.message);
-        file.set("wall_seconds", report.wallSeconds);
-        writeCaseGroup(file, c, caseText);
-        file.create("study").put("text", studyText, "1", "The study as it was given");
-        file.put("findings", report.findings, "1", "What the study found");
-        file.put("warnings", report.warnings, "1", "What weakens that");
-        const Hdf5Group tables = file.create("tables");
-        for (const StudyTable& table : report.tables) writeTable(tables.create(table.name), table);
-        writeNumbered(file, "charts", report.charts, writeChart);
-        if (report.found)
-            file.create("found").put("text", formatCase(*report.found), "1", "The case that the study advises");
-    });
+    return writeHdf5File(path, what, [&](const Hdf5Group& file) { writeReport(file, report, c, caseText, studyText); });
 }
 
 std::string writeStudyCsv(const std::filesystem::path& path, const StudyReport& report)

@@ -3,7 +3,8 @@
 // Findings, charts and tables of a study on disk. HDF5:
 //
 //   /                         attributes format ("touchdown-study"), format_version, software_version, date, title,
-//                             kind, status, message, wall_seconds
+//                             kind, status (completed, cancelled, failed; interrupted: it was under way), message,
+//                             wall_seconds
 //   /case/text, parameters    the case that was studied, as in a results file of a run
 //   /study/text               the study's file; empty where the study took its defaults
 //   /findings, warnings       sentences
@@ -22,9 +23,13 @@
 // CSV as RFC 4180: the first table, units in the heading; an unknown value is an empty cell.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
 
+#include "core/formats/output_file.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {
@@ -32,6 +37,41 @@ namespace touchdown {
 inline constexpr const char* studyFormat = "touchdown-study";
 inline constexpr int studyFormatMajor = 1;
 inline constexpr int studyFormatMinor = 0;
+
+/// What the file of a study holds besides its report.
+struct StudySubject {
+    std::string kind;      // "hysteresis"
+    std::string title;     // of its report
+    Case value;            // that is studied
+    std::string caseText;  // with the contents of the files that it names
+    std::string studyText; // empty where the study took its defaults
+};
+
+/// Keeps the file of a study that is under way: what was found so far can be read, with the status "interrupted", after
+/// the program was killed. Every call returns "" or the problem in one sentence; after a problem, the file holds what
+/// it held before.
+class StudyWriter {
+public:
+    /// `interval`: from one state of the file to the next.
+    explicit StudyWriter(std::chrono::milliseconds interval = std::chrono::seconds(2)) : interval_(interval) {}
+
+    /// Locks the file and writes it without findings, in place of an existing one.
+    std::string open(const std::filesystem::path& file, StudySubject subject);
+    /// To be called with each progress of the study (StudyCallback), on its thread; keeps a report until it is written.
+    std::string update(const StudyReport* soFar);
+    /// Writes the whole report; closes the file.
+    std::string finish(const StudyReport& report);
+
+private:
+    using Clock = std::chrono::steady_clock;
+    std::string write(const StudyReport& report);
+
+    std::chrono::milliseconds interval_;
+    StudySubject subject_;
+    std::unique_ptr<OutputLock> lock_;   // of the open file
+    std::optional<StudyReport> pending_; // not yet written
+    Clock::time_point begin_, written_;
+};
 
 /// Each writes a whole file or none, also for a study that ended early, and returns "" or the problem in one sentence.
 std::string writeStudy(const std::filesystem::path& file, const StudyReport& report, const Case& c,

@@ -176,8 +176,10 @@ StudyChart readChart(const Hdf5Group& group)
 StudyReport readReport(const Hdf5Group& file)
 {
     StudyReport report;
-    report.status = named(file.attribute("status"),
-                          {StudyStatus::Completed, StudyStatus::Cancelled, StudyStatus::Failed}, StudyStatus::Failed);
+    report.status =
+        named(file.attribute("status"),
+              {StudyStatus::Completed, StudyStatus::Cancelled, StudyStatus::Failed, StudyStatus::Interrupted},
+              StudyStatus::Failed);
     report.message = file.attribute("message");
     report.kind = file.attribute("kind");
     report.title = file.attribute("title");

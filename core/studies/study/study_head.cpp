@@ -21,7 +21,7 @@ constexpr const char* neededCase = "the file of a case, or the name of a sample 
 void placeInStudy(const StudyReader& reader, std::vector<InputProblem>& problems)
 {
     for (InputProblem& problem : problems) {
-        if (problem.kind != ProblemKind::Setting) continue;
+        if (problem.file != "--set") continue;
         problem.file = reader.name();
         problem.line = std::max(reader.lineOf("set." + problem.key), reader.lineOf("set.\"" + problem.key + '"'));
         problem.key = "set." + problem.key;

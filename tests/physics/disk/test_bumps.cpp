@@ -194,6 +194,26 @@ private slots:
         QCOMPARE(bumps.lowest(), 0.0);
     }
 
+    /// 6 um long and 4 um wide: their bases meet where they are less than that apart, times the reach of the shape.
+    void theBoundAddsOnlyNeighboursThatOverlap_data() { shapes(); }
+    void theBoundAddsOnlyNeighboursThatOverlap()
+    {
+        QFETCH(BumpShape, shape);
+        const double reach = shape == BumpShape::Gaussian ? 3.0 : 1.0; // in half lengths: nine deviations
+        for (const bool across : {false, true})
+            for (const double share : {0.9, 1.1}) {
+                DiskSurface s = oneBump(shape);
+                s.bumpHeights = {10e-9, 4e-9};
+                s.bumpLengths = {6e-6, 6e-6};
+                s.bumpWidths = {4e-6, 4e-6};
+                const double apart = share * reach * (across ? 4e-6 : 6e-6);
+                s.bumpX = {50e-6, across ? 50e-6 : 50e-6 + apart};
+                s.bumpY = {2e-6, across ? 2e-6 + apart : 2e-6};
+                s.trackWidth = 40e-6;
+                QVERIFY(std::abs(Bumps(s).highest() - (share < 1.0 ? 14e-9 : 10e-9)) < 1e-20);
+            }
+    }
+
     void aBumpAsLongAsTheTrackMeetsItself()
     {
         DiskSurface s = oneBump(BumpShape::Gaussian);

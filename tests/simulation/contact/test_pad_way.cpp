@@ -31,15 +31,17 @@ private slots:
         QVERIFY(std::abs(retractionTime(c, -2.5e-9) - 1.5e-3) < 1e-18);
     }
 
-    /// Samples each 0.3 ms up to 1.8 ms: the closest approach at 1 ms is a station of its own, and no sample.
+    /// Samples each 0.3 ms up to 1.8 ms, and one at the end, 2 ms: the closest approach at 1 ms is a station of its
+    /// own, and no sample.
     void closestIsAStation()
     {
         Case c = defaultsOf(ModelKind::Contact);
         c.run.duration = 2e-3;
         c.run.sampleInterval = 0.3e-3;
         const std::vector<PadStation> stations = padStations(c);
-        QCOMPARE(stations.size(), std::size_t{8});
-        QCOMPARE(std::ranges::count(stations, true, &PadStation::sample), 7);
+        QCOMPARE(stations.size(), std::size_t{9});
+        QCOMPARE(std::ranges::count(stations, true, &PadStation::sample), 8);
+        QCOMPARE(stations.back().time, 2e-3);
         QCOMPARE(stations[4].time, 1e-3);
         QVERIFY(!stations[4].sample);
     }

@@ -23,10 +23,10 @@ private slots:
         RunRecorder recorder(c, recordedQuantities(c), callback);
         for (int i = 0; i < 100000; ++i) recorder.addEvent(1e-9 * i, "touch-down");
         QVERIFY(recorder.send(1e-4, 0.0));
-        QVERIFY(recorder.summary({}, 1e-4, {}).warnings.empty());
+        QVERIFY(recorder.summary({}, 1e-4).warnings.empty());
         recorder.addEvent(1e-4, "touch-down");
         recorder.addEvent(2e-4, "take-off");
-        const Summary summary = recorder.summary({}, 2e-4, {});
+        const Summary summary = recorder.summary({}, 2e-4);
         QCOMPARE(summary.events.size(), std::size_t(100000));
         QCOMPARE(summary.warnings.size(), std::size_t(1));
         QCOMPARE(summary.warnings.front(),

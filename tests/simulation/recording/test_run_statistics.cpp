@@ -132,8 +132,8 @@ private slots:
         RunStatistics statistics(c, quantities);
         const std::vector<double> values(quantities.size(), 7e-9), low(quantities.size(), 6e-9),
             high(quantities.size(), 9e-9);
-        for (int i = 0; i < 1000; ++i) statistics.addSample(1e-7 * i, values, i == 100 ? low : values, values);
-        statistics.addExtremes(values, high);
+        for (int i = 0; i < 1000; ++i)
+            statistics.addSample(1e-7 * i, values, i == 100 ? low : values, i == 999 ? high : values);
         Summary summary;
         statistics.finish(summary);
         for (const auto& [name, tail] : summary.tail) {

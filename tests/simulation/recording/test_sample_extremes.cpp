@@ -77,12 +77,9 @@ private slots:
     void restartsAtTheLastPoint()
     {
         SampleExtremes extremes(1);
-        QVERIFY(!extremes.any());
         extremes.add(0.0, std::vector{1.0}, true);
         extremes.add(1.0, std::vector{3.0}, true);
-        QVERIFY(extremes.any());
         extremes.restart();
-        QVERIFY(!extremes.any());
         extremes.add(2.0, std::vector{3.5}, true);
         QCOMPARE(extremes.least()[0], 3.0);
         QCOMPARE(extremes.most()[0], 3.5);

@@ -72,8 +72,8 @@ private slots:
     }
     void stops()
     {
-        const ConvergenceStudy study =
-            studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1}, [](int, double) { return false; });
+        const ConvergenceStudy study = studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1},
+                                                        [](int, double, const ConvergenceStudy&) { return false; });
         QCOMPARE(study.status, StudyStatus::Cancelled);
         QVERIFY(study.observed.empty());
         QVERIFY(!study.message.empty());

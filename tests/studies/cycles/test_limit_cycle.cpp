@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/studies/cycles/bouncing_run.h"
+#include "core/studies/cycles/cycle_branches.h"
 #include "core/studies/runs/measured_run.h"
 #include "tests/support/bouncing_slider.h"
 #include "tests/support/test_program.h"
@@ -180,6 +181,45 @@ private slots:
         QVERIFY2(none.problem.starts_with("the slider does not come back") ||
                      none.problem.starts_with("Newton's method found no cycle of 1 crossing"),
                  none.problem.c_str());
+    }
+
+    /// Between its points a branch is straight: at 1.5 of 1 to 2, halfway. A cycle elsewhere, or with the figures of
+    /// another place, does not lie on it.
+    void aBranchHoldsTheCyclesBetweenItsPoints()
+    {
+        const auto cycleAt = [](double value, double figure) {
+            LimitCycle cycle;
+            cycle.value = value;
+            cycle.period = figure * 1e-6;
+            cycle.separation = {0.0, figure * 10e-9};
+            cycle.minimumSpacing = {1e-9, 1e-9 + figure * 5e-9};
+            return cycle;
+        };
+        for (const double last : {2.0, 0.5}) { // it may lead either way
+            CycleBranch branch;
+            branch.points = {cycleAt(1.0, 1.0), cycleAt(last, 3.0)};
+            const double middle = 0.5 * (1.0 + last), quarter = std::lerp(1.0, last, 0.25);
+            QVERIFY(liesOn(branch, cycleAt(middle, 2.0)));
+            QVERIFY(liesOn(branch, cycleAt(quarter, 1.5)));
+            QVERIFY(liesOn(branch, cycleAt(1.0, 1.0)));
+            QVERIFY(liesOn(branch, cycleAt(last, 3.0)));
+            QVERIFY(!liesOn(branch, cycleAt(middle, 1.0)));
+            QVERIFY(!liesOn(branch, cycleAt(middle, 3.0)));
+            QVERIFY(!liesOn(branch, cycleAt(std::lerp(1.0, last, 1.5), 4.0)));
+        }
+    }
+
+    /// However short its period is, and however long it runs; the verdict is that on the newest samples.
+    void aRunKeepsABoundedNumberOfSamples()
+    {
+        const Case c = bouncingSlider();
+        const BouncingRun whole = found(c);
+        QVERIFY(whole.samples > 4000);
+        const BouncingRun bounded = searchCycle(c, 0.0, sectionUnits(c), {.duration = 1e-3, .mostSamples = 1000});
+        QVERIFY(bounded.samples >= 1000 && bounded.samples <= 2000);
+        QCOMPARE(bounded.end, whole.end);
+        QCOMPARE(bounded.frequency, whole.frequency);
+        QVERIFY(BouncingSearch().mostSamples <= std::size_t{1} << 18);
     }
 
     void thePeriodIsTheShortest()

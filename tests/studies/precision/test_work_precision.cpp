@@ -7,6 +7,8 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/studies/precision/precision_report.h"
+#include "core/studies/precision/precision_runs.h"
 #include "core/studies/precision/precision_task.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
@@ -183,6 +185,30 @@ private slots:
         QVERIFY(rk4.points.front().x > rk4.points.back().x);
         QVERIFY(tells(report.findings, "Errors are distances from a reference, dopri5, which rk4-events confirms to "));
         QVERIFY(tells(report.findings, "The paper's method, rk4 (10 ns), takes "));
+    }
+
+    /// A setting that was not run, one whose time is not known, and one that was run.
+    void onlyRunsWithAHeightAreDrawn()
+    {
+        PrecisionTask task;
+        task.methods.emplace_back().name = "a";
+        for (const char* label : {"not run", "no time", "run"})
+            task.methods.front().settings.emplace_back().label = label;
+        PrecisionRuns runs;
+        for (std::size_t setting = 0; setting < 3; ++setting) {
+            PrecisionPoint& point = runs.points.emplace_back();
+            point.setting = setting;
+            point.ran = setting != 0;
+            if (setting != 1) point.seconds = {1e-3};
+            if (setting != 1) point.work = 100.0;
+        }
+        const StudyChart chart = precisionChart(task, runs);
+        QCOMPARE(chart.panels.size(), std::size_t{2});
+        for (const ChartPanel& panel : chart.panels) {
+            QCOMPARE(panel.series.size(), std::size_t{1});
+            QCOMPARE(panel.series.front().points.size(), std::size_t{1});
+            QCOMPARE(panel.series.front().points.front().label, std::string("run"));
+        }
     }
 
     /// Fig. 14 (b) with a quarter of its damping and 6 mN bounces for so long that even dopri5 at 1e-14 and rk4-events

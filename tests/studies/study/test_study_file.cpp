@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/study/study_file.h"
 
+#include <chrono>
 #include <limits>
 
 #include <QtTest>
 
 #include "core/formats/hdf5_file.h"
+#include "core/studies/study/study_file_reader.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
+using namespace std::chrono_literals;
 
 namespace test_study_file {
 
@@ -132,6 +135,42 @@ private slots:
         QCOMPARE(file.attribute("status"), std::string("cancelled"));
         QVERIFY(file.get("found/text").text().find("Advised") != std::string::npos);
         QVERIFY(texts(file, "findings").empty());
+    }
+    /// From its beginning on, and after each part that was found; what is found faster than it is written comes with
+    /// the next progress.
+    void aStudyUnderWayCanBeRead()
+    {
+        StudyWriter writer(0ms);
+        QCOMPARE(writer.open(path("a.h5"), {"work-precision", "Some title", Case{}, "# the case", "# the study"}),
+                 std::string());
+        StoredStudy stored = readStudy(path("a.h5"));
+        QCOMPARE(stored.problem, std::string());
+        QCOMPARE(stored.report.status, StudyStatus::Interrupted);
+        QCOMPARE(stored.report.kind, std::string("work-precision"));
+        QCOMPARE(stored.report.title, std::string("Some title"));
+        QVERIFY(stored.report.tables.empty());
+        StudyReport part = someReport();
+        part.kind.clear();
+        QCOMPARE(writer.update(&part), std::string());
+        stored = readStudy(path("a.h5"));
+        QCOMPARE(stored.report.status, StudyStatus::Interrupted);
+        QCOMPARE(stored.report.kind, std::string("work-precision"));
+        QCOMPARE(stored.report.tables.front().rows.size(), std::size_t{2});
+        QCOMPARE(stored.studyText, std::string("# the study"));
+        QVERIFY(!writeStudy(path("a.h5"), part, Case{}, "", "").empty()); // another writer is refused
+        QCOMPARE(writer.finish(someReport()), std::string());
+        QCOMPARE(readStudy(path("a.h5")).report.status, StudyStatus::Completed);
+        QVERIFY(!writer.update(&part).empty());
+    }
+    void aStudyUnderWayIsWrittenOnceInAWhile()
+    {
+        StudyWriter writer(std::chrono::hours(1));
+        QCOMPARE(writer.open(path("b.h5"), {"work-precision", "", Case{}, "", ""}), std::string());
+        const StudyReport part = someReport();
+        QCOMPARE(writer.update(&part), std::string());
+        QVERIFY(readStudy(path("b.h5")).report.tables.empty());
+        QCOMPARE(writer.finish(part), std::string());
+        QVERIFY(!readStudy(path("b.h5")).report.tables.empty());
     }
     void csv()
     {

@@ -188,10 +188,11 @@ void TestLiveSpectrogram::theSettingsKeepQuantityAndWindow()
     QVERIFY(other.spec(name).has("height"));
 }
 
-/// Of every sample: that of the whole signal at once.
+/// Of every sample: that of the whole signal at once. The end of the run, between two samples, is none of it, though it
+/// would complete a column.
 void TestLiveSpectrogram::aLongRunHasOne()
 {
-    constexpr int samples = 3 << 20;
+    constexpr int samples = (3 << 20) - 1;
     const std::vector<Quantity> one{{"minimum_spacing", "m", "nm", "Minimum spacing"}};
     auto run = std::make_unique<RunRecord>(2, openCase("fig10a").value, "", one);
     SampleBatch batch;
@@ -201,6 +202,7 @@ void TestLiveSpectrogram::aLongRunHasOne()
         batch.columns[0].push_back(1e-9 * std::sin(0.1 * i + 1e-8 * i * static_cast<double>(i)));
     }
     run->append(batch, {});
+    run->append({{1e-9 * (samples - 0.4)}, {{5e-9}}}, {});
     runs_->add(std::move(run));
     QTRY_VERIFY(plots_->spectrogram()->shown() && plots_->spectrogram()->shown()->window == 4096);
     const Spectrogram& shown = *plots_->spectrogram()->shown();

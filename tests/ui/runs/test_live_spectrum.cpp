@@ -28,6 +28,7 @@ private slots:
 
     void computesAFinishedRunOnce();
     void computesOnceForEachQuantity();
+    void theEndBetweenSamplesIsLeftOut();
     void aLongRunIsComputedOnAnotherThread();
     void aLiveSpectrumComesFourTimesASecond();
     void theNewestSpeaks();
@@ -189,6 +190,23 @@ void TestLiveSpectrum::offersModesOfTheSameFilm()
     QVERIFY(plot->referenceLines()[1].label.startsWith("vertical mode 201.0"));
     add(2, 50e3, true, other);
     QTRY_VERIFY(plot->referenceLines().empty());
+}
+
+/// The end of a run between two samples; what it is has no effect.
+void TestLiveSpectrum::theEndBetweenSamplesIsLeftOut()
+{
+    add(1, 50e3, true, {}, 4000);
+    const RunRecord& run = *runs_->find(1);
+    const auto spectrum = [&] { return spectrumOf(run, "minimum_spacing", spectrum_->view()->options(), 0.0); };
+    const Spectrum before = spectrum();
+    const MinMaxPyramid& column = *run.pyramid("minimum_spacing");
+    const double interval = column.time(1) - column.time(0);
+    SampleBatch end;
+    end.time = {column.lastTime() + 0.3 * interval};
+    end.columns.assign(run.quantities.size(), {1e-6});
+    runs_->append(1, end, {});
+    QVERIFY(!before.empty());
+    QVERIFY(spectrum().power == before.power);
 }
 
 /// The window does not wait for it; the spectrum is that of the whole run, not only of its newest part.
