@@ -11,6 +11,7 @@
 #include "core/formats/units.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "ui/slider/attitude_sections.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -105,7 +106,7 @@ QWidget* SurfacePage::buildTools()
     const auto tool = [&](SurfaceEditor::Tool which, const QString& text, const QString& tip) {
         auto* button = new QToolButton(row);
         button->setText(text);
-        button->setToolTip(tip);
+        button->setToolTip(plainTip(tip));
         button->setAccessibleName(tip);
         button->setCheckable(true);
         button->setAutoRaise(true);
@@ -126,7 +127,7 @@ QWidget* SurfacePage::buildTools()
             [this, group] { group->button(static_cast<int>(editor_->tool()))->setChecked(true); });
     const auto toggle = [&](const QString& text, const QString& tip, bool on, auto perform) {
         auto* box = new QCheckBox(text, row);
-        box->setToolTip(tip);
+        box->setToolTip(plainTip(tip));
         box->setChecked(on);
         connect(box, &QCheckBox::toggled, editor_, perform);
         layout->addWidget(box);
@@ -197,7 +198,7 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         const QFontMetrics metrics = flight_->fontMetrics();
         showObstacle(tr("It does not fly so: %1")
                          .arg(metrics.elidedText(reason, Qt::ElideRight, mostCharacters * metrics.averageCharWidth())));
-        flight_->setToolTip(sentence(state.message));
+        flight_->setToolTip(plainTip(sentence(state.message)));
         return;
     }
     const bool compared = reference && reference->status == SteadyStatus::Converged;
@@ -226,7 +227,7 @@ void SurfacePage::showObstacle(const QString& reason)
 {
     setTextColour(flight_, meaningColours(palette()).muted);
     const QString problem = QStringLiteral("<span style='color:%1'>%2</span>")
-                                .arg(meaningColours(palette()).failure.name(), reason.toHtmlEscaped());
+                                .arg(meaningColours(palette()).failure.name(), escaped(reason));
     flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + flightParts_);
     flight_->setToolTip({});
     obstacle_ = true;

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/plot/cursor_place.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -222,7 +223,7 @@ void CursorTable::fill()
             name->setData(lookRole, lookOf(reading));
             name->setIcon(lineSample(reading, theme));
         }
-        if (name->toolTip() != reading.name) name->setToolTip(reading.name);
+        name->setToolTip(plainTip(reading.name));
         put(row, firstColumn, number(reading.first));
         put(row, secondColumn, number(reading.second));
         put(row, differenceColumn, both ? number(*reading.second - *reading.first) : QString());
