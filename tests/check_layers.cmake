@@ -253,7 +253,7 @@ if(long_files)
 endif()
 
 # The rules of ui/style/foreign_text.h. A tool tip is {}, a literal tr("..."), plainTip(...), or HTML of the program in
-# a name that ends with htmlTip. Documents of HTML are those that read no file. What makes HTML from any text is not used.
+# a name that ends with htmlTip. Documents of HTML are those that read no file. Nothing else makes HTML of a text.
 foreach(source IN LISTS sources)
     if(NOT source MATCHES "^(ui|app)/" OR source MATCHES "^ui/style/foreign_text")
         continue()

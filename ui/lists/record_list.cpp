@@ -138,9 +138,9 @@ QString RecordList::htmlTip(int row) const
 {
     const ListedRecord& record = listed(row);
     QString text = QStringLiteral("<b>%1</b>")
-                       .arg(QStringLiteral("%1 %2: %3").arg(kind()).arg(record.number).arg(escaped(record.name)));
+                       .arg(QStringLiteral("%1 %2: %3").arg(kind()).arg(record.number).arg(escapedForTip(record.name)));
     const auto line = [&text](const QString& part) {
-        if (!part.isEmpty()) text += QStringLiteral("<br>") + escaped(part);
+        if (!part.isEmpty()) text += QStringLiteral("<br>") + escapedForTip(part);
     };
     line(changes(row));
     for (const QString& part : details(row)) line(part);

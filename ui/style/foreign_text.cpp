@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/foreign_text.h"
 
+#include <algorithm>
+
 #include <QApplication>
 #include <QEvent>
 #include <QImage>
@@ -13,6 +15,14 @@ namespace touchdown {
 
 namespace {
 
+void makePlain(QObject* object)
+{
+    auto* label = qobject_cast<QLabel*>(object);
+    if (label == nullptr || label->textFormat() != Qt::AutoText) return;
+    const bool isTip = label->windowType() == Qt::ToolTip; // its text comes from plainTip()
+    if (!isTip) label->setTextFormat(Qt::PlainText);
+}
+
 /// A label is polished before it is measured or drawn for the first time, so before its HTML is read.
 class PlainLabels final : public QObject {
 public:
@@ -20,15 +30,13 @@ public:
 
     bool eventFilter(QObject* watched, QEvent* event) override
     {
-        if (event->type() != QEvent::Polish) return false;
-        auto* label = qobject_cast<QLabel*>(watched);
-        const bool isTip = label != nullptr && label->windowType() == Qt::ToolTip; // its text is of plainTip()
-        if (label != nullptr && !isTip && label->textFormat() == Qt::AutoText) label->setTextFormat(Qt::PlainText);
+        if (event->type() == QEvent::Polish) makePlain(watched);
         return false;
     }
 };
 
-constexpr qsizetype lineOfTip = 80; // characters
+constexpr qsizetype lineOfTip = 80; // [characters]
+constexpr qsizetype mostOfTip = 2000;
 
 QVariant noPicture()
 {
@@ -47,18 +55,26 @@ void showForeignTextPlainly()
     auto* filter = new PlainLabels(qApp);
     filter->setObjectName(name);
     qApp->installEventFilter(filter);
+    for (QWidget* widget : QApplication::allWidgets()) makePlain(widget);
 }
 
 QString escaped(const QString& text) { return text.toHtmlEscaped().replace(u'\n', QLatin1String("<br>")); }
 
+QString escapedForTip(const QString& text)
+{
+    static const QRegularExpression longWord(QStringLiteral("(\\S{40})(?=\\S)"));
+    QString broken = text.size() <= mostOfTip ? text : text.left(mostOfTip) + QChar(0x2026);
+    return escaped(broken.replace(longWord, QStringLiteral("\\1\u200B")));
+}
+
 QString plainTip(const QString& text)
 {
-    if (text.size() <= lineOfTip && !Qt::mightBeRichText(text)) return text;
-    // Qt breaks lines in HTML only, and only between words: a longer word may break at a zero-width space.
-    static const QRegularExpression longWord(QStringLiteral("(\\S{40})(?=\\S)"));
-    QString broken = text;
-    broken.replace(longWord, QStringLiteral("\\1\u200B"));
-    return QStringLiteral("<p style='margin:0; white-space:pre-wrap'>%1</p>").arg(escaped(broken));
+    const auto tooLong = [](QStringView line) { return line.size() > lineOfTip; };
+    const bool wrapped = text.size() > mostOfTip || std::ranges::any_of(QStringView(text).split(u'\n'), tooLong);
+    if (wrapped) return QStringLiteral("<p style='margin:0; white-space:pre-wrap'>%1</p>").arg(escapedForTip(text));
+    // Qt breaks the lines of all HTML, also short ones.
+    return Qt::mightBeRichText(text) ? QStringLiteral("<p style='margin:0; white-space:pre'>%1</p>").arg(escaped(text))
+                                     : text;
 }
 
 QString onButton(QString text) { return text.replace(u'&', QLatin1String("&&")); }

@@ -23,6 +23,9 @@ void showForeignTextPlainly();
 /// HTML that shows `text` as it is written, with its lines.
 QString escaped(const QString& text);
 
+/// The same in a tool tip, where a line breaks only between words: a long word may break at a zero-width space.
+QString escapedForTip(const QString& text);
+
 /// Tool tip that shows `text` as it is written, in lines that fit the screen.
 QString plainTip(const QString& text);
 

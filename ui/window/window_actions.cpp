@@ -114,6 +114,8 @@ void WindowActions::buildEdit(QMainWindow& window, QUndoStack& stack)
     undo->setShortcut(QKeySequence::Undo);
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     for (QAction* action : {undo, redo}) {
+        // Its text says what is undone, which may be the title of a study.
+        connect(action, &QAction::changed, action, [action] { action->setToolTip(plainTip(action->text())); });
         menu->addAction(action);
         all_.push_back(action);
     }
