@@ -414,6 +414,9 @@ void TestForeignFiles::aFileThatCannotBeWritten()
     askAndSave(window_.get(), foreignName, pictureFilters(), QStringLiteral("pdf"),
                [](const QString& file) { return file + QStringLiteral(" cannot be written."); });
     auto* dialog = window_->findChild<QFileDialog*>();
+    QVERIFY(QDir(folder_->path()).mkpath(foreignName + u'/' + foreignName));
+    dialog->setDirectory(path(foreignName));
+    dialog->findChild<QComboBox*>(QStringLiteral("lookInCombo"))->showPopup(); // fills it
     emit dialog->fileSelected(path(foreignName));
     QVERIFY(window_->findChild<QMessageBox*>());
     LOOK();
