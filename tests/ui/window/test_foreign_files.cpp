@@ -18,6 +18,7 @@
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/cml_case.h"
+#include "core/formats/hdf5_file.h"
 #include "core/results/results_writer.h"
 #include "core/results/steady_writer.h"
 #include "core/studies/study/study_file.h"
@@ -260,20 +261,38 @@ void TestForeignFiles::aCmlCaseWithProblems()
 
 void TestForeignFiles::aSurface_data()
 {
-    QTest::addColumn<std::string>("text");
-    QTest::newRow("name of a column") << "x [um]; " + foreign + " [nm]\n0; 1\n1; 2\n2; 1\n3; 2\n";
-    QTest::newRow("unit") << "x [um]; z [" + foreign + "]\n0; 1\n1; 2\n2; 1\n3; 2\n";
-    QTest::newRow("remark") << "# direction down: " + foreign + "\nx [um]; z [nm]\n0; 1\n1; 2\n2; 1\n3; 2\n";
-    QTest::newRow("value") << "x [um]; z [nm]\n0; 1\n1; " + foreign + "\n";
+    QTest::addColumn<QString>("ending");
+    QTest::addColumn<std::string>("text"); // empty: HDF5
+    const auto row = [](const char* name, const char* ending, const std::string& text) {
+        QTest::newRow(name) << QString::fromLatin1(ending) << text;
+    };
+    row("name of a column", ".txt", "x [um]; " + foreign + " [nm]\n0; 1\n1; 2\n2; 1\n3; 2\n");
+    row("unit", ".txt", "x [um]; z [" + foreign + "]\n0; 1\n1; 2\n2; 1\n3; 2\n");
+    row("remark", ".txt", "# direction down: " + foreign + "\nx [um]; z [nm]\n0; 1\n1; 2\n2; 1\n3; 2\n");
+    row("value", ".txt", "x [um]; z [nm]\n0; 1\n1; " + foreign + "\n");
+    row("wave.def", "wave.def", "0 1 5\n1e-6 " + foreign + " 6\n");
+    row("GSF", ".gsf", "Gwyddion Simple Field 1.0\nXRes = 2\nYRes = 1\nXYUnits = " + foreign + "\n");
+    row("SDF", ".sdf", "aBCR-1.0\nManufacID = none\nNumPoints = " + foreign + "\nNumProfiles = 2\n*\n1 2\n*\n");
+    row("HDF5", ".h5", {});
 }
 
 void TestForeignFiles::aSurface()
 {
+    QFETCH(QString, ending);
     QFETCH(std::string, text);
-    write(foreignName + ".txt", text);
-    const std::string file = (foreignName + ".txt").toStdString();
-    window_->openFile(write(QStringLiteral("case.toml"),
-                            "title = \"stranger\"\n[disk.surface]\nkind = \"file\"\nfile = \"" + file + "\"\n"));
+    const QString name = foreignName + ending;
+    if (text.empty()) {
+        const Hdf5Access access;
+        const Hdf5Group file = createHdf5File(path(name).toStdString());
+        const std::vector<double> values{0.0, 1.0, 2.0, 3.0};
+        file.put("x", values).set("units", foreign);
+        file.put(foreignName.toStdString(), values).set("units", foreign);
+    } else {
+        write(name, text);
+    }
+    window_->openFile(
+        write(QStringLiteral("case.toml"),
+              "title = \"stranger\"\n[disk.surface]\nkind = \"file\"\nfile = \"" + name.toStdString() + "\"\n"));
     LOOK();
 }
 
