@@ -116,7 +116,8 @@ QWidget* SeriesPage::buildHead()
 {
     auto* head = new QWidget(this);
     start_->setAutoDefault(false);
-    start_->setToolTip(tr("Solve the static state at each point of the series, or stop; what is solved remains"));
+    start_->setToolTip(
+        plainTip(tr("Solve the static state at each point of the series, or stop; what is solved remains")));
     connect(start_, &QPushButton::clicked, this, &SeriesPage::startOrStop);
     problem_->setContentsMargins(10, 2, 10, 4);
     empty_->setTextFormat(Qt::RichText);

@@ -44,11 +44,13 @@ SurfacePage::SurfacePage(QWidget* parent)
 {
     follow_->setObjectName(QStringLiteral("follow"));
     follow_->setChecked(true);
-    follow_->setToolTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
-                           "case's own grid afterwards"));
+    follow_->setToolTip(
+        plainTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
+                    "case's own grid afterwards")));
     influence_->setObjectName(QStringLiteral("influence"));
-    influence_->setToolTip(tr("Show what a deeper recess of each rail and a shift of each edge of the selected rails "
-                              "would do to the minimum spacing"));
+    influence_->setToolTip(
+        plainTip(tr("Show what a deeper recess of each rail and a shift of each edge of the selected rails "
+                    "would do to the minimum spacing")));
     influenceWords_->setAccessibleName(tr("What the colours and arrows mean"));
     influenceWords_->setContentsMargins(8, 0, 8, 2);
     influenceWords_->setMinimumWidth(1);

@@ -109,7 +109,8 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     tabs_->setDocumentMode(true);
     tabs_->setExpanding(false);
     copy_->setText(tr("Copy table"));
-    copy_->setToolTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)"));
+    copy_->setToolTip(
+        plainTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)")));
     copy_->setAccessibleName(tr("Copy the table of the values at the cursors"));
     copy_->setAutoRaise(true);
     copy_->setFocusPolicy(Qt::TabFocus);

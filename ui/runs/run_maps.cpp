@@ -75,9 +75,9 @@ void RunMaps::buildRows()
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     sameScale_->setChecked(true);
-    sameScale_->setToolTip(
+    sameScale_->setToolTip(plainTip(
         tr("On: colours and sections have one range for the whole run, without a short peak such as that of a landing. "
-           "Off: they span the values at this time."));
+           "Off: they span the values at this time.")));
     time_->setAccessibleName(tr("Time of the maps"));
     time_->setToolTip(tr("Select the time of the recorded fields (arrow keys, Home, End)"));
     reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);

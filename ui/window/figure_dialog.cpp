@@ -138,8 +138,9 @@ QWidget* FigureDialog::buildForm()
     family_->setMinimumContentsLength(12);
     family_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     fontSize_ = number(4.0, 36.0, tr("pt"), 1);
-    fontSize_->setToolTip(tr("Of titles and legend; the numbers at the axes are a tenth smaller. Lines follow it: 1 pt "
-                             "wide beside a text of 8 pt."));
+    fontSize_->setToolTip(
+        plainTip(tr("Of titles and legend; the numbers at the axes are a tenth smaller. Lines follow it: 1 pt "
+                    "wide beside a text of 8 pt.")));
     dots_ = whole(72, 1200, tr(" dots per inch"));
     dots_->setToolTip(tr("Of a PNG. PDF and SVG hold lines and text."));
     colours_ = new QComboBox;
