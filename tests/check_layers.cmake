@@ -2,8 +2,9 @@
 #
 # Run by ctest: cmake -D SOURCE_DIR=<root> -D PROGRAM=<path of touchdown> -P check_layers.cmake
 # Fails when a file includes a file of a higher room, when files of one room include each other in a circle, when two
-# types have one name, when the core includes Qt, when the command line links Qt, and when a folder, a file or a class
-# outgrows its limit. tests/check_layers_finds.cmake shows that it finds each of these.
+# types have one name, when the core includes Qt, when the command line links Qt, when the window may show foreign text
+# as HTML, and when a folder, a file or a class outgrows its limit. tests/check_layers_finds.cmake shows that it finds
+# each of these.
 
 cmake_minimum_required(VERSION 3.25)
 
@@ -251,6 +252,33 @@ if(long_files)
     list(JOIN long_files "\n  " text)
     message(WARNING "Longer than ${planned_lines} lines:\n  ${text}")
 endif()
+
+# The rules of ui/style/foreign_text.h. A tool tip is {}, a literal tr("..."), plainTip(...), or HTML of the program in
+# a name that ends with htmlTip. Documents of HTML are those that read no file. Nothing else makes HTML of a text.
+foreach(source IN LISTS sources)
+    if(NOT source MATCHES "^(ui|app)/" OR source MATCHES "^ui/style/foreign_text")
+        continue()
+    endif()
+    file(READ ${SOURCE_DIR}/${source} text)
+    string(REGEX REPLACE "\\\\." "" text "${text}") # escapes within literals
+    string(REGEX REPLACE "\"[^\"\n]*\"" "\"\"" text "${text}")
+    string(REGEX REPLACE "//[^\n]*" "" text "${text}")
+    string(REGEX REPLACE "[][]" " " text "${text}") # would join elements of a list
+    string(REGEX REPLACE "[ \n]+" " " text "${text}")
+    string(REPLACE ";" "$" text "${text}")
+    string(REGEX MATCHALL "(set[a-zA-Z]*ToolTip|QToolTip::showText)\\([^$]+\\)|[^\${}]*ToolTipRole[^$]*" tips "${text}")
+    foreach(tip IN LISTS tips)
+        if(NOT tip MATCHES "^[a-zA-Z]+\\( ?(tr\\( ?(\"\" ?)+\\)|{})\\)$|plainTip\\(|[hH]tmlTip|^Qt::ToolTipRole}")
+            list(APPEND problems "${source}: the tool tip ${tip} is no literal, plainTip() or htmlTip")
+        endif()
+    endforeach()
+    if(text MATCHES "(new QTextBrowser|public QTextBrowser|<QTextDocument>\\(|QTextDocument [a-z]+ ?[$({])")
+        list(APPEND problems "${source}: a document of HTML is an OwnDocument or an OwnTextBrowser")
+    endif()
+    if(text MATCHES "(Qt::AutoText|QErrorMessage|QStaticText|QSplashScreen|setWhatsThis|setMarkdown)")
+        list(APPEND problems "${source}: uses ${CMAKE_MATCH_1}, which makes HTML from any text")
+    endif()
+endforeach()
 
 # ldd follows the libraries of the libraries, too.
 execute_process(COMMAND ldd ${PROGRAM} OUTPUT_VARIABLE libraries RESULT_VARIABLE status)

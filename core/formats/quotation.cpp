@@ -26,7 +26,8 @@ Utf8Character firstCharacter(std::string_view text)
 bool isUnprintable(unsigned code)
 {
     const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
-    const bool turnsDirection = (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+    const bool turnsDirection = code == 0x061c || code == 0x200e || code == 0x200f || // Bidi_Control of Unicode
+                                (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
     return control || turnsDirection;
 }
 

@@ -24,8 +24,8 @@ private slots:
         QTest::newRow("an escape sequence") << QByteArray("\x1b]0;title\x07") << QByteArray("\\u001b]0;title\\u0007");
         QTest::newRow("delete, C1") << QByteArray("\x7f\u0080\u009b\u00a0")
                                     << QByteArray("\\u007f\\u0080\\u009b\u00a0");
-        QTest::newRow("direction") << QByteArray("\u202a\u202e\u2066\u2069")
-                                   << QByteArray("\\u202a\\u202e\\u2066\\u2069");
+        QTest::newRow("direction") << QByteArray("\u061c\u200e\u200f\u202a\u202e\u2066\u2069")
+                                   << QByteArray("\\u061c\\u200e\\u200f\\u202a\\u202e\\u2066\\u2069");
         QTest::newRow("C1 as a single byte") << QByteArray("a\x9b"
                                                            "1m")
                                              << QByteArray("a\\x9b1m");

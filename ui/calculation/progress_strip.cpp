@@ -59,7 +59,6 @@ ProgressStrip::ProgressStrip(CalculationController& controller, const QString& c
     bar_->setAccessibleName(tr("Progress of the %1").arg(calculation));
     state_->setAccessibleName(tr("State of the %1").arg(calculation));
     text_->setAccessibleName(tr("Progress of the %1 in words").arg(calculation));
-    text_->setTextFormat(Qt::PlainText);
     text_->setMinimumWidth(1); // cut off rather than widening the window
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 8, 2);

@@ -95,7 +95,6 @@ void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::s
                                 tr("This case reads %1 outside its folder. Read it?").arg(names.join(tr(" and "))),
                                 QMessageBox::Yes | QMessageBox::No, &window_);
     box->setObjectName(QStringLiteral("outsideFiles"));
-    box->setTextFormat(Qt::PlainText);
     box->setInformativeText(tr("A case from another person could read a private file this way. Without the file the "
                                "case cannot be opened."));
     box->setAttribute(Qt::WA_DeleteOnClose);

@@ -12,6 +12,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "ui/case/case_edits.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -77,8 +78,9 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
 
     legend_->setText(tr("≈ assumed, because the paper's value is lost"));
     legend_->setWordWrap(true);
-    legend_->setToolTip(tr("The tables of the paper that list these values are lost. The stand-ins were chosen so that "
-                           "runs do what the paper says of them; each case tells how far they do."));
+    legend_->setToolTip(
+        plainTip(tr("The tables of the paper that list these values are lost. The stand-ins were chosen so that "
+                    "runs do what the paper says of them; each case tells how far they do.")));
 
     auto* page = new QWidget;
     buildGroups(page);

@@ -11,6 +11,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/choice_text.h"
 #include "ui/case/parameter_text.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -84,7 +85,6 @@ ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
         mark->setSizePolicy(policy);
     }
     reason_->setWordWrap(true);
-    reason_->setTextFormat(Qt::PlainText);
     reason_->hide();
 
     auto* grid = new QGridLayout(this);
@@ -131,7 +131,7 @@ void ParameterEditor::buildInput()
         for (const std::string& name : parameter_.choices) {
             const ChoiceText text = choiceText(parameter_.key, name);
             choice_->addItem(text.name, QString::fromStdString(name));
-            choice_->setItemData(choice_->count() - 1, text.meaning, Qt::ToolTipRole);
+            choice_->setItemData(choice_->count() - 1, plainTip(text.meaning), Qt::ToolTipRole);
         }
         choice_->setFocusPolicy(Qt::StrongFocus);
         connect(choice_, &QComboBox::activated, this, [this] { emit entered(choice_->currentData().toString()); });
@@ -152,6 +152,11 @@ void ParameterEditor::buildInput()
     setFocusProxy(input());
 }
 
+QString ParameterEditor::meaning(int choice) const
+{
+    return choiceText(parameter_.key, choice_->itemData(choice).toString().toStdString()).meaning;
+}
+
 int ParameterEditor::inputWidth() const { return fontMetrics().averageCharWidth() * inputCharacters + 14; }
 
 void ParameterEditor::setUnitWidth(int width)
@@ -163,13 +168,12 @@ void ParameterEditor::setUnitWidth(int width)
 
 void ParameterEditor::describe()
 {
-    QString tip = QStringLiteral("<b>%1</b>").arg(labelOf(parameter_));
-    const auto paragraph = [&tip](const QString& text) {
-        if (!text.isEmpty()) tip += QStringLiteral("<p style='margin:4px 0 0 0'>%1</p>").arg(text.toHtmlEscaped());
+    QString htmlTip = QStringLiteral("<b>%1</b>").arg(labelOf(parameter_));
+    const auto paragraph = [&htmlTip](const QString& text) {
+        if (!text.isEmpty()) htmlTip += QStringLiteral("<p style='margin:4px 0 0 0'>%1</p>").arg(text.toHtmlEscaped());
     };
     if (choice_) {
-        for (int i = 0; i < choice_->count(); ++i)
-            paragraph(tr("%1: %2").arg(choice_->itemText(i), choice_->itemData(i, Qt::ToolTipRole).toString()));
+        for (int i = 0; i < choice_->count(); ++i) paragraph(tr("%1: %2").arg(choice_->itemText(i), meaning(i)));
     } else {
         paragraph(QString::fromStdString(parameter_.help));
     }
@@ -177,10 +181,10 @@ void ParameterEditor::describe()
         paragraph((choice_ ? tr("In a file: %1") : tr("Allowed: %1")).arg(QString::fromStdString(range)));
     if (!parameter_.source.empty()) paragraph(tr("Source: %1").arg(QString::fromStdString(parameter_.source)));
     paragraph(tr("Key: %1").arg(QString::fromStdString(parameter_.key)));
-    label_->setToolTip(tip);
-    input()->setToolTip(tip);
+    label_->setToolTip(htmlTip);
+    input()->setToolTip(htmlTip);
     input()->setAccessibleDescription(QString::fromStdString(parameter_.help));
-    assumed_->setToolTip(tr("Assumed: %1").arg(QString::fromStdString(parameter_.source)));
+    assumed_->setToolTip(plainTip(tr("Assumed: %1").arg(QString::fromStdString(parameter_.source))));
 }
 
 void ParameterEditor::show(const CaseEdits& edits)
@@ -210,7 +214,7 @@ void ParameterEditor::show(const CaseEdits& edits)
 
     changed_ = edits.changed(parameter_);
     reset_->setVisible(changed_);
-    reset_->setToolTip(tr("Back to %1").arg(valueText(edits.opened(), parameter_)));
+    reset_->setToolTip(plainTip(tr("Back to %1").arg(valueText(edits.opened(), parameter_))));
     // The mark of an assumed value disappears when the value is changed.
     assumed_->setVisible(isStandIn(parameter_) && parameter_.get(value) == parameter_.get(Case{}));
     colour();
@@ -220,8 +224,7 @@ SearchMatch ParameterEditor::match(const QString& search) const
 {
     QString texts = QString::fromStdString(parameter_.help);
     for (int i = 0; choice_ && i < choice_->count(); ++i)
-        texts += QLatin1Char(' ') + choice_->itemText(i) + QLatin1Char(' ') +
-                 choice_->itemData(i, Qt::ToolTipRole).toString();
+        texts += QLatin1Char(' ') + choice_->itemText(i) + QLatin1Char(' ') + meaning(i);
     const QString label = QString::fromStdString(parameter_.label + ' ' + parameter_.symbol),
                   key = label + QLatin1Char(' ') + QString::fromStdString(parameter_.key);
     if (hasWords(label, search)) return SearchMatch::Label;

@@ -57,6 +57,7 @@ private:
     void buildInput();
     void describe();
     void colour();
+    QString meaning(int choice) const;
     int inputWidth() const;
     void commitLine();
 

@@ -13,6 +13,7 @@
 #include "core/simulation/static_state/film_setup.h"
 #include "ui/case/parameter_text.h"
 #include "ui/slider/attitude_sections.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 #include "ui/style/translate.h"
@@ -174,10 +175,10 @@ QString ComparePage::html() const
             .arg(muted, tr("Check the boxes of solutions in the list to see them side by side."));
     QString html = QStringLiteral("<table cellspacing='0'><tr><td></td>");
     for (qsizetype i = 0; i < all.columns.size(); ++i)
-        html += cell(QStringLiteral("<b>%1</b>").arg(all.columns[i].toHtmlEscaped()) +
+        html += cell(QStringLiteral("<b>%1</b>").arg(escaped(all.columns[i])) +
                          (all.states[i].isEmpty() ? QString()
                                                   : QStringLiteral("<br><span style='color:%1'>%2</span>")
-                                                        .arg(colours.failure.name(), all.states[i].toHtmlEscaped())) +
+                                                        .arg(colours.failure.name(), escaped(all.states[i]))) +
                          (i == all.base && all.columns.size() > 1
                               ? QStringLiteral("<br><span style='%1'>%2</span>").arg(muted, tr("compared with"))
                               : QString()),
@@ -197,8 +198,7 @@ QString ComparePage::html() const
     }
     html += QStringLiteral("<tr><td style='padding:8px 0 2px 0'>%1</td>").arg(tr("Changed"));
     for (const QStringList& each : all.changes)
-        html += cell(each.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QLatin1String("<br>")),
-                     QStringLiteral("vertical-align:top; ") + muted);
+        html += cell(escaped(each.join(QLatin1Char('\n'))), QStringLiteral("vertical-align:top; ") + muted);
     html += QStringLiteral("</tr></table>");
     if (!all.states.join(QString()).isEmpty())
         html += QStringLiteral("<p style='color:%1'>%2</p>")

@@ -21,6 +21,7 @@
 #include "ui/maps/fields_view.h"
 #include "ui/maps/map_kinds.h"
 #include "ui/slider/attitude_sections.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -244,7 +245,7 @@ void FilmView::compare(const SolutionRecord* shown, const std::vector<const Solu
         for (const SolutionRecord* each : compared)
             if (each->number == baseline && !each->result.pressure.empty() && sameSize(each->value, shown->value))
                 base_ = {each->value, each->result}, base = title(*each);
-    difference_->setText(base_ ? tr("&Minus %1").arg(base) : tr("&Minus baseline"));
+    difference_->setText(base_ ? tr("&Minus %1").arg(onButton(base)) : tr("&Minus baseline"));
     showFields();
     showPage();
 }

@@ -83,6 +83,7 @@ QWidget* ModesPage::buildHead()
     start_->setAutoDefault(false);
     start_->setToolTip(tr("Find the modes of the case about its static state, or stop the search"));
     connect(start_, &QPushButton::clicked, this, &ModesPage::startOrStop);
+    empty_->setTextFormat(Qt::RichText);
     remarks_->setWordWrap(true);
     remarks_->setContentsMargins(10, 2, 10, 4);
     remarks_->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -22,6 +22,7 @@
 #include "ui/film/result_pages.h"
 #include "ui/film/same_film.h"
 #include "ui/film/series_setup.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
@@ -115,9 +116,11 @@ QWidget* SeriesPage::buildHead()
 {
     auto* head = new QWidget(this);
     start_->setAutoDefault(false);
-    start_->setToolTip(tr("Solve the static state at each point of the series, or stop; what is solved remains"));
+    start_->setToolTip(
+        plainTip(tr("Solve the static state at each point of the series, or stop; what is solved remains")));
     connect(start_, &QPushButton::clicked, this, &SeriesPage::startOrStop);
     problem_->setContentsMargins(10, 2, 10, 4);
+    empty_->setTextFormat(Qt::RichText);
     problem_->setWordWrap(true);
     problem_->hide();
     auto* choice = new QHBoxLayout;
@@ -295,7 +298,7 @@ void SeriesPage::addRow(const SeriesState& state)
         auto* item = new QTableWidgetItem(cells[column]);
         const bool words = column == status || column + 1 == cells.size();
         if (!words) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        if (words) item->setToolTip(cells.back()); // it may be cut off
+        if (words) item->setToolTip(plainTip(cells.back())); // it may be cut off
         table_->setItem(row, static_cast<int>(column), item);
         if (words) colourState(row, static_cast<int>(column));
     }

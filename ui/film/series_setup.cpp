@@ -10,6 +10,7 @@
 
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -171,9 +172,9 @@ void SeriesSetup::showUnits()
     for (QWidget* widget : ends_) widget->setVisible(!listed);
     for (QWidget* widget : skews_) widget->setVisible(varied() == Varied::Radius);
     lists_->setVisible(listed);
-    varied_->setToolTip(varied() == Varied::Altitude
-                            ? tr("The air is then that of the standard atmosphere at each altitude")
-                            : tr("What varies from state to state; the rest is that of the case"));
+    varied_->setToolTip(plainTip(varied() == Varied::Altitude
+                                     ? tr("The air is then that of the standard atmosphere at each altitude")
+                                     : tr("What varies from state to state; the rest is that of the case")));
 }
 
 } // namespace touchdown

@@ -16,6 +16,7 @@
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
 #include "ui/slider/wall_picture.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -85,7 +86,7 @@ ShapePanel::ShapePanel(QWidget* parent)
     const auto button = [this](const QString& text, const QString& tip, auto perform) {
         auto* made = new QToolButton(this);
         made->setText(text);
-        made->setToolTip(tip);
+        made->setToolTip(plainTip(tip));
         made->setAccessibleName(tip);
         made->setFocusPolicy(Qt::StrongFocus);
         connect(made, &QToolButton::clicked, this, perform);
@@ -312,8 +313,8 @@ void ShapePanel::updateButtons()
     const bool wall = chosen_.kind == Kind::Wall;
     corner_->setEnabled(wall || chosen_.kind == Kind::Rail);
     corner_->setText(wall ? tr("+ Row") : tr("+ Corner"));
-    corner_->setToolTip(wall ? tr("Add a point to the wall after the chosen one (Insert)")
-                             : tr("Insert a corner after the chosen one (Insert)"));
+    corner_->setToolTip(plainTip(wall ? tr("Add a point to the wall after the chosen one (Insert)")
+                                      : tr("Insert a corner after the chosen one (Insert)")));
     wall_->setEnabled(chosen_.kind == Kind::Rail);
     remove_->setEnabled(chosen_.kind == Kind::Wall || !selection_.empty());
     const std::size_t count = case_.surface.rails.size();

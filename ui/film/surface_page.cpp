@@ -11,6 +11,7 @@
 #include "core/formats/units.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "ui/slider/attitude_sections.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -43,11 +44,13 @@ SurfacePage::SurfacePage(QWidget* parent)
 {
     follow_->setObjectName(QStringLiteral("follow"));
     follow_->setChecked(true);
-    follow_->setToolTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
-                           "case's own grid afterwards"));
+    follow_->setToolTip(
+        plainTip(tr("While you change the shape, solve how it flies: on a coarse grid during a drag, on the "
+                    "case's own grid afterwards")));
     influence_->setObjectName(QStringLiteral("influence"));
-    influence_->setToolTip(tr("Show what a deeper recess of each rail and a shift of each edge of the selected rails "
-                              "would do to the minimum spacing"));
+    influence_->setToolTip(
+        plainTip(tr("Show what a deeper recess of each rail and a shift of each edge of the selected rails "
+                    "would do to the minimum spacing")));
     influenceWords_->setAccessibleName(tr("What the colours and arrows mean"));
     influenceWords_->setContentsMargins(8, 0, 8, 2);
     influenceWords_->setMinimumWidth(1);
@@ -105,7 +108,7 @@ QWidget* SurfacePage::buildTools()
     const auto tool = [&](SurfaceEditor::Tool which, const QString& text, const QString& tip) {
         auto* button = new QToolButton(row);
         button->setText(text);
-        button->setToolTip(tip);
+        button->setToolTip(plainTip(tip));
         button->setAccessibleName(tip);
         button->setCheckable(true);
         button->setAutoRaise(true);
@@ -126,7 +129,7 @@ QWidget* SurfacePage::buildTools()
             [this, group] { group->button(static_cast<int>(editor_->tool()))->setChecked(true); });
     const auto toggle = [&](const QString& text, const QString& tip, bool on, auto perform) {
         auto* box = new QCheckBox(text, row);
-        box->setToolTip(tip);
+        box->setToolTip(plainTip(tip));
         box->setChecked(on);
         connect(box, &QCheckBox::toggled, editor_, perform);
         layout->addWidget(box);
@@ -197,7 +200,7 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         const QFontMetrics metrics = flight_->fontMetrics();
         showObstacle(tr("It does not fly so: %1")
                          .arg(metrics.elidedText(reason, Qt::ElideRight, mostCharacters * metrics.averageCharWidth())));
-        flight_->setToolTip(sentence(state.message));
+        flight_->setToolTip(plainTip(sentence(state.message)));
         return;
     }
     const bool compared = reference && reference->status == SteadyStatus::Converged;
@@ -226,7 +229,7 @@ void SurfacePage::showObstacle(const QString& reason)
 {
     setTextColour(flight_, meaningColours(palette()).muted);
     const QString problem = QStringLiteral("<span style='color:%1'>%2</span>")
-                                .arg(meaningColours(palette()).failure.name(), reason.toHtmlEscaped());
+                                .arg(meaningColours(palette()).failure.name(), escaped(reason));
     flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + flightParts_);
     flight_->setToolTip({});
     obstacle_ = true;

@@ -96,7 +96,7 @@ const std::vector<GlossaryEntry>& glossaryEntries()
     return entries;
 }
 
-QString glossaryTip(const GlossaryEntry& entry)
+QString glossaryHtmlTip(const GlossaryEntry& entry)
 {
     return QStringLiteral("<p style='margin:0'>%1</p><p style='margin:2px 0 0 0'>%2</p>")
         .arg(headOf(entry), lessonHtml(entry.text));

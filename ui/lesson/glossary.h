@@ -44,7 +44,7 @@ Glossary readGlossary(std::string_view text, const std::string& name);
 const std::vector<GlossaryEntry>& glossaryEntries();
 
 /// Term, symbols, unit and explanation as HTML, for a tool tip.
-QString glossaryTip(const GlossaryEntry& entry);
+QString glossaryHtmlTip(const GlossaryEntry& entry);
 /// The page of the help: a table of all terms in alphabetical order.
 QString glossaryPage(const std::vector<GlossaryEntry>& entries);
 

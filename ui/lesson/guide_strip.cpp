@@ -9,6 +9,7 @@
 #include "ui/lesson/lesson_pane.h"
 #include "ui/lesson/live_values.h"
 #include "ui/lesson/term_marks.h"
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -82,7 +83,7 @@ void GuideStrip::showStep()
         button->setText(QString::number(i + 1));
         const QString purpose = QString::fromStdString(step.runs[i].purpose);
         button->setAccessibleName(tr("Run %1: %2").arg(i + 1).arg(purpose));
-        button->setToolTip(purpose);
+        button->setToolTip(plainTip(purpose));
         if (i < keys) pressedBy(Qt::Key(Qt::Key_1 + static_cast<int>(i)), button);
         connect(button, &QToolButton::clicked, this, [this, i] { perform(i); });
         static_cast<QHBoxLayout*>(row_->layout())->insertWidget(static_cast<int>(i), button);

@@ -13,6 +13,7 @@
 #include "ui/lesson/lesson_text.h"
 #include "ui/lesson/live_values.h"
 #include "ui/lesson/term_marks.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -127,7 +128,7 @@ void LessonPane::buildRuns()
         const QString purpose = QString::fromStdString(run.purpose);
         auto* button = new QPushButton(run.kind.empty() ? tr("Run") : tr("Study"), runs_);
         button->setAccessibleName(run.kind.empty() ? tr("Run: %1").arg(purpose) : tr("Study: %1").arg(purpose));
-        button->setToolTip(QString::fromStdString(commandOf(run)));
+        button->setToolTip(plainTip(QString::fromStdString(commandOf(run))));
         connect(button, &QPushButton::clicked, this, [this, run] { emit runRequested(run); });
         purposes_.push_back(textLabel(runs_));
         grid->addWidget(button, grid->rowCount(), 0, Qt::AlignTop);

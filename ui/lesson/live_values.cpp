@@ -13,6 +13,7 @@
 #include "core/formats/units.h"
 #include "ui/case/parameter_text.h"
 #include "ui/lesson/marked_slider.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -86,7 +87,8 @@ void LiveValues::setValues(const std::vector<LiveValue>& values, const Case& own
         row.label->setWordWrap(true);
         row.label->setBuddy(row.slider);
         row.slider->setAccessibleName(sentence(parameter.label).chopped(1));
-        row.slider->setToolTip(QString::fromStdString(parameter.help));
+        row.label->setTextFormat(Qt::RichText);
+        row.slider->setToolTip(plainTip(QString::fromStdString(parameter.help)));
         row.slider->setMark(shareOf(value, row.own));
         row.slider->setEnds(endText(value, value.from), endText(value, value.until));
         connect(

@@ -79,7 +79,7 @@ const GlossaryEntry* linkedEntry(const QString& link)
 void explainTerms(QLabel* label)
 {
     const auto show = [label](const GlossaryEntry& entry, QPoint at) {
-        QToolTip::showText(at, glossaryTip(entry), label);
+        QToolTip::showText(at, glossaryHtmlTip(entry), label);
     };
     QObject::connect(label, &QLabel::linkHovered, label, [show](const QString& link) {
         if (const GlossaryEntry* entry = linkedEntry(link))

@@ -9,6 +9,7 @@
 #include <QStyledItemDelegate>
 #include <QTextDocument>
 
+#include "ui/style/foreign_text.h"
 #include "ui/style/readable.h"
 #include "ui/style/theme.h"
 
@@ -35,7 +36,7 @@ public:
         frame.widget->style()->drawControl(QStyle::CE_ItemViewItem, &frame, painter, frame.widget);
         const QRect picture(option.rect.topLeft() + QPoint(itemMargin, itemMargin), sizeOfPicture());
         paintPicture(painter, option, *item, picture);
-        QTextDocument text;
+        OwnDocument text;
         const bool selected = option.state.testFlag(QStyle::State_Selected);
         layOut(text, option, *item, option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text));
         painter->save();
@@ -48,7 +49,7 @@ public:
         const int width = gallery_.viewport()->width() - 2 * gallery_.spacing();
         const GalleryItem* item = gallery_.at(index.row());
         if (item == nullptr) return {width, 2 * option.fontMetrics.height()};
-        QTextDocument text;
+        OwnDocument text;
         layOut(text, option, *item, {});
         const int height = std::max(sizeOfPicture().height(), static_cast<int>(text.size().height()));
         return {width, height + 2 * itemMargin};
@@ -87,7 +88,7 @@ private:
         text.setTextWidth(gallery_.viewport()->width() - 2 * gallery_.spacing() - sizeOfPicture().width() -
                           4 * itemMargin);
         text.setHtml(QStringLiteral("<div style='color:%1'><b>%2</b><br>%3</div>")
-                         .arg(colour.name(), item.title.toHtmlEscaped(), item.about.toHtmlEscaped()));
+                         .arg(colour.name(), escaped(item.title), escaped(item.about)));
     }
 
     Gallery& gallery_;

@@ -5,6 +5,8 @@
 
 #include <QFileInfo>
 
+#include "ui/style/foreign_text.h"
+
 namespace touchdown {
 
 namespace {
@@ -33,7 +35,7 @@ QVariant RecordList::data(const QModelIndex& index, int role) const
     case Qt::EditRole:
     case NoteRole: return record.note;
     case Qt::CheckStateRole: return record.shown ? Qt::Checked : Qt::Unchecked;
-    case Qt::ToolTipRole: return toolTip(row);
+    case Qt::ToolTipRole: return htmlTip(row);
     case Qt::AccessibleTextRole:
         return QStringLiteral("%1 %2, %3, %4, %5")
             .arg(kind())
@@ -132,14 +134,13 @@ void RecordList::setBaseline(int number)
     emit baselineChanged(number);
 }
 
-QString RecordList::toolTip(int row) const
+QString RecordList::htmlTip(int row) const
 {
     const ListedRecord& record = listed(row);
-    QString text =
-        QStringLiteral("<b>%1</b>")
-            .arg(QStringLiteral("%1 %2: %3").arg(kind()).arg(record.number).arg(record.name.toHtmlEscaped()));
+    QString text = QStringLiteral("<b>%1</b>")
+                       .arg(QStringLiteral("%1 %2: %3").arg(kind()).arg(record.number).arg(escapedForTip(record.name)));
     const auto line = [&text](const QString& part) {
-        if (!part.isEmpty()) text += QStringLiteral("<br>") + part.toHtmlEscaped();
+        if (!part.isEmpty()) text += QStringLiteral("<br>") + escapedForTip(part);
     };
     line(changes(row));
     for (const QString& part : details(row)) line(part);

@@ -92,7 +92,7 @@ protected:
     virtual bool speaks(int row) const { return listed(row).shown; }
 
 private:
-    QString toolTip(int row) const;
+    QString htmlTip(int row) const;
 
     std::vector<std::unique_ptr<ListedRecord>> records_;
     int nextNumber_ = 1;

@@ -9,6 +9,7 @@
 
 #include "ui/lists/record_delegate.h"
 #include "ui/lists/record_list.h"
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -58,7 +59,7 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
 
     overlay_->setChecked(true);
     overlay_->setVisible(!words.overlay.isEmpty());
-    overlay_->setToolTip(words.overlayTip);
+    overlay_->setToolTip(plainTip(words.overlayTip));
     connect(overlay_, &QCheckBox::toggled, this, [this](bool on) {
         if (on)
             showHidden();
@@ -74,7 +75,7 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
     const auto button = [this](const QString& text, const QString& tip, auto action) {
         auto* made = new QToolButton(this);
         made->setText(text);
-        made->setToolTip(tip);
+        made->setToolTip(plainTip(tip));
         made->setAccessibleName(text);
         made->setAutoRaise(true);
         made->setFocusPolicy(Qt::TabFocus);
@@ -173,7 +174,7 @@ void RecordPanel::setActive(int number)
 void RecordPanel::offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform)
 {
     auto* action = new QAction(text, this);
-    action->setToolTip(tip);
+    action->setToolTip(plainTip(tip));
     connect(action, &QAction::triggered, this, [this, perform] { perform(chosen()); });
     auto* made = new QToolButton(this);
     made->setDefaultAction(action);

@@ -13,6 +13,7 @@
 #include "core/formats/units.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -50,15 +51,16 @@ FieldCursorTable::FieldCursorTable(QWidget* parent)
     table_->setAccessibleName(tr("Values at the cursors of the map"));
     makePlainTable(table_, {tr("Cursor")}); // the other columns come with a field
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->setToolTip(tr(
+    table_->setToolTip(plainTip(tr(
         "Click on the map sets cursor 1, Shift + click cursor 2; Shift + arrows move 1, Ctrl + Shift + arrows move 2; "
-        "Escape takes cursor 2 away"));
+        "Escape takes cursor 2 away")));
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->installEventFilter(this);
     copy_->setText(tr("Copy table"));
-    copy_->setToolTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)"));
+    copy_->setToolTip(
+        plainTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)")));
     copy_->setAccessibleName(tr("Copy the table of the values at the cursors of the map"));
     copy_->setAutoRaise(true);
     copy_->setFocusPolicy(Qt::TabFocus);

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "ui/plot/cursor_place.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 
@@ -108,7 +109,8 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     tabs_->setDocumentMode(true);
     tabs_->setExpanding(false);
     copy_->setText(tr("Copy table"));
-    copy_->setToolTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)"));
+    copy_->setToolTip(
+        plainTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)")));
     copy_->setAccessibleName(tr("Copy the table of the values at the cursors"));
     copy_->setAutoRaise(true);
     copy_->setFocusPolicy(Qt::TabFocus);
@@ -222,7 +224,7 @@ void CursorTable::fill()
             name->setData(lookRole, lookOf(reading));
             name->setIcon(lineSample(reading, theme));
         }
-        if (name->toolTip() != reading.name) name->setToolTip(reading.name);
+        name->setToolTip(plainTip(reading.name));
         put(row, firstColumn, number(reading.first));
         put(row, secondColumn, number(reading.second));
         put(row, differenceColumn, both ? number(*reading.second - *reading.first) : QString());

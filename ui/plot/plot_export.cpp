@@ -17,6 +17,7 @@
 #include <QSvgGenerator>
 
 #include "ui/plot/plot_widget.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/translate.h"
 #include "ui/style/whole_file.h"
 
@@ -61,7 +62,7 @@ void writeSvg(const Picture& picture, QIODevice& device)
     generator.setSize((picture.size * svgFineness).toSize());
     generator.setViewBox(QRectF(QPointF(), picture.size));
     generator.setResolution(static_cast<int>(std::lround(picture.pixelsPerInch * svgFineness)));
-    generator.setTitle(picture.title);
+    generator.setTitle(escaped(picture.title)); // Qt writes it as it is
     QPainter painter(&generator);
     picture.paint(painter);
 }

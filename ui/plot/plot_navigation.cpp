@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "ui/plot/cursor_place.h"
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -274,7 +275,7 @@ void PlotNavigation::showToolTip(const QHelpEvent& event) const
     if (lines.isEmpty())
         QToolTip::hideText();
     else
-        QToolTip::showText(event.globalPos(), lines.join(u'\n'), &plot_);
+        QToolTip::showText(event.globalPos(), plainTip(lines.join(u'\n')), &plot_);
 }
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -77,7 +78,7 @@ SpectrumView::SpectrumView(QWidget* parent)
     // The boxes have no labels: these would make the window too wide for a small screen.
     const auto add = [&](QWidget* box, int stretch, const QString& name, const QString& toolTip) {
         box->setAccessibleName(name);
-        box->setToolTip(toolTip);
+        box->setToolTip(plainTip(toolTip));
         row->addWidget(box, stretch);
     };
     add(quantity_, 3, tr("Quantity"), tr("Quantity whose spectrum is shown"));

@@ -32,7 +32,7 @@ QStringList figureLines(const Summary& summary, bool ofSolver)
 
 } // namespace
 
-AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
+AboutCasePane::AboutCasePane(QWidget* parent) : OwnTextBrowser(parent)
 {
     setAccessibleName(tr("About this case"));
     setFrameShape(QFrame::NoFrame);
@@ -87,20 +87,19 @@ void AboutCasePane::setWarnings(const QStringList& warnings)
 
 void AboutCasePane::changeEvent(QEvent* event)
 {
-    QTextBrowser::changeEvent(event);
+    OwnTextBrowser::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) write();
 }
 
 void AboutCasePane::write()
 {
     const MeaningColours colours = meaningColours(palette());
-    QString html = QStringLiteral("<p><b>%1</b></p>").arg(title_.toHtmlEscaped());
+    QString html = QStringLiteral("<p><b>%1</b></p>").arg(escaped(title_));
     const auto part = [&html](const QString& heading, const QString& text, const QColor& colour) {
         if (text.isEmpty()) return;
         html +=
             QStringLiteral("<p style='margin:6px 0 0 0'><span style='color:%1; font-weight:600'>%2</span><br>%3</p>")
-                .arg(colour.name(), heading,
-                     text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+                .arg(colour.name(), heading, escaped(text.trimmed()));
     };
     part(tr("Result of the paper"), readable(about_.paper), colours.muted);
     part(tr("What to look at"), readable(about_.watch), colours.muted);
@@ -113,8 +112,7 @@ void AboutCasePane::write()
                     .arg(QLatin1String(detailsLink), colours.muted.name(),
                          detailsShown_ ? QStringLiteral("▾") : QStringLiteral("▸"), tr("Details of the solver"));
     if (detailsShown_ && !details_.isEmpty())
-        html += QStringLiteral("<p style='margin:0'>%1</p>")
-                    .arg(details_.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
+        html += QStringLiteral("<p style='margin:0'>%1</p>").arg(escaped(details_));
     part(tr("⚠ Remarks on the file"), warnings_.join(QLatin1Char('\n')), colours.warning);
     part(tr("≈ Assumptions"), readable(about_.assumed), colours.warning);
     setHtml(html);

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "core/case/case.h"
-
-#include <QTextBrowser>
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -13,7 +12,7 @@ struct RunFigure;
 struct RunRecord;
 struct Summary;
 
-class AboutCasePane : public QTextBrowser {
+class AboutCasePane : public OwnTextBrowser {
     Q_OBJECT
 
 public:

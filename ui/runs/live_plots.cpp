@@ -13,6 +13,7 @@
 #include "ui/runs/live_spectrogram.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -82,7 +83,7 @@ void LivePlots::makePlot(std::size_t s)
 {
     const PlotSpec& spec = specs_[s];
     auto* plot = new PlotWidget(this);
-    auto* wanted = new QAction(spec.title, this);
+    auto* wanted = new QAction(onButton(spec.title), this);
     entries_.push_back({spec.name, spec.title, plot, wanted});
     labelAxes(s);
     placePlot(s);
@@ -108,7 +109,7 @@ void LivePlots::labelAxes(std::size_t s)
     const PlotSpec& spec = specs_[s];
     PlotWidget* plot = entries_[s].plot;
     entries_[s].title = spec.title;
-    entries_[s].wanted->setText(spec.title);
+    entries_[s].wanted->setText(onButton(spec.title));
     updateTitle(s);
     if (spec.across) {
         const Quantity& across = *spec.across;

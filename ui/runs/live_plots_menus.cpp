@@ -11,6 +11,7 @@
 #include "ui/runs/live_spectrogram.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -128,14 +129,14 @@ void LivePlots::addMenus(const QString& name)
     addMenu(plot, tr("A&dd a curve"), [this, name, plot](QMenu& menu) {
         for (const Quantity& quantity : quantities())
             if (spec(name).refusal(quantity).isEmpty())
-                menu.addAction(QString::fromStdString(quantity.longName), plot,
+                menu.addAction(onButton(QString::fromStdString(quantity.longName)), plot,
                                [this, name, quantity] { addCurve(name, quantity); });
         if (menu.isEmpty()) menu.addAction(tr("No other quantity has this unit"))->setEnabled(false);
     });
     addMenu(plot, tr("Re&move a curve"), [this, name, plot](QMenu& menu) {
         for (const PlotSpec::Curve& curve : spec(name).curves)
             if (curve.added && spec(name).curves.size() > 1)
-                menu.addAction(curve.name, plot,
+                menu.addAction(onButton(curve.name), plot,
                                [this, name, quantity = curve.quantity] { removeCurve(name, quantity); });
         if (menu.isEmpty()) menu.addAction(tr("None was added"))->setEnabled(false);
     });
@@ -144,12 +145,12 @@ void LivePlots::addMenus(const QString& name)
         const std::optional<Quantity> now = spec(name).across;
         addChoice(menu, tr("Time"), !now, plot, [this, name] { setAxes(name, std::nullopt, std::nullopt); });
         for (const Quantity& quantity : quantities())
-            addChoice(menu, QString::fromStdString(quantity.longName), now && now->name == quantity.name, plot,
-                      [this, name, quantity] { setAxes(name, quantity, std::nullopt); });
+            addChoice(menu, onButton(QString::fromStdString(quantity.longName)), now && now->name == quantity.name,
+                      plot, [this, name, quantity] { setAxes(name, quantity, std::nullopt); });
     });
     addMenu(plot, tr("&Up"), [this, name, plot](QMenu& menu) {
         for (const Quantity& quantity : quantities())
-            addChoice(menu, QString::fromStdString(quantity.longName), spec(name).has(quantity.name), plot,
+            addChoice(menu, onButton(QString::fromStdString(quantity.longName)), spec(name).has(quantity.name), plot,
                       [this, name, quantity] { setAxes(name, spec(name).across, quantity); });
     });
     if (!spec(name).own) return;
@@ -164,7 +165,7 @@ void LivePlots::addSpectrogramMenus()
     PlotWidget* plot = this->plot(name);
     addMenu(plot, tr("&Quantity"), [this, name, plot](QMenu& menu) {
         for (const Quantity& quantity : quantities())
-            addChoice(menu, QString::fromStdString(quantity.longName), spec(name).has(quantity.name), plot,
+            addChoice(menu, onButton(QString::fromStdString(quantity.longName)), spec(name).has(quantity.name), plot,
                       [this, name, quantity] { setAxes(name, std::nullopt, quantity); });
     });
     addMenu(plot, tr("&Window"), [this, plot](QMenu& menu) {

@@ -17,6 +17,7 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -319,8 +320,8 @@ void LiveSpectrogram::show(const std::shared_ptr<Shown>& picture, const Quantity
     // Not "%1²": the digit would belong to the number of the place.
     picture->unit = tr("dB re 1 %1/Hz").arg((simple ? unit : QStringLiteral("(%1)").arg(unit)) + QStringLiteral("²"));
     setTitle({});
-    plot_.setToolTip(
-        tr("Resolution: %1, %2").arg(timeText(shown_->timeResolution), frequencyText(shown_->frequencyResolution)));
+    plot_.setToolTip(plainTip(
+        tr("Resolution: %1, %2").arg(timeText(shown_->timeResolution), frequencyText(shown_->frequencyResolution))));
     PlotBackdrop backdrop;
     backdrop.x = {picture->start, std::max(picture->columnStart(shown_->columns), end)};
     backdrop.y = {0.0, picture->top};

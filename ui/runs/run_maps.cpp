@@ -13,6 +13,7 @@
 #include "ui/maps/field_map.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -74,9 +75,9 @@ void RunMaps::buildRows()
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
     sameScale_->setChecked(true);
-    sameScale_->setToolTip(
+    sameScale_->setToolTip(plainTip(
         tr("On: colours and sections have one range for the whole run, without a short peak such as that of a landing. "
-           "Off: they span the values at this time."));
+           "Off: they span the values at this time.")));
     time_->setAccessibleName(tr("Time of the maps"));
     time_->setToolTip(tr("Select the time of the recorded fields (arrow keys, Home, End)"));
     reading_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -191,7 +192,8 @@ int RunMaps::latestOf(const FieldHistory& shown) const
 void RunMaps::takeFields(const RunRecord& run)
 {
     taken_ = number_;
-    const QString chosen = tabs_->tabText(tabs_->currentIndex());
+    const auto current = static_cast<std::size_t>(tabs_->currentIndex()); // -1 before there is one
+    const QString chosen = current < fields_.size() ? fields_[current].name : QString();
     std::vector<RecordedFields> sets;
     for (const FieldHistory& history : run.fields) sets.push_back(history.fields);
     fields_ = runFields(sets);
@@ -207,7 +209,8 @@ void RunMaps::takeFields(const RunRecord& run)
     {
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
-        for (const RunField& field : fields_) tabs_->setTabToolTip(tabs_->addTab(field.name), field.kind.title);
+        for (const RunField& field : fields_)
+            tabs_->setTabToolTip(tabs_->addTab(onButton(field.name)), plainTip(field.kind.title));
         tabs_->setCurrentIndex(first == std::ssize(fields_) ? 0 : static_cast<int>(first));
     }
     view_->setKinds(std::move(kinds));
@@ -284,9 +287,9 @@ void RunMaps::showSnapshot()
                      sameScale_->isChecked() ? std::move(ranges) : std::vector<PlotRange>(), std::move(points));
     reading_->setText(readingText(*shown, *history, index));
     reading_->setToolTip(
-        history->stride == 1
-            ? QString()
-            : tr("The run recorded more snapshots than are kept. One in %1 is shown.").arg(history->stride));
+        plainTip(history->stride == 1
+                     ? QString()
+                     : tr("The run recorded more snapshots than are kept. One in %1 is shown.").arg(history->stride)));
 }
 
 namespace {

@@ -18,6 +18,7 @@
 #include "ui/runs/replay_bar.h"
 #include "ui/runs/run_maps.h"
 #include "ui/runs/side_view.h"
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -213,7 +214,7 @@ void RunView::fillPlotsMenu(QMenu& menu)
     connect(more, &QMenu::aboutToShow, this, [this, more] {
         more->clear();
         for (const Quantity& quantity : plots_->quantities())
-            more->addAction(QString::fromStdString(quantity.longName), this,
+            more->addAction(onButton(QString::fromStdString(quantity.longName)), this,
                             [this, quantity] { plots_->addPlot(quantity); });
     });
     menu.addAction(quantitiesWanted_);

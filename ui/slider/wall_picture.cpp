@@ -10,6 +10,7 @@
 
 #include "core/physics/slider/wall_edit.h"
 #include "ui/plot/plot_theme.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -56,7 +57,7 @@ WallPicture::WallPicture(QWidget* parent) : QWidget(parent)
     const QString help = tr("Drag the points; a double click adds one. N and B choose a point, arrow keys move it by "
                             "0.1 µm or 10 nm, with Shift ten times as far, Insert adds one after it, Del removes it.");
     setAccessibleDescription(help);
-    setToolTip(help);
+    setToolTip(plainTip(help));
 }
 
 void WallPicture::setWall(const WallProfile& wall)

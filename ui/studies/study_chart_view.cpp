@@ -106,7 +106,7 @@ std::function<void(QIODevice&)> StudyChartView::dataWriter() const
     return [this](QIODevice& device) { writeChartCsv(chart_, device); };
 }
 
-QString StudyChartView::reading() const
+QString StudyChartView::htmlTip() const
 {
     return pointed_ ? drawing().panels()[pointed_->panel].reading(pointed_->hit) : QString();
 }
@@ -225,7 +225,7 @@ void StudyChartView::setPointed(const std::optional<Pointed>& pointed, const QPo
     if (pointed == pointed_) return;
     pointed_ = pointed;
     if (pointed_)
-        QToolTip::showText(at, reading(), this);
+        QToolTip::showText(at, htmlTip(), this);
     else
         QToolTip::hideText();
     update();

@@ -38,7 +38,7 @@ public:
     double heightOnPaper(double width, const QFont& font) const override;
     std::function<void(QIODevice&)> dataWriter() const override;
     /// Description of the point under the pointer or the keyboard cursor; empty for none.
-    QString reading() const;
+    QString htmlTip() const;
 
     QSize sizeHint() const override;
     bool hasHeightForWidth() const override { return true; }

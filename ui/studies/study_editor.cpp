@@ -15,6 +15,7 @@
 #include "core/formats/toml_editor.h"
 #include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/style/save_dialog.h"
@@ -106,13 +107,12 @@ void StudyEditor::build()
     kinds_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     kinds_->setMinimumContentsLength(12);
     help_->setWordWrap(true);
-    help_->setTextFormat(Qt::PlainText);
+    subject_->setTextFormat(Qt::RichText);
     problems_->setWordWrap(true);
     problems_->setTextFormat(Qt::RichText);
     problems_->setTextInteractionFlags(Qt::TextBrowserInteraction);
     problems_->setAccessibleName(tr("Errors of the study"));
     duration_->setWordWrap(true);
-    duration_->setTextFormat(Qt::PlainText);
     duration_->setAccessibleName(tr("The time that the study takes"));
     duration_->hide();
     run_->setAccessibleName(tr("Perform the study"));
@@ -256,7 +256,7 @@ void StudyEditor::showForm()
         return;
     }
     const bool namesCase = std::ranges::find(toml.entries, "case", &TomlEntry::key) != toml.entries.end();
-    const QString title = readable(plan_.start.value.title).toHtmlEscaped();
+    const QString title = escaped(readable(plan_.start.value.title));
     const bool differs = namesCase && !caseDifference(case_, plan_.start.value).isEmpty();
     subject_->setText(namesCase ? tr("Studies <b>%1</b>; changes at the left have no effect.").arg(title)
                                 : tr("Studies the case at the left: <b>%1</b>").arg(title));
@@ -297,16 +297,16 @@ void StudyEditor::showProblems()
         const bool ofTheText = problem.file == plan_.name && problem.line > 0;
         if (ofTheText) marked.push_back(problem.line);
         if (static_cast<std::size_t>(lines.size()) >= mostProblems) continue;
-        QString text = QString::fromStdString(problem.message).toHtmlEscaped();
+        QString text = escaped(QString::fromStdString(problem.message));
         if (!problem.key.empty())
-            text = QStringLiteral("<code>%1</code>: %2").arg(QString::fromStdString(problem.key).toHtmlEscaped(), text);
+            text = QStringLiteral("<code>%1</code>: %2").arg(escaped(QString::fromStdString(problem.key)), text);
         if (ofTheText)
             text = QStringLiteral("<a href='%1' style='color:%2'>%3</a>: ")
                        .arg(problem.line)
                        .arg(colour, tr("line %1").arg(problem.line)) +
                    text;
         else if (problem.file != plan_.name)
-            text = QString::fromStdString(problem.file).toHtmlEscaped() + QStringLiteral(": ") + text;
+            text = escaped(QString::fromStdString(problem.file)) + QStringLiteral(": ") + text;
         lines << QStringLiteral("<span style='color:%1'>✕</span> ").arg(colour) + text;
     }
     if (plan_.problems.size() > mostProblems)

@@ -20,6 +20,7 @@
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
 #include "ui/case/parameter_text.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/style/theme.h"
@@ -191,14 +192,14 @@ void StudyFormView::build(std::vector<StudyKey> keys)
         font.setPointSizeF(0.9 * font.pointSizeF());
         for (QLabel* under : {row.help, row.problem}) {
             under->setWordWrap(true);
-            under->setTextFormat(Qt::PlainText);
             under->setFont(font);
         }
         row.help->setContentsMargins(0, 0, 0, 6);
         row.help->setText(sentence(key.help));
         row.problem->hide();
-        label->setToolTip(tr("Key: %1. Allowed: %2").arg(QString::fromStdString(key.key), readable(allowedText(key))));
-        row.input->setToolTip(label->toolTip());
+        const QString allowed =
+            tr("Key: %1. Allowed: %2").arg(QString::fromStdString(key.key), readable(allowedText(key)));
+        for (QWidget* part : {static_cast<QWidget*>(label), row.input}) part->setToolTip(plainTip(allowed));
         row.input->installEventFilter(this);
         row.input->setObjectName(QString::fromStdString(key.key));
         row.input->setAccessibleName(fieldLabel(key.key));

@@ -10,6 +10,7 @@
 
 #include "core/studies/study/study.h"
 #include "ui/plot/plot_painter.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/readable.h"
 #include "ui/style/translate.h"
 
@@ -21,14 +22,14 @@ constexpr double gap = 6.0;    // between things that belong together [px]
 constexpr double reach = 20.0; // [widths of the area] lines end this far outside: painters fail at larger coordinates
 constexpr double near = 9.0;   // of a pointer to a point [px]
 
-QString plain(const std::string& text) { return readable(text).toHtmlEscaped(); }
+QString plain(const std::string& text) { return escapedForTip(readable(text)); }
 
 QString valueLine(const PlotAxis& axis, double value, double error)
 {
     QString number = axis.reading(value);
     if (error > 0.0) number += QStringLiteral(" ± ") + axis.reading(error);
     if (!axis.label.unit.isEmpty()) number += QChar(0x00A0) + axis.label.unit;
-    return QStringLiteral("%1: %2").arg(axis.label.title.toHtmlEscaped(), number.toHtmlEscaped());
+    return QStringLiteral("%1: %2").arg(escapedForTip(axis.label.title), escapedForTip(number));
 }
 
 } // namespace
@@ -185,7 +186,7 @@ QString StudyPanel::bandText(const ChartBand& band) const
         range = tr("from %1").arg(end(band.lower));
     else
         range = tr("%1 to %2").arg(end(band.lower), end(band.upper));
-    return QStringLiteral("<b>%1</b><br>%2").arg(plain(band.label), range.toHtmlEscaped());
+    return QStringLiteral("<b>%1</b><br>%2").arg(plain(band.label), escapedForTip(range));
 }
 
 QString StudyPanel::reading(const PanelHit& hit) const

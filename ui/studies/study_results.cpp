@@ -12,6 +12,7 @@
 #include "core/studies/study/study_verdict.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/style/save_dialog.h"
@@ -34,8 +35,8 @@ void setTabTexts(QTabBar* tabs, const QStringList& texts)
     while (tabs->count() > texts.size()) tabs->removeTab(tabs->count() - 1);
     while (tabs->count() < texts.size()) tabs->addTab({});
     for (int i = 0; i < texts.size(); ++i) {
-        tabs->setTabText(i, QString(texts[i]).replace(QLatin1Char('&'), QLatin1String("&&")));
-        tabs->setTabToolTip(i, texts[i]);
+        tabs->setTabText(i, onButton(texts[i]));
+        tabs->setTabToolTip(i, plainTip(texts[i]));
     }
 }
 
@@ -61,7 +62,7 @@ StudyResults::StudyResults(QWidget* parent)
       factTabs_(makeTabs(tr("Findings and tables"), this)),
       chartPages_(new QStackedWidget(this)),
       factPages_(new QStackedWidget(this)),
-      findings_(new QTextBrowser(this)),
+      findings_(new OwnTextBrowser(this)),
       staleMark_(new QLabel(tr("The case or the study has changed since."), this)),
       apply_(new QPushButton(tr("Apply to the case"), this)),
       copy_(new QToolButton(this)),
@@ -95,6 +96,7 @@ void StudyResults::build()
 
     findings_->setAccessibleName(tr("Findings"));
     findings_->setFrameShape(QFrame::NoFrame);
+    empty_->setTextFormat(Qt::RichText);
     findings_->setOpenLinks(false);
     findings_->document()->setDocumentMargin(10);
     factPages_->addWidget(findings_);
@@ -236,7 +238,7 @@ void StudyResults::writeFindings()
     const auto add = [&html](const QString& mark, const QColor& colour, const QString& text) {
         html += QStringLiteral(
                     "<tr><td style='color:%1; padding:2px 8px 2px 0'>%2</td><td style='padding:2px 0'>%3</td></tr>")
-                    .arg(colour.name(), mark, text.toHtmlEscaped());
+                    .arg(colour.name(), mark, escaped(text));
     };
     if (report_->status == StudyStatus::Failed) add(QStringLiteral("✕"), colours.failure, sentence(report_->message));
     if (report_->status == StudyStatus::Cancelled || report_->status == StudyStatus::Interrupted)

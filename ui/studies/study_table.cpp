@@ -13,6 +13,7 @@
 #include "core/formats/units.h"
 #include "ui/case/choice_text.h"
 #include "ui/plot/plot_axis.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 
@@ -79,7 +80,7 @@ QVariant StudyTableModel::data(const QModelIndex& index, int role) const
         table_.rows[static_cast<std::size_t>(index.row())][static_cast<std::size_t>(index.column())];
     if (role == Qt::DisplayRole) return text(column, value);
     if (role == Qt::ToolTipRole && std::holds_alternative<std::string>(value))
-        return text(column, value); // it may be cut off
+        return plainTip(text(column, value)); // it may be cut off
     if (role == Qt::TextAlignmentRole)
         return QVariant::fromValue((std::holds_alternative<std::string>(value) ? Qt::AlignLeft : Qt::AlignRight) |
                                    Qt::AlignVCenter);
@@ -98,7 +99,8 @@ QVariant StudyTableModel::headerData(int section, Qt::Orientation orientation, i
     const QString title = readable(column.longName.empty() ? column.name : column.longName);
     const QString unit = unitText(column.displayUnit.empty() ? column.unit : column.displayUnit);
     if (role == Qt::DisplayRole) return unit.isEmpty() ? title : QStringLiteral("%1 [%2]").arg(title, unit);
-    if (role == Qt::ToolTipRole) return QStringLiteral("%1 (%2)").arg(title, QString::fromStdString(column.name));
+    if (role == Qt::ToolTipRole)
+        return plainTip(QStringLiteral("%1 (%2)").arg(title, QString::fromStdString(column.name)));
     return QAbstractTableModel::headerData(section, orientation, role);
 }
 

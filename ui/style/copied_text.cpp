@@ -5,13 +5,14 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QTextDocument>
 #include <QVBoxLayout>
+
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
 CopiedText::CopiedText(const QString& textName, const QString& copyName, QWidget* parent)
-    : QWidget(parent), text_(new QTextBrowser(this)), copy_(new QToolButton(this))
+    : QWidget(parent), text_(new OwnTextBrowser(this)), copy_(new QToolButton(this))
 {
     text_->setAccessibleName(textName);
     text_->setFrameShape(QFrame::NoFrame);

@@ -15,7 +15,6 @@ MessageStrip::MessageStrip(QWidget* parent)
 {
     setAccessibleName(tr("Messages"));
     text_->setWordWrap(true);
-    text_->setTextFormat(Qt::PlainText);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     text_->setFocusPolicy(Qt::ClickFocus);
     action_->setAutoDefault(false);

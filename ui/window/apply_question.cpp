@@ -24,7 +24,6 @@ void askToApply(QWidget& window, const Case& open, const Case& found, const QStr
                                 tr("Apply to the case"), {}, QMessageBox::Cancel, &window);
     box->setObjectName(QStringLiteral("applyQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
     if (open == found) {
         box->setText(tr("The open case already has the values that the study found."));
         box->setStandardButtons(QMessageBox::Close);

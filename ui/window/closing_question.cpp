@@ -42,13 +42,12 @@ void ClosingQuestion::ask(const UnsavedWork& work, bool kept)
     auto* box = new QMessageBox(QMessageBox::Question, tr("Close Touchdown"), tr("Not everything is saved."),
                                 QMessageBox::NoButton, &window_);
     box->setObjectName(QStringLiteral("closing"));
-    QString text = tr("Closing would stop or leave behind:") + QStringLiteral("<ul>");
-    for (const QString& line : linesOf(work, parts_)) text += QStringLiteral("<li>%1</li>").arg(line.toHtmlEscaped());
-    text += QStringLiteral("</ul>");
+    QStringList text{tr("Closing would stop or leave behind:")};
+    for (const QString& line : linesOf(work, parts_)) text += QStringLiteral("• ") + line;
     if (kept)
-        text += tr("Without saving, it stays on this computer for a while: <i>File, Sessions</i> brings it back.");
-    box->setTextFormat(Qt::RichText);
-    box->setInformativeText(text);
+        text += QLatin1Char('\n') +
+                tr("Without saving, it stays on this computer for a while: File, Sessions brings it back.");
+    box->setInformativeText(text.join(QLatin1Char('\n')));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* save = box->addButton(tr("&Save all and close"), QMessageBox::AcceptRole);
     const QPushButton* leave = box->addButton(tr("&Close without saving"), QMessageBox::DestructiveRole);

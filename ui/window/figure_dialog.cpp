@@ -16,6 +16,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "ui/style/foreign_text.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -47,6 +48,7 @@ FigureDialog::FigureDialog(QWidget& page, const QString& key, const QString& nam
     preview_->installEventFilter(this); // a remark of two lines takes its room
     preview_->setAccessibleName(tr("Preview of the figure"));
     remark_->setWordWrap(true);
+    remark_->setTextFormat(Qt::RichText);
     remark_->setOpenExternalLinks(true);
     remark_->setTextInteractionFlags(Qt::TextBrowserInteraction);
 
@@ -136,8 +138,9 @@ QWidget* FigureDialog::buildForm()
     family_->setMinimumContentsLength(12);
     family_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     fontSize_ = number(4.0, 36.0, tr("pt"), 1);
-    fontSize_->setToolTip(tr("Of titles and legend; the numbers at the axes are a tenth smaller. Lines follow it: 1 pt "
-                             "wide beside a text of 8 pt."));
+    fontSize_->setToolTip(
+        plainTip(tr("Of titles and legend; the numbers at the axes are a tenth smaller. Lines follow it: 1 pt "
+                    "wide beside a text of 8 pt.")));
     dots_ = whole(72, 1200, tr(" dots per inch"));
     dots_->setToolTip(tr("Of a PNG. PDF and SVG hold lines and text."));
     colours_ = new QComboBox;
@@ -295,7 +298,7 @@ void FigureDialog::changed()
     }
     const auto oneDigit = [](double number) { return QLocale().toString(number, 'f', 1); };
     remark_->setText(problem.isEmpty() ? tr("%1 mm × %2 mm").arg(oneDigit(size.width()), oneDigit(size.height()))
-                                       : problem);
+                                       : escaped(problem));
     export_->setEnabled(problem.isEmpty());
     showPreview();
 }
@@ -329,13 +332,12 @@ void FigureDialog::exportTo(const QString& path)
 {
     const PaperFigure figure = this->figure();
     const QString problem = figure.save(path);
-    if (!problem.isEmpty()) return remark_->setText(problem.toHtmlEscaped());
+    if (!problem.isEmpty()) return remark_->setText(escaped(problem));
     keep();
     QStringList links;
     for (const QString& file : QStringList{path} + figure.dataFiles(path))
         links << QStringLiteral("<a href=\"%1\">%2</a>")
-                     .arg(QUrl::fromLocalFile(file).toString(QUrl::FullyEncoded),
-                          QFileInfo(file).fileName().toHtmlEscaped());
+                     .arg(QUrl::fromLocalFile(file).toString(QUrl::FullyEncoded), escaped(QFileInfo(file).fileName()));
     remark_->setText(tr("Written: %1").arg(links.join(QStringLiteral(", "))));
 }
 

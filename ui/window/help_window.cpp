@@ -13,6 +13,7 @@
 #include "core/formats/csv_cell.h"
 #include "ui/case/parameter_text.h"
 #include "ui/lesson/glossary.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 
 namespace touchdown {
@@ -77,7 +78,7 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
     : QWidget(parent, Qt::Window),
       shortcuts_(shortcuts),
       contents_(new QListWidget(this)),
-      browser_(new QTextBrowser(this))
+      browser_(new OwnTextBrowser(this))
 {
     setWindowTitle(tr("Touchdown: help"));
     contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"),

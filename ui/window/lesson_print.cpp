@@ -24,6 +24,7 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/side_view.h"
+#include "ui/style/foreign_text.h"
 #include "ui/window/lesson_stages.h"
 
 namespace touchdown {
@@ -235,7 +236,7 @@ void LessonPrint::addPicture(bool several)
 
 std::unique_ptr<QTextDocument> LessonPrint::document() const
 {
-    auto document = std::make_unique<QTextDocument>();
+    auto document = std::make_unique<OwnDocument>();
     for (std::size_t i = 0; i < pictures_.size(); ++i)
         document->addResource(QTextDocument::ImageResource, QUrl(QStringLiteral("picture%1").arg(i)), pictures_[i]);
     QFont font;

@@ -35,6 +35,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/closing_question.h"
@@ -60,6 +61,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
       messages_(new MessageStrip(this)),
       startCard_(new StartCard(this))
 {
+    showForeignTextPlainly();
     setObjectName(QStringLiteral("workbench"));
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -191,10 +193,10 @@ void MainWindow::updateRunActions()
     const QString reason = edits_->reasonNotToRun();
     actions_->run->setEnabled(reason.isEmpty());
     const QString cannot = tr("The case cannot be run. %1").arg(reason);
-    actions_->run->setToolTip(reason.isEmpty() ? tr("Run the case in time; a run in progress starts again (F5)")
-                                               : cannot);
-    actions_->solve->setToolTip(
-        reason.isEmpty() ? tr("Solve for the static attitude; a solution in progress starts again (F9)") : cannot);
+    actions_->run->setToolTip(
+        plainTip(reason.isEmpty() ? tr("Run the case in time; a run in progress starts again (F5)") : cannot));
+    actions_->solve->setToolTip(plainTip(
+        reason.isEmpty() ? tr("Solve for the static attitude; a solution in progress starts again (F9)") : cannot));
     for (QAction* action : {actions_->solve, actions_->solveGiven})
         action->setEnabled(pages_->model() == ModelKind::Film && reason.isEmpty());
     if (!reason.isEmpty())
@@ -228,7 +230,8 @@ void MainWindow::updateRecentMenu()
 {
     actions_->recent->clear();
     for (const QString& file : files_->recent())
-        actions_->recent->addAction(QDir::toNativeSeparators(file), files_, [this, file] { files_->open(file); });
+        actions_->recent->addAction(onButton(QDir::toNativeSeparators(file)), files_,
+                                    [this, file] { files_->open(file); });
     if (actions_->recent->isEmpty()) actions_->recent->addAction(tr("None yet"))->setEnabled(false);
 }
 

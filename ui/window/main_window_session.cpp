@@ -26,6 +26,7 @@
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/closing_question.h"
 #include "ui/window/guides.h"
@@ -95,13 +96,13 @@ void MainWindow::listSessions()
         const std::optional<SessionState> state = readSession(path);
         const QString left = state ? describe(*state, studiesIn(path)) : QString();
         if (left.isEmpty()) continue;
-        menu->addAction(
-            QStringLiteral("%1: %2").arg(QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), left),
-            this, [this, path] {
-                files_->whenSettled([this, path] {
-                    if (auto folder = SessionFolder::take(path)) takeSession(std::move(folder));
-                });
-            });
+        menu->addAction(QStringLiteral("%1: %2").arg(
+                            QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
+                        this, [this, path] {
+                            files_->whenSettled([this, path] {
+                                if (auto folder = SessionFolder::take(path)) takeSession(std::move(folder));
+                            });
+                        });
     }
     if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
 }

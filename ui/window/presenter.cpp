@@ -14,6 +14,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/runs/run_view.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/readable.h"
 #include "ui/style/theme.h"
 #include "ui/window/guides.h"
@@ -49,6 +50,7 @@ Presenter::Presenter(MainWindow& window, WindowPages& pages)
     back_->setToolTip(tr("The step before it (Page Up)"));
     bar_->setObjectName(QStringLiteral("presenter"));
     bar_->setMovable(false);
+    caption_->setTextFormat(Qt::RichText);
     caption_->setAccessibleName(tr("What is shown"));
     caption_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     caption_->setMinimumWidth(60);
@@ -140,7 +142,7 @@ void Presenter::showCaption()
     const LessonPane* guide = window_.guides().shown();
     const QString title =
         guide ? QString::fromStdString(guide->shown().title) : readable(window_.edits().value().title);
-    caption_->setText(QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped()));
+    caption_->setText(QStringLiteral("<b>%1</b>").arg(escaped(title)));
     for (QAction* action : {next_, back_}) action->setVisible(guide != nullptr);
 }
 

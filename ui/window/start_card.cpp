@@ -5,9 +5,9 @@
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QSettings>
-#include <QTextDocument>
 #include <QToolButton>
 
+#include "ui/style/foreign_text.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -89,7 +89,7 @@ QString StartCard::text() const
 {
     QString all;
     for (const QLabel* label : {title_, watch_, tries_}) {
-        QTextDocument plain;
+        OwnDocument plain;
         plain.setHtml(label->text());
         all += plain.toPlainText() + u'\n';
     }

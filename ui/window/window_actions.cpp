@@ -10,6 +10,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "ui/runs/run_controller.h"
+#include "ui/style/foreign_text.h"
 
 namespace touchdown {
 
@@ -35,7 +36,7 @@ QAction* WindowActions::add(QMenu* menu, const QString& text, const QKeySequence
     plain.remove(QLatin1Char('&')).remove(QStringLiteral("…"));
     QString hint = tip.isEmpty() ? plain : tip;
     if (!keys.isEmpty()) hint += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
-    action->setToolTip(hint);
+    action->setToolTip(plainTip(hint));
     if (!iconName.isEmpty()) icons_.emplace_back(action, iconName);
     all_.push_back(action);
     return action;
@@ -113,6 +114,8 @@ void WindowActions::buildEdit(QMainWindow& window, QUndoStack& stack)
     undo->setShortcut(QKeySequence::Undo);
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     for (QAction* action : {undo, redo}) {
+        // Its text says what is undone, which may be the title of a study.
+        connect(action, &QAction::changed, action, [action] { action->setToolTip(plainTip(action->text())); });
         menu->addAction(action);
         all_.push_back(action);
     }

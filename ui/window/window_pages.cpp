@@ -22,6 +22,7 @@
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
@@ -57,7 +58,7 @@ WindowPages::WindowPages(const Parts& parts)
     parts_.window.statusBar()->setContentsMargins(0, 0, 8, 0); // its own layout takes no account of those of a label
     connect(&parts_.runs.memory(), &RunMemory::changed, memory_, [this] {
         memory_->setText(parts_.runs.memory().text());
-        memory_->setToolTip(parts_.runs.memory().explanation());
+        memory_->setToolTip(plainTip(parts_.runs.memory().explanation()));
         memory_->setVisible(parts_.runs.runs().count() > 0);
     });
     connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);

@@ -284,7 +284,7 @@ private slots:
         emit text->linkHovered(QStringLiteral("term:slider"));
         QTRY_VERIFY(QToolTip::isVisible());
         const auto slider = std::ranges::find(glossaryEntries(), "slider", &GlossaryEntry::term);
-        QCOMPARE(QToolTip::text(), glossaryTip(*slider));
+        QCOMPARE(QToolTip::text(), glossaryHtmlTip(*slider));
         emit text->linkHovered(QString());
         QTRY_VERIFY(!QToolTip::isVisible());
         // By the keyboard: the first link of the label.

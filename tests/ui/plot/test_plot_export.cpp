@@ -16,6 +16,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QVBoxLayout>
+#include <QXmlStreamReader>
 
 #include "tests/support/file_size_limit.h"
 #include "tests/support/test_program.h"
@@ -55,6 +56,7 @@ private slots:
     void cleanup();
 
     void svgHoldsLinesAndText();
+    void svgHoldsAForeignTitleAsText();
     void svgStaysInsideTheArea();
     void pdfHoldsTextAndNoPicture();
     void pngIsLightWithInk();
@@ -117,6 +119,21 @@ void TestPlotExport::svgHoldsLinesAndText()
 }
 
 // Qt's SVG cannot clip: a line that leaves the visible heights must be cut by us.
+/// The title of a chart comes from a file; a browser runs the scripts of a drawing.
+void TestPlotExport::svgHoldsAForeignTitleAsText()
+{
+    const QString title = QStringLiteral("</title><script>x & y</script>");
+    plot_->setTitle(title);
+    QCOMPARE(savePicture(*plot_, path("plot.svg")), QString());
+    QXmlStreamReader xml(contents(path("plot.svg")));
+    QString read;
+    while (!xml.atEnd())
+        if (xml.readNext() == QXmlStreamReader::StartElement && xml.name() == QLatin1String("title"))
+            read = xml.readElementText();
+    QVERIFY2(!xml.hasError(), qPrintable(xml.errorString()));
+    QVERIFY2(read.contains(title), qPrintable(read));
+}
+
 void TestPlotExport::svgStaysInsideTheArea()
 {
     plot_->setView({PlotRange{0.0, 3e-3}, PlotRange{2.5e-9, 3e-9}});

@@ -137,33 +137,33 @@ void TestStudyChartView::drawsWhatItSays()
 void TestStudyChartView::pointingTellsPointCellAndBand()
 {
     QTest::mouseMove(view_.get(), pixelOf(0, 0));
-    QVERIFY2(view_->reading().contains(QStringLiteral("<b>rk4</b> · 100 ns")), qPrintable(view_->reading()));
-    QVERIFY2(view_->reading().contains(QStringLiteral("CPU time of a run: 2.0000\u00a0ms")),
-             qPrintable(view_->reading()));
-    QVERIFY(view_->reading().contains(QStringLiteral("another state")));
+    QVERIFY2(view_->htmlTip().contains(QStringLiteral("<b>rk4</b> · 100 ns")), qPrintable(view_->htmlTip()));
+    QVERIFY2(view_->htmlTip().contains(QStringLiteral("CPU time of a run: 2.0000\u00a0ms")),
+             qPrintable(view_->htmlTip()));
+    QVERIFY(view_->htmlTip().contains(QStringLiteral("another state")));
     QTest::mouseMove(view_.get(), QPoint(static_cast<int>(panel().area().left()) + 12,
                                          static_cast<int>(panel().area().bottom()) - 4));
-    QVERIFY2(view_->reading().contains(QStringLiteral("not known of the reference")), qPrintable(view_->reading()));
+    QVERIFY2(view_->htmlTip().contains(QStringLiteral("not known of the reference")), qPrintable(view_->htmlTip()));
 
     view_->setChart(sampleMapChart());
-    QVERIFY(view_->reading().isEmpty());
+    QVERIFY(view_->htmlTip().isEmpty());
     QTest::mouseMove(view_.get(), panel().toPixel(1e-7, 1e5).toPoint() + QPoint(5, 9));
-    QVERIFY2(view_->reading().contains(QStringLiteral("<b>energy drifts</b>")), qPrintable(view_->reading()));
-    QVERIFY(view_->reading().contains(QStringLiteral("Cell of class 2.")));
+    QVERIFY2(view_->htmlTip().contains(QStringLiteral("<b>energy drifts</b>")), qPrintable(view_->htmlTip()));
+    QVERIFY(view_->htmlTip().contains(QStringLiteral("Cell of class 2.")));
     QTest::mouseMove(view_.get(), panel().toPixel(1e-7, 1e8).toPoint());
-    QVERIFY(view_->reading().contains(QStringLiteral("Not computed")));
+    QVERIFY(view_->htmlTip().contains(QStringLiteral("Not computed")));
 }
 
 void TestStudyChartView::arrowKeysGoFromPointToPoint()
 {
     QTest::keyClick(view_.get(), Qt::Key_Right);
-    QVERIFY(view_->reading().contains(QStringLiteral("rk4</b> · 100 ns")));
+    QVERIFY(view_->htmlTip().contains(QStringLiteral("rk4</b> · 100 ns")));
     QTest::keyClick(view_.get(), Qt::Key_Right);
-    QVERIFY(view_->reading().contains(QStringLiteral("rk4</b> · 31 ns")));
+    QVERIFY(view_->htmlTip().contains(QStringLiteral("rk4</b> · 31 ns")));
     QTest::keyClick(view_.get(), Qt::Key_Left);
-    QVERIFY(view_->reading().contains(QStringLiteral("rk4</b> · 100 ns")));
+    QVERIFY(view_->htmlTip().contains(QStringLiteral("rk4</b> · 100 ns")));
     QTest::keyClick(view_.get(), Qt::Key_Escape);
-    QVERIFY(view_->reading().isEmpty());
+    QVERIFY(view_->htmlTip().isEmpty());
 }
 
 /// The box becomes the panel; the other panel stays as it is.
@@ -282,7 +282,7 @@ void TestStudyChartView::drawsAnEmptyChart()
     view_->setChart({"Nothing yet", "", {{{"x", "", "", true}, {"y", "", "", true}, {}, {}, {}, false}}});
     QVERIFY(!view_->grab().isNull());
     QTest::mouseMove(view_.get(), panel().area().center().toPoint());
-    QVERIFY(view_->reading().isEmpty());
+    QVERIFY(view_->htmlTip().isEmpty());
 }
 
 TOUCHDOWN_TEST(TestStudyChartView)
