@@ -216,7 +216,7 @@ bool fits(const StoredStudy& stored)
         return std::ranges::all_of(panel.series, isSeries) && (!panel.map || isMap(*panel.map));
     };
     const auto isChart = [&](const StudyChart& chart) { return std::ranges::all_of(chart.panels, isPanel); };
-    return report.status <= StudyStatus::Failed && std::ranges::all_of(report.tables, isTable) &&
+    return report.status <= StudyStatus::Interrupted && std::ranges::all_of(report.tables, isTable) &&
            std::ranges::all_of(report.charts, isChart);
 }
 
