@@ -17,9 +17,7 @@
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
-#include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
-#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -27,15 +25,6 @@ namespace {
 
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
-
-/// The kind that the study's text names; empty if it names none.
-QString kindIn(const QString& text)
-{
-    const TomlDocument toml = readToml(text.toStdString());
-    const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
-    const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
-    return kind == nullptr ? QString() : QString::fromStdString(*kind);
-}
 
 } // namespace
 
@@ -321,51 +310,6 @@ void StudyEditor::setRunning(bool running, bool chosen)
 {
     run_->setText(running && chosen ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
-}
-
-QString StudyEditor::open(const QString& path)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
-    if (file.size() > static_cast<qint64>(maximumStudyFileSize))
-        return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
-    const QString text = QString::fromUtf8(file.readAll());
-    setKind(kindIn(text)); // a text without a kind is of the chosen kind
-    drafts_[kind()].file = path;
-    setText(text);
-    replan();
-    return {};
-}
-
-QString StudyEditor::save(const QString& path)
-{
-    if (QString problem = writeWholeFile(path, toText().toUtf8()); !problem.isEmpty()) return problem;
-    drafts_[kind()].file = path;
-    stale_ = true;
-    replan();
-    return {};
-}
-
-void StudyEditor::chooseOpen()
-{
-    auto* dialog = new QFileDialog(this, tr("Open a study"), {}, tr("Studies (*.toml);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
-    });
-    dialog->open();
-}
-
-void StudyEditor::chooseSave()
-{
-    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"),
-               [this](const QString& file) {
-                   const QString problem = save(file);
-                   if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-                   return problem;
-               });
 }
 
 void StudyEditor::changeEvent(QEvent* event)

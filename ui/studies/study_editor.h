@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "core/formats/file_identity.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "ui/studies/study_form_view.h"
@@ -57,6 +58,8 @@ public:
     QString open(const QString& file);
     /// Empty, or why the file cannot be written.
     QString save(const QString& file);
+    /// As save(), and says so; asks first if another program has changed the file since it was opened or saved.
+    void saveTo(const QString& file);
     /// Whether a study is under way; one of the chosen kind?
     void setRunning(bool running, bool chosen);
     /// The time that the study takes, in a sentence; empty: nothing is said.
@@ -91,13 +94,15 @@ protected:
 private:
     struct Draft {
         QString text;
-        QString defaults; // as the text began
-        QString file;     // where it was opened or saved; empty for none
+        QString defaults;        // as the text began
+        QString file;            // where it was opened or saved; empty for none
+        FileIdentity identity{}; // of that file then
     };
 
     void build();
     void chooseOpen();
     void chooseSave();
+    void askAboutFile();
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);
