@@ -163,7 +163,7 @@ void MainWindow::onCaseOpened()
         setPage(Page::Run);
     else if (pages_->page() != Page::Studies)
         setPage(Page::StaticState);
-    aboutCase_->setResult({});
+    aboutCase_->clearResult();
     aboutCase_->setWarnings({});
     film_->open(edits_->value());
     runs_->view()->opened(files_->sample(), edits_->value());
@@ -250,13 +250,15 @@ void MainWindow::chooseRecording(bool on)
 void MainWindow::useParametersOf(int number)
 {
     const RunRecord* run = runs().find(number);
-    if (run) edits_->setAll(run->value, tr("use the parameters of run %1").arg(number));
+    if (run) files_->use(run->value, tr("run %1").arg(number), tr("use the parameters of run %1").arg(number));
 }
 
 void MainWindow::useSolution(int number)
 {
     const SolutionRecord* solution = film_->solutions().find(number);
-    if (solution) edits_->setAll(solution->value, tr("use the parameters of solution %1").arg(number));
+    if (solution)
+        files_->use(solution->value, tr("solution %1").arg(number),
+                    tr("use the parameters of solution %1").arg(number));
 }
 
 void MainWindow::runFromSolution(int number)
@@ -271,8 +273,7 @@ void MainWindow::runFromSolution(int number)
     c.initial.nominalTrailingEdgeHeight = attitude.height;
     c.initial.pitch = attitude.pitch;
     c.initial.roll = attitude.roll;
-    if (c != edits_->value()) edits_->setAll(c, tr("run from solution %1").arg(number));
-    startRun();
+    files_->use(c, tr("solution %1").arg(number), tr("run from solution %1").arg(number), [this] { startRun(); });
 }
 
 void MainWindow::useTheme(const QString& name)

@@ -128,6 +128,7 @@ private:
     void onSolved(const SteadyResult& result);
     void onSolutionShown();
     void showSolution(const SteadyResult& result);
+    void showInAboutCase(const Case& solved, const SteadyResult& result);
     /// The message of a solution leaves with its case.
     void clearSolutionMessage();
     void onStudied(const StudyReport& report);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QMessageBox>
 
 #include "core/simulation/static_state/steady.h"
@@ -17,9 +18,11 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/case/file_notice.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/modes_page.h"
+#include "ui/film/same_film.h"
 #include "ui/film/solution_files.h"
 #include "ui/film/surface_page.h"
 #include "ui/lesson/guide_strip.h"
@@ -92,6 +95,14 @@ void MainWindow::connectFiles()
         updateTitle();
         messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
     });
+    connect(files_, &CaseFiles::reloaded, this, [this](const QStringList& warnings) {
+        aboutCase_->setWarnings(warnings);
+        film_->view()->shape()->editor()->setGhost(edits_->value().surface);
+        updateTitle();
+        messages_->show(MessageStrip::Kind::Success,
+                        tr("Reloaded: %1. Undo brings the values back.").arg(QDir::toNativeSeparators(files_->file())));
+    });
+    pages_->addFoot(*new FileNotice(*files_, this));
     connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
     connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
     connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
@@ -127,7 +138,7 @@ void MainWindow::connectRuns()
     connect(controller, &RunController::recordingFailed, this,
             [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
     connect(runs_, &RunWindow::started, this, [this] {
-        aboutCase_->setResult({});
+        aboutCase_->clearResult();
         messages_->clear();
     });
     connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
@@ -187,9 +198,11 @@ void MainWindow::connectFilm()
     connect(panel, &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(panel, &RecordPanel::saveRequested, solutionFiles_, &SolutionFiles::chooseSave);
     connect(runFiles_, &RunFiles::solutionsChosen, solutionFiles_, &SolutionFiles::open);
-    connect(solutionFiles_, &SolutionFiles::opened, this, [this](int number) {
-        if (pages_->model() != ModelKind::Film) useSolution(number); // another model has no page for it
-        setPage(Page::StaticState);
+    connect(solutionFiles_, &SolutionFiles::opened, this, [this](int number, const QString& file) {
+        if (pages_->model() == ModelKind::Film) return setPage(Page::StaticState);
+        // Another model has no page for it.
+        files_->use(film_->solutions().find(number)->value, QFileInfo(file).fileName(), {},
+                    [this] { setPage(Page::StaticState); });
     });
     connect(solutionFiles_, &SolutionFiles::succeeded, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
@@ -209,11 +222,13 @@ void MainWindow::connectStudies()
     connect(studies_, &StudyWindow::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
-        askToApply(*this, edits_->value(), found, title, [this, found, title] {
-            edits_->setAll(found, tr("apply the study: %1").arg(title));
-            messages_->show(
-                MessageStrip::Kind::Success,
-                tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
+        const bool isOpen = files_->isOpen(found);
+        askToApply(*this, edits_->value(), found, !isOpen, title, [this, found, title, isOpen] {
+            files_->use(found, title, tr("apply the study: %1").arg(title), [this, isOpen] {
+                QString text = tr("The parameters are now those of the case that the study found.");
+                if (isOpen) text += tr(" Undo restores the previous ones.");
+                messages_->show(MessageStrip::Kind::Success, text);
+            });
         });
     });
     connect(files_, &CaseFiles::studyFileChosen, this, &MainWindow::openStudy);
@@ -297,7 +312,8 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
     updateRunActions();
     const RunRecord& run = *runs().find(number);
     const QString result = resultText(run);
-    aboutCase_->setResult(result, sentence(summary.verdict.rule), figuresText(summary), solverText(summary));
+    aboutCase_->setResult([made = run.value](const Case& c) { return c == made; }, result,
+                          sentence(summary.verdict.rule), figuresText(summary), solverText(summary));
     QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
     MessageStrip::Kind kind = MessageStrip::Kind::Success;
     for (const std::string& warning : summary.warnings) lines << sentence(warning);
@@ -321,9 +337,23 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
 void MainWindow::onSolved(const SteadyResult& result)
 {
     updateRunActions();
-    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : steadyText(result));
+    if (result.status == SteadyStatus::Cancelled)
+        aboutCase_->clearResult();
+    else
+        showInAboutCase(film_->asked(), result);
     showSolution(result);
     emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
+}
+
+void MainWindow::showInAboutCase(const Case& solved, const SteadyResult& result)
+{
+    const auto belongsTo = [solved, found = result.attitude](const Case& c) {
+        // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
+        Case same = solved;
+        same.steady.fixedAttitude = c.steady.fixedAttitude;
+        return hasStaticState(c, same, found);
+    };
+    aboutCase_->setResult(belongsTo, steadyText(result));
 }
 
 void MainWindow::showSolution(const SteadyResult& result)
@@ -348,8 +378,12 @@ void MainWindow::clearSolutionMessage()
 
 void MainWindow::onSolutionShown()
 {
-    const SteadyResult* result = film_->result();
-    aboutCase_->setResult(result ? steadyText(*result) : QString());
+    const SolutionRecord* shown = film_->shown();
+    const SteadyResult* result = shown ? &shown->result : nullptr;
+    if (result)
+        showInAboutCase(shown->value, *result);
+    else
+        aboutCase_->clearResult();
     if (messages_->kind() == MessageStrip::Kind::Success) messages_->clear(); // of another solution
     clearSolutionMessage();
     // What was found wrong with a shape comes back with it, and a remark on its state.
