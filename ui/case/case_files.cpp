@@ -27,6 +27,14 @@ constexpr auto recentKey = "files/recent";
 
 std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
 
+/// What a person allows: that a case reads these files outside its folder, and no others that it may name later.
+QString permission(const QString& file, const std::vector<std::string>& outside)
+{
+    QString text = QFileInfo(file).absoluteFilePath();
+    for (const std::string& name : outside) text += QLatin1Char('\n') + QString::fromStdString(name);
+    return text;
+}
+
 /// Name of the archive or of the folder; the file itself is always rail.dat.
 QString importedName(const QFileInfo& file)
 {
@@ -91,9 +99,7 @@ bool CaseFiles::isOpen(const Case& c) const
 
 std::optional<CaseDocument> CaseFiles::read(const QString& fileOrSample, const std::function<void()>& again)
 {
-    const QString key = QFileInfo(fileOrSample).absoluteFilePath();
-    CaseDocument document =
-        openCase(fileOrSample.toStdString(), allowed_.contains(key) ? OutsidePaths::Allowed : OutsidePaths::Refused);
+    CaseDocument document = readNow(fileOrSample);
     if (!document.outsideFiles.empty()) {
         askForOutsideFiles(fileOrSample, document.outsideFiles, again);
         return std::nullopt;
@@ -114,6 +120,15 @@ bool CaseFiles::openNow(const QString& fileOrSample)
     return true;
 }
 
+CaseDocument CaseFiles::readNow(const QString& fileOrSample) const
+{
+    CaseDocument document = openCase(fileOrSample.toStdString());
+    if (document.outsideFiles.empty() || !allowed_.contains(permission(fileOrSample, document.outsideFiles)))
+        return document;
+    CaseDocument whole = openCase(fileOrSample.toStdString(), OutsidePaths::Allowed);
+    return whole.text == document.text ? whole : document; // else it has just been changed
+}
+
 void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::string>& outside,
                                    const std::function<void()>& again)
 {
@@ -128,11 +143,12 @@ void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::s
                                "case cannot be opened."));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::No);
-    connect(box, &QMessageBox::buttonClicked, this, [this, box, file, again](QAbstractButton* button) {
-        if (box->standardButton(button) != QMessageBox::Yes) return;
-        allowed_.insert(QFileInfo(file).absoluteFilePath());
-        again();
-    });
+    connect(box, &QMessageBox::buttonClicked, this,
+            [this, box, asked = permission(file, outside), again](QAbstractButton* button) {
+                if (box->standardButton(button) != QMessageBox::Yes) return;
+                allowed_.insert(asked);
+                again();
+            });
     outside_ = box;
     box->open();
 }

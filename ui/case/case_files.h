@@ -133,8 +133,8 @@ private:
     /// Asks whether a case may read files outside its folder; on yes calls `again`.
     void askForOutsideFiles(const QString& file, const std::vector<std::string>& outside,
                             const std::function<void()>& again);
-    /// The case's file, read without another effect.
-    CaseDocument asItIs() const;
+    /// A case as it is now, with what it may read outside its folder.
+    CaseDocument readNow(const QString& fileOrSample) const;
     /// The case's file holds text_, and the files that it names are those of the document.
     void watch(const CaseDocument& document);
     void tellChange();
@@ -164,7 +164,7 @@ private:
     std::vector<std::unique_ptr<WatchedFile>> named_; // by the case: rails, a measured surface
     std::function<void()> afterSave_;
     QPointer<QMessageBox> outside_; // the question about files outside a folder
-    QSet<QString> allowed_;         // cases that may read the files outside their folders which they name
+    QSet<QString> allowed_;         // see permission()
 };
 
 } // namespace touchdown

@@ -101,11 +101,6 @@ bool CaseFiles::changedOutside(const QString& file) const
     return (now == FileNow::Other || now == FileNow::Unreadable) && isOneFile(file, file_);
 }
 
-CaseDocument CaseFiles::asItIs() const
-{
-    return readCaseFile(placeOf(file_), allowed_.contains(file_) ? OutsidePaths::Allowed : OutsidePaths::Refused);
-}
-
 void CaseFiles::watch(const CaseDocument& document)
 {
     watched_->expect(file_, identityOfBytes(text_));
@@ -127,7 +122,7 @@ void CaseFiles::tellChange()
     QString sentence = changeOfFile(file_, now);
     bool valid = now == FileNow::Same;
     if (now == FileNow::Other) {
-        const CaseDocument document = asItIs();
+        const CaseDocument document = readNow(file_);
         valid = document.valid() || !document.outsideFiles.empty();
         if (!valid) sentence += tr(" It cannot be opened now: %1").arg(textsOf(document.problems).front());
     }
@@ -149,7 +144,7 @@ void CaseFiles::tellChange()
 void CaseFiles::askAboutFile()
 {
     const std::optional<FileIdentity> shown = identityOf(placeOf(file_));
-    const CaseDocument document = asItIs();
+    const CaseDocument document = readNow(file_);
     ChangedFile question;
     question.sentence = changeOfFile(file_, watched_->now());
     if (document.valid()) {

@@ -15,9 +15,12 @@
 #include "core/formats/toml_editor.h"
 #include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
+#include "ui/studies/changed_study.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
+#include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -25,6 +28,15 @@ namespace {
 
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
+
+/// The kind that the study's text names; empty if it names none.
+QString kindIn(const QString& text)
+{
+    const TomlDocument toml = readToml(text.toStdString());
+    const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
+    const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
+    return kind == nullptr ? QString() : QString::fromStdString(*kind);
+}
 
 } // namespace
 
@@ -310,6 +322,76 @@ void StudyEditor::setRunning(bool running, bool chosen)
 {
     run_->setText(running && chosen ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
+}
+
+QString StudyEditor::open(const QString& path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
+    if (file.size() > static_cast<qint64>(maximumStudyFileSize))
+        return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
+    const QByteArray bytes = file.readAll();
+    const QString text = QString::fromUtf8(bytes);
+    setKind(kindIn(text)); // a text without a kind is of the chosen kind
+    drafts_[kind()].file = path;
+    drafts_[kind()].identity = identityOfBytes(bytes.toStdString());
+    setText(text);
+    replan();
+    return {};
+}
+
+QString StudyEditor::save(const QString& path)
+{
+    const QByteArray bytes = toText().toUtf8();
+    if (QString problem = writeWholeFile(path, bytes); !problem.isEmpty()) return problem;
+    drafts_[kind()].file = path;
+    drafts_[kind()].identity = identityOfBytes(bytes.toStdString());
+    stale_ = true;
+    replan();
+    return {};
+}
+
+void StudyEditor::chooseOpen()
+{
+    auto* dialog = new QFileDialog(this, tr("Open a study"), {}, tr("Studies (*.toml);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
+    });
+    dialog->open();
+}
+
+void StudyEditor::chooseSave()
+{
+    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"),
+               [this](const QString& file) {
+                   saveTo(file);
+                   return QString();
+               });
+}
+
+void StudyEditor::saveTo(const QString& file)
+{
+    Draft& draft = drafts_[kind()];
+    const ChangedStudyAnswers answers{.writeOver =
+                                          [this, &draft, file](const std::string& shown) {
+                                              draft.identity = identityOfBytes(shown); // it may change once more
+                                              saveTo(file);
+                                          },
+                                      .reload =
+                                          [this, file](const std::string&) {
+                                              if (const QString problem = open(file); !problem.isEmpty())
+                                                  emit failed(problem);
+                                          },
+                                      .saveAs = [this] { chooseSave(); }};
+    const bool isItsFile = !draft.file.isEmpty() && QFileInfo(draft.file) == QFileInfo(file);
+    if (isItsFile && asksAboutStudy(*window(), file, draft.identity, toText(), answers)) return;
+    if (const QString problem = save(file); !problem.isEmpty())
+        emit failed(problem);
+    else
+        emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
 }
 
 void StudyEditor::changeEvent(QEvent* event)

@@ -102,7 +102,6 @@ private:
     void build();
     void chooseOpen();
     void chooseSave();
-    void askAboutFile();
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);

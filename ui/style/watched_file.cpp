@@ -22,7 +22,9 @@ WatchedFile::WatchedFile(QWidget& window, QObject* parent) : QObject(parent), wi
     connect(&soon_, &QTimer::timeout, this, &WatchedFile::look);
     // Its folder, too: a file that is replaced is watched no longer.
     for (const auto signal : {&QFileSystemWatcher::fileChanged, &QFileSystemWatcher::directoryChanged})
-        connect(&watcher_, signal, &soon_, qOverload<>(&QTimer::start));
+        connect(&watcher_, signal, this, [this] {
+            if (!soon_.isActive()) soon_.start();
+        });
 }
 
 void WatchedFile::expect(const QString& path, const FileIdentity& identity)

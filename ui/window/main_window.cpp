@@ -9,7 +9,6 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLayout>
@@ -40,6 +39,8 @@
 #include "ui/window/closing_question.h"
 #include "ui/window/guides.h"
 #include "ui/window/presenter.h"
+#include "ui/window/recording.h"
+#include "ui/window/result_messages.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
@@ -70,6 +71,8 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
     guides_ = new Guides(*this, *pages_);
     presenter_ = new Presenter(*this, *pages_);
+    recording_ = new Recording(*actions_->record, *runs_, *this);
+    results_ = std::make_unique<ResultMessages>(*messages_, *aboutCase_, *film_);
     closing_ = new ClosingQuestion(sessionParts(), *this);
     connectFiles();
     connectRuns();
@@ -141,7 +144,9 @@ void MainWindow::startRun()
 {
     if (!readyToRun()) return;
     endSlowMotion();
-    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
+    recording_->whenFree([this] {
+        runs_->start({edits_->value(), files_->wholeText(), recording_->file().toStdString()});
+    });
 }
 
 void MainWindow::performStudy()
@@ -176,7 +181,7 @@ void MainWindow::onCaseEdited()
 {
     aboutCase_->setCase(edits_->value());
     film_->edit(edits_->value());
-    if (!film_->solvedAsEdited() && (!film_->result() || film_->stale())) clearSolutionMessage();
+    if (!film_->solvedAsEdited() && (!film_->result() || film_->stale())) results_->clearSolution();
     runs_->view()->setCase(edits_->value());
     studies_->editor()->setCase(edits_->value());
     pages_->showModel(edits_->value().model);
@@ -230,21 +235,6 @@ void MainWindow::updateRecentMenu()
     for (const QString& file : files_->recent())
         actions_->recent->addAction(QDir::toNativeSeparators(file), files_, [this, file] { files_->open(file); });
     if (actions_->recent->isEmpty()) actions_->recent->addAction(tr("None yet"))->setEnabled(false);
-}
-
-void MainWindow::chooseRecording(bool on)
-{
-    if (!on) {
-        recordTo_.clear();
-        return;
-    }
-    auto* dialog = new QFileDialog(this, tr("Record the next runs to"), {}, tr("HDF5 (*.h5)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("h5"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { recordTo_ = file; });
-    connect(dialog, &QDialog::finished, this, [this] { actions_->record->setChecked(!recordTo_.isEmpty()); });
-    dialog->open();
 }
 
 void MainWindow::useParametersOf(int number)

@@ -22,7 +22,6 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/modes_page.h"
-#include "ui/film/same_film.h"
 #include "ui/film/solution_files.h"
 #include "ui/film/surface_page.h"
 #include "ui/lesson/guide_strip.h"
@@ -36,7 +35,6 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
-#include "ui/slider/attitude_sections.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
@@ -46,6 +44,8 @@
 #include "ui/window/apply_question.h"
 #include "ui/window/guides.h"
 #include "ui/window/presenter.h"
+#include "ui/window/recording.h"
+#include "ui/window/result_messages.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -129,7 +129,7 @@ void MainWindow::connectRuns()
             [controller](bool on) { on ? controller->pause() : controller->resume(); });
     connect(actions_->step, &QAction::triggered, controller, &RunController::step);
     connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
-    connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
+    connect(actions_->record, &QAction::triggered, recording_, &Recording::choose);
     connect(actions_->pace, &QComboBox::currentIndexChanged, controller, [this, controller] {
         controller->setPace(actions_->pace->currentData().toDouble());
         runs_->progress()->restartEstimate();
@@ -180,7 +180,8 @@ void MainWindow::connectFilm()
     connect(film_->view(), &FilmView::busyChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
     connect(film_->view()->modes(), &ModesPage::found, runView().spectrum(), &LiveSpectrum::setFilmModes);
-    connect(film_, &FilmWindow::shownChanged, this, &MainWindow::onSolutionShown);
+    connect(film_, &FilmWindow::shownChanged, this,
+            [this] { results_->solutionShown(pages_->page() == Page::StaticState); });
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
     connect(actions_->surface, &QAction::triggered, this, [this] {
@@ -310,85 +311,16 @@ void MainWindow::onStudied(const StudyReport& report)
 void MainWindow::onRunEnded(int number, const Summary& summary)
 {
     updateRunActions();
-    const RunRecord& run = *runs().find(number);
-    const QString result = resultText(run);
-    aboutCase_->setResult([made = run.value](const Case& c) { return c == made; }, result,
-                          sentence(summary.verdict.rule), figuresText(summary), solverText(summary));
-    QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
-    MessageStrip::Kind kind = MessageStrip::Kind::Success;
-    for (const std::string& warning : summary.warnings) lines << sentence(warning);
-    // A check that found a difference is among the warnings.
-    if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
-    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState))
-        kind = MessageStrip::Kind::Warning;
-    if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
-    if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
-        kind = MessageStrip::Kind::Failure;
-        lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
-    }
     // In a lecture the end of a good run stands below the page already.
-    if (kind == MessageStrip::Kind::Success && guides_->strip()->isVisible())
-        messages_->clear();
-    else
-        messages_->show(kind, lines.join(QLatin1Char('\n')));
+    results_->runEnded(*runs().find(number), guides_->strip()->isVisible());
     emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
 }
 
 void MainWindow::onSolved(const SteadyResult& result)
 {
     updateRunActions();
-    if (result.status == SteadyStatus::Cancelled)
-        aboutCase_->clearResult();
-    else
-        showInAboutCase(film_->asked(), result);
-    showSolution(result);
+    results_->solved(result);
     emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
-}
-
-void MainWindow::showInAboutCase(const Case& solved, const SteadyResult& result)
-{
-    const auto belongsTo = [solved, found = result.attitude](const Case& c) {
-        // A solution at a given attitude is one of the case as it is, though that does not hold the attitude.
-        Case same = solved;
-        same.steady.fixedAttitude = c.steady.fixedAttitude;
-        return hasStaticState(c, same, found);
-    };
-    aboutCase_->setResult(belongsTo, steadyText(result));
-}
-
-void MainWindow::showSolution(const SteadyResult& result)
-{
-    solutionText_ = steadyText(result);
-    switch (result.status) {
-    case SteadyStatus::Converged:
-        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
-                        solutionText_);
-        break;
-    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, solutionText_); break;
-    case SteadyStatus::NotConverged:
-    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, solutionText_); break;
-    }
-}
-
-void MainWindow::clearSolutionMessage()
-{
-    if (!solutionText_.isEmpty() && messages_->text() == solutionText_) messages_->clear();
-    solutionText_.clear();
-}
-
-void MainWindow::onSolutionShown()
-{
-    const SolutionRecord* shown = film_->shown();
-    const SteadyResult* result = shown ? &shown->result : nullptr;
-    if (result)
-        showInAboutCase(shown->value, *result);
-    else
-        aboutCase_->clearResult();
-    if (messages_->kind() == MessageStrip::Kind::Success) messages_->clear(); // of another solution
-    clearSolutionMessage();
-    // What was found wrong with a shape comes back with it, and a remark on its state.
-    const bool remarkable = result && !(result->status == SteadyStatus::Converged && result->message.empty());
-    if (remarkable && !film_->stale() && pages_->page() == Page::StaticState) showSolution(*result);
 }
 
 void MainWindow::onImported(const QString& path, const QStringList& warnings)
