@@ -19,6 +19,11 @@ bool sameFile(const QString& one, const QString& other)
 
 } // namespace
 
+bool ListedRecord::isInFile() const
+{
+    return !file.isEmpty() && (!identity || fileNow(file.toStdString(), *identity) == FileNow::Same);
+}
+
 CurveStyle RecordList::style(const ListedRecord& record) { return {record.number - 1, record.number - 1}; }
 
 int RecordList::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : count(); }

@@ -29,6 +29,8 @@ struct ListedRecord {
     bool shown = true;                    // beside others: in the plots, in the comparison
 
     virtual ~ListedRecord() = default;
+    /// Whether the file of the user still holds it; true while it is written.
+    bool isInFile() const;
 };
 
 class RecordList : public QAbstractListModel {

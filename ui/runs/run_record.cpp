@@ -34,17 +34,11 @@ QString incompleteProblem(const RunRecord& record)
         .arg(record.snapshotsArrived());
 }
 
-/// Whether the file of the user still is what the run was read from.
-bool standsInItsFile(const RunRecord& record)
-{
-    return record.identity && fileNow(record.file.toStdString(), *record.identity) == FileNow::Same;
-}
-
 /// A file that has all of the run; empty: there is none.
 QString wholeFile(const RunRecord& record)
 {
     if (QFileInfo::exists(record.kept)) return record.kept;
-    return record.fromFile && standsInItsFile(record) ? record.file : QString();
+    return record.fromFile && record.identity && record.isInFile() ? record.file : QString();
 }
 
 QString replacedProblem(const RunRecord& record)

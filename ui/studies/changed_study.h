@@ -11,13 +11,13 @@
 
 namespace touchdown {
 
-/// What the answers do. Each is given the file's text as the question showed it.
+/// What the answers do. `shown` is the file's text as the question showed it.
 struct ChangedStudyAnswers {
-    std::function<void(const std::string&shown)> writeOver, reload;
-    std::function<void()> saveAs;
+    std::function<void(const std::string& shown)> writeOver;
+    std::function<void()> reload, saveAs;
 };
-/// True, after asking, where the file is no longer the one that was opened or saved. `text` is that of the window.
-bool asksAboutStudy(QWidget& window, const QString& file, const FileIdentity& identity, const QString& text,
-                    const ChangedStudyAnswers& answers);
+/// Shows the lines that differ, and asks. `identity`: of the file as it was opened or saved. `text`: of the window.
+void askAboutStudy(QWidget& window, const QString& file, const FileIdentity& identity, const QString& text,
+                   const ChangedStudyAnswers& answers);
 
 } // namespace touchdown

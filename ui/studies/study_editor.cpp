@@ -341,8 +341,18 @@ QString StudyEditor::open(const QString& path)
     return {};
 }
 
+bool StudyEditor::changedOutside(const Draft& draft, const QString& file)
+{
+    if (draft.file.isEmpty() || QFileInfo(draft.file) != QFileInfo(file)) return false;
+    const FileNow now = fileNow(file.toStdString(), draft.identity);
+    return now == FileNow::Other || now == FileNow::Unreadable;
+}
+
 QString StudyEditor::save(const QString& path)
 {
+    if (changedOutside(drafts_[kind()], path))
+        return tr("%1 was changed by another program. It was not written over; save the study by itself.")
+            .arg(QDir::toNativeSeparators(path));
     const QByteArray bytes = toText().toUtf8();
     if (QString problem = writeWholeFile(path, bytes); !problem.isEmpty()) return problem;
     drafts_[kind()].file = path;
@@ -375,20 +385,18 @@ void StudyEditor::chooseSave()
 void StudyEditor::saveTo(const QString& file)
 {
     Draft& draft = drafts_[kind()];
-    const ChangedStudyAnswers answers{.writeOver =
-                                          [this, &draft, file](const std::string& shown) {
-                                              draft.identity = identityOfBytes(shown); // it may change once more
-                                              saveTo(file);
-                                          },
-                                      .reload =
-                                          [this, file](const std::string&) {
-                                              if (const QString problem = open(file); !problem.isEmpty())
-                                                  emit failed(problem);
-                                          },
-                                      .saveAs = [this] { chooseSave(); }};
-    const bool isItsFile = !draft.file.isEmpty() && QFileInfo(draft.file) == QFileInfo(file);
-    if (isItsFile && asksAboutStudy(*window(), file, draft.identity, toText(), answers)) return;
-    if (const QString problem = save(file); !problem.isEmpty())
+    ChangedStudyAnswers answers;
+    answers.writeOver = [this, &draft, file](const std::string& shown) {
+        draft.identity = identityOfBytes(shown); // it may change once more
+        saveTo(file);
+    };
+    answers.reload = [this, file] {
+        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
+    };
+    answers.saveAs = [this] { chooseSave(); };
+    if (changedOutside(draft, file))
+        askAboutStudy(*window(), file, draft.identity, toText(), answers);
+    else if (const QString problem = save(file); !problem.isEmpty())
         emit failed(problem);
     else
         emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));

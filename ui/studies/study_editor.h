@@ -56,9 +56,9 @@ public:
     void openSample(const SampleStudy& sample);
     /// Empty, or why the file cannot be read.
     QString open(const QString& file);
-    /// Empty, or why the file cannot be written.
+    /// Empty, or why the file cannot be written: also that another program has changed the study's file.
     QString save(const QString& file);
-    /// As save(), and says so; asks first if another program has changed the file since it was opened or saved.
+    /// As save(), and says so; asks first if another program has changed the study's file.
     void saveTo(const QString& file);
     /// Whether a study is under way; one of the chosen kind?
     void setRunning(bool running, bool chosen);
@@ -102,6 +102,8 @@ private:
     void build();
     void chooseOpen();
     void chooseSave();
+    /// Whether this is the draft's file, and another program has changed it since it was opened or saved.
+    static bool changedOutside(const Draft& draft, const QString& file);
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);

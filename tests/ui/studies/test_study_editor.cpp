@@ -57,6 +57,8 @@ private slots:
             QFile read(file);
             return read.open(QIODevice::ReadOnly) ? read.readAll().toStdString() : std::string();
         };
+        QVERIFY(!editor_->save(file).isEmpty()); // as Save all does
+        QCOMPARE(text(), theirs);
         editor_->saveTo(file);
         QMessageBox* box = question(*editor_, "changedFile");
         QVERIFY(box != nullptr);
