@@ -50,6 +50,7 @@ QString saveSolution(const SolutionRecord& solution, const QString& file)
 std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem,
                               std::optional<std::vector<int>> places)
 {
+    const std::optional<FileIdentity> identity = identityOf(file.toStdString());
     const StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
     problem = sentence(stored.problem);
     if (!stored.problem.empty()) return {};
@@ -75,7 +76,7 @@ std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QS
     std::vector<int> numbers;
     for (const int place : *places) {
         const auto& [c, state] = shown[static_cast<std::size_t>(place)];
-        numbers.push_back(solutions.add(c, *state, file, place == places->back(), place));
+        numbers.push_back(solutions.add(c, *state, file, place == places->back(), place, identity));
     }
     if (numbers.empty())
         problem = tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file));
@@ -119,7 +120,7 @@ void SolutionFiles::open(const QString& file)
     }
     QStringList numbers;
     for (const int number : added) numbers << QString::number(number);
-    emit opened(added.back());
+    emit opened(added.back(), file);
     emit succeeded(
         tr("Read from %1: solutions %2.").arg(QDir::toNativeSeparators(file)).arg(numbers.join(QStringLiteral(", "))));
 }

@@ -36,7 +36,7 @@ public:
 
 signals:
     /// The last of them is `number`.
-    void opened(int number);
+    void opened(int number, const QString& file);
     void succeeded(const QString& sentence);
     void failed(const QString& sentence);
 

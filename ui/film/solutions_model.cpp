@@ -21,13 +21,15 @@ constexpr qsizetype mostChanges = 3; // in a name
 
 } // namespace
 
-int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place)
+int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place,
+                        const std::optional<FileIdentity>& identity)
 {
     auto record = std::make_unique<SolutionRecord>();
     record->number = nextNumber();
     record->name = nameOf(solved);
     record->value = solved;
     record->file = file;
+    record->identity = identity;
     record->place = place;
     record->result = result;
     record->shown = record->comparedByItself = shown;

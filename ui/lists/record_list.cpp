@@ -21,6 +21,11 @@ bool sameFile(const QString& one, const QString& other)
 
 } // namespace
 
+bool ListedRecord::isInFile() const
+{
+    return !file.isEmpty() && (!identity || fileNow(file.toStdString(), *identity) == FileNow::Same);
+}
+
 CurveStyle RecordList::style(const ListedRecord& record) { return {record.number - 1, record.number - 1}; }
 
 int RecordList::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : count(); }
@@ -103,14 +108,22 @@ void RecordList::remove(int row)
 
 void RecordList::setFile(int number, const QString& file)
 {
+    setRecording(number, file);
+    if (const int row = rowOf(number); row >= 0) changeable(row).identity = identityOf(file.toStdString());
+}
+
+void RecordList::setRecording(int number, const QString& file)
+{
     const int row = rowOf(number);
     if (row < 0) return;
     for (int other = 0; other < count(); ++other) {
         if (other == row || !sameFile(listed(other).file, file)) continue;
         changeable(other).file.clear();
+        changeable(other).identity.reset();
         emit dataChanged(index(other), index(other), {Qt::ToolTipRole});
     }
     changeable(row).file = file;
+    changeable(row).identity.reset();
     changeable(row).place = 0;
     emit dataChanged(index(row), index(row), {Qt::ToolTipRole});
 }

@@ -5,12 +5,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QAbstractListModel>
 #include <QString>
 
 #include "core/case/case.h"
+#include "core/formats/file_identity.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
@@ -20,12 +22,15 @@ struct ListedRecord {
     QString name;
     Case value; // that was calculated
     QString note;
-    QString file;      // of the user: it was read from, or written to
-    int place = 0;     // among the records of that file
-    QString kept;      // the whole of it in the folder of the session; empty: not there
-    bool shown = true; // beside others: in the plots, in the comparison
+    QString file;                         // of the user: it was read from, or written to
+    std::optional<FileIdentity> identity; // of that file then; none while it is written
+    int place = 0;                        // among the records of that file
+    QString kept;                         // the whole of it in the folder of the session; empty: not there
+    bool shown = true;                    // beside others: in the plots, in the comparison
 
     virtual ~ListedRecord() = default;
+    /// Whether the file of the user still holds it; true while it is written.
+    bool isInFile() const;
 };
 
 class RecordList : public QAbstractListModel {
@@ -54,8 +59,10 @@ public:
     int nextNumber() const { return nextNumber_; }
     /// Not a record that is still calculated.
     void remove(int row);
-    /// It was written to the file, or is being: another record that had this file has none any more.
+    /// It was written to the file: another record that had this file has none any more.
     void setFile(int number, const QString& file);
+    /// The same of a file that is being written.
+    void setRecording(int number, const QString& file);
     void setKept(int number, const QString& file);
 
     int count() const { return static_cast<int>(records_.size()); }

@@ -15,6 +15,7 @@
 #include "core/formats/toml_editor.h"
 #include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
+#include "ui/studies/changed_study.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
@@ -330,18 +331,32 @@ QString StudyEditor::open(const QString& path)
         return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
     if (file.size() > static_cast<qint64>(maximumStudyFileSize))
         return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
-    const QString text = QString::fromUtf8(file.readAll());
+    const QByteArray bytes = file.readAll();
+    const QString text = QString::fromUtf8(bytes);
     setKind(kindIn(text)); // a text without a kind is of the chosen kind
     drafts_[kind()].file = path;
+    drafts_[kind()].identity = identityOfBytes(bytes.toStdString());
     setText(text);
     replan();
     return {};
 }
 
+bool StudyEditor::changedOutside(const Draft& draft, const QString& file)
+{
+    if (draft.file.isEmpty() || QFileInfo(draft.file) != QFileInfo(file)) return false;
+    const FileNow now = fileNow(file.toStdString(), draft.identity);
+    return now == FileNow::Other || now == FileNow::Unreadable;
+}
+
 QString StudyEditor::save(const QString& path)
 {
-    if (QString problem = writeWholeFile(path, toText().toUtf8()); !problem.isEmpty()) return problem;
+    if (changedOutside(drafts_[kind()], path))
+        return tr("%1 was changed by another program. It was not written over; save the study by itself.")
+            .arg(QDir::toNativeSeparators(path));
+    const QByteArray bytes = toText().toUtf8();
+    if (QString problem = writeWholeFile(path, bytes); !problem.isEmpty()) return problem;
     drafts_[kind()].file = path;
+    drafts_[kind()].identity = identityOfBytes(bytes.toStdString());
     stale_ = true;
     replan();
     return {};
@@ -362,10 +377,29 @@ void StudyEditor::chooseSave()
 {
     askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"),
                [this](const QString& file) {
-                   const QString problem = save(file);
-                   if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-                   return problem;
+                   saveTo(file);
+                   return QString();
                });
+}
+
+void StudyEditor::saveTo(const QString& file)
+{
+    Draft& draft = drafts_[kind()];
+    ChangedStudyAnswers answers;
+    answers.writeOver = [this, &draft, file](const std::string& shown) {
+        draft.identity = identityOfBytes(shown); // it may change once more
+        saveTo(file);
+    };
+    answers.reload = [this, file] {
+        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
+    };
+    answers.saveAs = [this] { chooseSave(); };
+    if (changedOutside(draft, file))
+        askAboutStudy(*window(), file, draft.identity, toText(), answers);
+    else if (const QString problem = save(file); !problem.isEmpty())
+        emit failed(problem);
+    else
+        emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
 }
 
 void StudyEditor::changeEvent(QEvent* event)

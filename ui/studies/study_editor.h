@@ -18,6 +18,7 @@
 #include <QToolButton>
 #include <QWidget>
 
+#include "core/formats/file_identity.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "ui/studies/study_form_view.h"
@@ -55,8 +56,10 @@ public:
     void openSample(const SampleStudy& sample);
     /// Empty, or why the file cannot be read.
     QString open(const QString& file);
-    /// Empty, or why the file cannot be written.
+    /// Empty, or why the file cannot be written: also that another program has changed the study's file.
     QString save(const QString& file);
+    /// As save(), and says so; asks first if another program has changed the study's file.
+    void saveTo(const QString& file);
     /// Whether a study is under way; one of the chosen kind?
     void setRunning(bool running, bool chosen);
     /// The time that the study takes, in a sentence; empty: nothing is said.
@@ -91,13 +94,16 @@ protected:
 private:
     struct Draft {
         QString text;
-        QString defaults; // as the text began
-        QString file;     // where it was opened or saved; empty for none
+        QString defaults;        // as the text began
+        QString file;            // where it was opened or saved; empty for none
+        FileIdentity identity{}; // of that file then
     };
 
     void build();
     void chooseOpen();
     void chooseSave();
+    /// Whether this is the draft's file, and another program has changed it since it was opened or saved.
+    static bool changedOutside(const Draft& draft, const QString& file);
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);

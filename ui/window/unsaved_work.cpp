@@ -25,7 +25,7 @@ std::vector<int> unsavedOf(const RecordList& list)
 {
     std::vector<int> numbers;
     for (int row = 0; row < list.count(); ++row)
-        if (list.listed(row).file.isEmpty()) numbers.push_back(list.listed(row).number);
+        if (!list.listed(row).isInFile()) numbers.push_back(list.listed(row).number);
     return numbers;
 }
 

@@ -17,6 +17,8 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/film/film_window.h"
+#include "ui/film/solution_files.h"
+#include "ui/film/solutions_model.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
@@ -46,10 +48,14 @@ private slots:
     void goesOnWorking();
     void savesAllIntoAFolder();
     void savesACaseToItsFile();
+    void asksForACaseThatAnotherProgramChanged_data();
+    void asksForACaseThatAnotherProgramChanged();
     void asksForTheNameOfACaseAlone();
     void staysOpenWhenSomethingIsNotSaved();
     void keepsARunThatIsStopped();
     void asksForARunWhoseFileAnotherTook();
+    void asksForAResultWhoseFileIsAnotherByNow_data();
+    void asksForAResultWhoseFileIsAnotherByNow();
 
 private:
     void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
@@ -223,6 +229,40 @@ void TestClosingQuestion::savesACaseToItsFile()
     QVERIFY(written.readAll().contains("flying_height = \"4 nm\" # as designed"));
 }
 
+void TestClosingQuestion::asksForACaseThatAnotherProgramChanged_data()
+{
+    QTest::addColumn<bool>("withResults");
+    QTest::newRow("the case alone") << false;
+    QTest::newRow("with results") << true;
+}
+
+void TestClosingQuestion::asksForACaseThatAnotherProgramChanged()
+{
+    QFETCH(const bool, withResults);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "[springs]\nflying_height = \"7 nm\"\n"), std::string());
+    window_->files().openNow(file);
+    edit("springs.flying_height", QStringLiteral("4"));
+    if (withResults) addSolution();
+    QCOMPARE(writeCaseFile(file.toStdString(), "[springs]\nflying_height = \"5 nm\"\n"), std::string());
+    const auto text = [&file] {
+        QFile written(file);
+        return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
+    };
+    window_->close();
+    answer(*window_, "closing", saveAll);
+    answer(*window_, "changedFile", QStringLiteral("Cancel"));
+    QVERIFY(window_->isVisible());
+    QVERIFY(text().contains("5 nm"));
+    window_->close();
+    answer(*window_, "closing", saveAll);
+    answer(*window_, "changedFile", QStringLiteral("Write over it"));
+    QVERIFY(text().contains("4 nm"));
+    if (withResults) chooseFolder(folder.path());
+    QVERIFY(!window_->isVisible());
+}
+
 void TestClosingQuestion::asksForTheNameOfACaseAlone()
 {
     const QTemporaryDir folder;
@@ -281,6 +321,39 @@ void TestClosingQuestion::asksForARunWhoseFileAnotherTook()
     QCOMPARE(window_->runs().record(1).file, file);
     window_->close();
     QVERIFY2(lost().contains(QStringLiteral("1 run that is not saved: 1 ")), qPrintable(lost()));
+}
+
+void TestClosingQuestion::asksForAResultWhoseFileIsAnotherByNow_data()
+{
+    QTest::addColumn<bool>("removed");
+    QTest::newRow("written over") << false;
+    QTest::newRow("removed") << true;
+}
+
+void TestClosingQuestion::asksForAResultWhoseFileIsAnotherByNow()
+{
+    QFETCH(const bool, removed);
+    const QTemporaryDir folder;
+    const QString run = folder.filePath(QStringLiteral("run.h5")), solution = folder.filePath(QStringLiteral("st.h5"));
+    addRuns(1);
+    addSolution();
+    QCOMPARE(saveHdf5(window_->runs().record(0), run), QString());
+    window_->runs().setFile(1, run);
+    SolutionsModel& solutions = window_->film().solutions();
+    QCOMPARE(saveSolution(solutions.record(0), solution), QString());
+    solutions.setFile(1, solution);
+    for (const QString& file : {run, solution})
+        if (removed)
+            QVERIFY(QFile::remove(file));
+        else
+            QCOMPARE(writeCaseFile(file.toStdString(), "of another program"), std::string());
+    window_->close();
+    QVERIFY2(lost().contains(QStringLiteral("1 run that is not saved: 1 ")), qPrintable(lost()));
+    QVERIFY2(lost().contains(QStringLiteral("1 static solution that is not saved: 1 ")), qPrintable(lost()));
+    answer(*window_, "closing", saveAll);
+    chooseFolder(folder.path());
+    QVERIFY(!window_->isVisible());
+    QCOMPARE(QDir(folder.path()).entryList({QStringLiteral("*.h5")}, QDir::Files).size(), removed ? 2 : 4);
 }
 
 TOUCHDOWN_TEST(TestClosingQuestion)
