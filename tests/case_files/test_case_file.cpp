@@ -323,7 +323,7 @@ private slots:
         QTest::newRow("a combination")
             << QStringList("ono_yamane.take_off=1 nm")
             << QStringList(
-                   "a.toml: ono_yamane.take_off: d_e = 1 nm must be at least ono_yamane.touch_down (d_s = 3 nm)");
+                   "--set: ono_yamane.take_off: d_e = 1 nm must be at least ono_yamane.touch_down (d_s = 3 nm)");
     }
     void settings()
     {
