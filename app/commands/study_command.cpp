@@ -301,6 +301,7 @@ int studyCommand(const CommandArguments& arguments)
         if (!arguments.out.empty()) out.update(progress.soFar);
         return line.show({progress.share, progress.doing});
     });
+    if (report.status == StudyStatus::Completed) line.show({1.0}); // also of a study that ends before it tells anything
     line.end();
     locks.release();
     const std::vector<std::string> problems = writeFiles(arguments, plan, report, out);
