@@ -23,8 +23,14 @@ constexpr qsizetype mostChanges = 3; // in a name
 
 int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place)
 {
+    return add(solved, result, file, shown, place, nextNumber());
+}
+
+int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place,
+                        int number)
+{
     auto record = std::make_unique<SolutionRecord>();
-    record->number = nextNumber();
+    record->number = number;
     record->name = nameOf(solved);
     record->value = solved;
     record->file = file;
@@ -32,7 +38,7 @@ int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QS
     record->result = result;
     record->shown = record->comparedByItself = shown;
     if (shown) uncheckOldest(mostByItself - 1);
-    const int number = addRecord(std::move(record)).number;
+    addRecord(std::move(record));
     dropFields();
     return number;
 }

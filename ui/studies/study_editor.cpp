@@ -3,23 +3,17 @@
 
 #include <algorithm>
 
-#include <QDir>
 #include <QEvent>
-#include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "core/formats/toml_document.h"
 #include "core/formats/toml_editor.h"
-#include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
-#include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
-#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -27,15 +21,6 @@ namespace {
 
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
-
-/// The kind that the study's text names; empty if it names none.
-QString kindIn(const QString& text)
-{
-    const TomlDocument toml = readToml(text.toStdString());
-    const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
-    const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
-    return kind == nullptr ? QString() : QString::fromStdString(*kind);
-}
 
 } // namespace
 
@@ -79,14 +64,12 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
         drafts_[kind()].text = toText();
         stale_ = true;
         soon_.start();
+        emit edited();
     });
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
     connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
     connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
-    connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) {
-        openSample(sample);
-        tabs_->setCurrentWidget(form_);
-    });
+    connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) { openSample(sample); });
     connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) {
         tabs_->setCurrentWidget(text_);
         text_->goToLine(line.toInt());
@@ -94,7 +77,7 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     connect(open_, &QToolButton::clicked, this, &StudyEditor::chooseOpen);
     connect(run_, &QPushButton::clicked, this, &StudyEditor::runRequested);
     connect(stop_, &QPushButton::clicked, this, &StudyEditor::stopRequested);
-    connect(save_, &QToolButton::clicked, this, &StudyEditor::chooseSave);
+    connect(save_, &QToolButton::clicked, this, [this] { saveThen(kind(), {}); });
     connect(defaults_, &QToolButton::clicked, this, &StudyEditor::takeDefaults);
     showKind();
 }
@@ -193,14 +176,6 @@ void StudyEditor::setKind(const QString& name)
     if (const int index = kinds_->findData(name); index >= 0) kinds_->setCurrentIndex(index);
 }
 
-void StudyEditor::openSample(const SampleStudy& sample)
-{
-    setKind(QString::fromStdString(sample.kind));
-    drafts_[kind()].file.clear();
-    replaceText(withoutLicence(sample.text));
-    replan();
-}
-
 void StudyEditor::showKind()
 {
     const auto found = std::ranges::find(catalogue_.kinds, kind().toStdString(), &StudyKind::name);
@@ -211,12 +186,6 @@ void StudyEditor::showKind()
     text_->setPlainText(draft.text);
     stale_ = true;
     if (isVisible()) replan();
-}
-
-void StudyEditor::takeDefaults()
-{
-    drafts_[kind()] = {};
-    replan();
 }
 
 const StudyPlan& StudyEditor::plan()
@@ -233,7 +202,7 @@ void StudyEditor::replan()
     Draft& draft = drafts_[kind()];
     if (draft.text == draft.defaults && draft.file.isEmpty()) {
         const QString defaults = QString::fromStdString(catalogue_.defaultText(kind().toStdString(), case_));
-        draft.text = draft.defaults = defaults;
+        draft.text = draft.saved = draft.defaults = defaults;
         if (toText() != defaults) text_->setPlainText(defaults);
         soon_.stop();
     }
@@ -321,51 +290,6 @@ void StudyEditor::setRunning(bool running, bool chosen)
 {
     run_->setText(running && chosen ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
-}
-
-QString StudyEditor::open(const QString& path)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
-    if (file.size() > static_cast<qint64>(maximumStudyFileSize))
-        return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
-    const QString text = QString::fromUtf8(file.readAll());
-    setKind(kindIn(text)); // a text without a kind is of the chosen kind
-    drafts_[kind()].file = path;
-    setText(text);
-    replan();
-    return {};
-}
-
-QString StudyEditor::save(const QString& path)
-{
-    if (QString problem = writeWholeFile(path, toText().toUtf8()); !problem.isEmpty()) return problem;
-    drafts_[kind()].file = path;
-    stale_ = true;
-    replan();
-    return {};
-}
-
-void StudyEditor::chooseOpen()
-{
-    auto* dialog = new QFileDialog(this, tr("Open a study"), {}, tr("Studies (*.toml);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
-    });
-    dialog->open();
-}
-
-void StudyEditor::chooseSave()
-{
-    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"),
-               [this](const QString& file) {
-                   const QString problem = save(file);
-                   if (problem.isEmpty()) emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
-                   return problem;
-               });
 }
 
 void StudyEditor::changeEvent(QEvent* event)

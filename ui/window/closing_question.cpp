@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "ui/case/case_files.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
@@ -70,7 +71,7 @@ void ClosingQuestion::saveAll()
     parts_.film.controller().stopAndWait();
     parts_.studies.controller().stopAndWait();
     const UnsavedWork work = unsavedWork(parts_);
-    if (!work.anyResult()) {
+    if (!work.anyResult() && work.drafts.empty()) {
         if (work.editedCase.isEmpty())
             emit answered();
         else

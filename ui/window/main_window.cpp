@@ -40,6 +40,7 @@
 #include "ui/window/closing_question.h"
 #include "ui/window/guides.h"
 #include "ui/window/presenter.h"
+#include "ui/window/session.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 

@@ -30,7 +30,6 @@ class RunWindow;
 class RunsModel;
 class Session;
 class StartCard;
-class SessionFolder;
 class SolutionFiles;
 class StudyWindow;
 class WindowActions;
@@ -130,6 +129,7 @@ private:
     void showSolution(const SteadyResult& result);
     /// The message of a solution leaves with its case.
     void clearSolutionMessage();
+    void onStudyOpened(const QString& file);
     void onStudied(const StudyReport& report);
     void updateRunActions();
     void updateTitle();
@@ -147,7 +147,7 @@ private:
     void followFont(const QSize& before);
     SessionParts sessionParts();
     void listSessions();
-    void takeSession(std::unique_ptr<SessionFolder> folder);
+    void showWhatIsKept();
     void saveArrangement();
 
     CaseEdits* edits_;

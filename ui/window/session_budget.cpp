@@ -14,6 +14,7 @@ qint64 keepSessionsWithin(qint64 budget)
     QStringList closed, brokenOff; // the newest first
     for (const QString& path : SessionFolder::ended()) {
         const std::optional<SessionState> state = readSession(path);
+        if (state && !state->notUnderstood.isEmpty()) continue; // nobody knows what it is
         (state && !state->closed ? brokenOff : closed) << path;
     }
     if (!brokenOff.isEmpty()) brokenOff.removeFirst();
