@@ -53,6 +53,7 @@ set(rooms
     ui/studies
     ui/lesson
     ui/runs
+    ui/sessions
     ui/window
     app/terminal
     app/commands

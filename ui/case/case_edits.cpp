@@ -40,6 +40,12 @@ void CaseEdits::open(const Case& opened)
     apply({opened, {}});
 }
 
+void CaseEdits::reopen(const Case& opened, const QString& text)
+{
+    opened_ = opened;
+    push(text, {opened, {}});
+}
+
 void CaseEdits::enter(const Parameter& parameter, const QString& typed)
 {
     const BadEntry* bad = badEntry(parameter);

@@ -31,6 +31,10 @@ public:
     /// Starts again from a case; undo does not go back beyond it.
     void open(const Case& opened);
 
+    /// The case with which marks and resets compare is another one, and its values replace those that are edited: as
+    /// one edit, which can be undone.
+    void reopen(const Case& opened, const QString& text);
+
     const Case& value() const { return state_.value; }
     /// The case that marks and resets compare with.
     const Case& opened() const { return opened_; }

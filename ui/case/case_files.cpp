@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/case/case_files.h"
 
+#include <algorithm>
+
 #include <QAbstractButton>
 #include <QDir>
 #include <QFileDialog>
@@ -25,11 +27,12 @@ constexpr auto recentKey = "files/recent";
 
 std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
 
-QStringList textsOf(const std::vector<InputProblem>& problems)
+/// What a person allows: that a case reads these files outside its folder, and no others that it may name later.
+QString permission(const QString& file, const std::vector<std::string>& outside)
 {
-    QStringList texts;
-    for (const InputProblem& problem : problems) texts << QString::fromStdString(problem.text());
-    return texts;
+    QString text = QFileInfo(file).absoluteFilePath();
+    for (const std::string& name : outside) text += QLatin1Char('\n') + QString::fromStdString(name);
+    return text;
 }
 
 /// Name of the archive or of the folder; the file itself is always rail.dat.
@@ -42,7 +45,11 @@ QString importedName(const QFileInfo& file)
 
 } // namespace
 
-CaseFiles::CaseFiles(CaseEdits& edits, QWidget& window) : QObject(&window), edits_(edits), window_(window) {}
+CaseFiles::CaseFiles(CaseEdits& edits, QWidget& window)
+    : QObject(&window), edits_(edits), window_(window), watched_(new WatchedFile(window, this))
+{
+    connect(watched_, &WatchedFile::changed, this, &CaseFiles::tellChange);
+}
 
 void CaseFiles::take(const CaseDocument& document, const QString& file)
 {
@@ -50,44 +57,80 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
     file_ = import ? QString() : file;
     sample_.clear();
     imported_ = import ? importedName(QFileInfo(file)) : QString();
-    if (file.isEmpty())
-        for (const SampleCase& sample : sampleCases())
-            if (sample.name == document.name) sample_ = QString::fromStdString(sample.name);
+    if (file.isEmpty()) {
+        const bool isSample = std::ranges::find(sampleCases(), document.name, &SampleCase::name) != sampleCases().end();
+        (isSample ? sample_ : imported_) = QString::fromStdString(document.name);
+    }
     text_ = document.text;
     folder_ = document.folder;
     saved_ = document.value;
+    watch(document);
     edits_.open(document.value);
     if (!file.isEmpty()) remember(file);
     emit opened();
-    // A warning of a combination of values stands at its field.
-    std::vector<InputProblem> lasting = document.warnings;
-    std::erase_if(lasting, [](const InputProblem& warning) { return warning.kind == ProblemKind::Combination; });
-    const QStringList warnings = textsOf(lasting) + textsOf(document.unused);
+    const QStringList warnings = lastingWarnings(document);
     if (import)
         emit imported(file, warnings);
     else if (!warnings.isEmpty())
         emit warned(warnings);
 }
 
-bool CaseFiles::openNow(const QString& fileOrSample)
+void CaseFiles::use(const Case& c, const QString& name, const QString& step, const std::function<void()>& next)
 {
-    const QString key = QFileInfo(fileOrSample).absoluteFilePath();
-    const CaseDocument document =
-        openCase(fileOrSample.toStdString(), allowed_.contains(key) ? OutsidePaths::Allowed : OutsidePaths::Refused);
+    if (isOpen(c)) {
+        if (c != edits_.value()) edits_.setAll(c, step);
+        return next();
+    }
+    whenSettled([this, c, name, next] {
+        CaseDocument document;
+        document.value = c;
+        document.text = formatCase(c);
+        document.name = name.toStdString();
+        take(document, {});
+        next();
+    });
+}
+
+bool CaseFiles::isOpen(const Case& c) const
+{
+    const auto like = [&c](const Case& open) { return c.model == open.model && c.title == open.title; };
+    return like(edits_.value()) || like(saved_);
+}
+
+std::optional<CaseDocument> CaseFiles::read(const QString& fileOrSample, const std::function<void()>& again)
+{
+    CaseDocument document = readNow(fileOrSample);
     if (!document.outsideFiles.empty()) {
-        askForOutsideFiles(fileOrSample, document.outsideFiles);
-        return false;
+        askForOutsideFiles(fileOrSample, document.outsideFiles, again);
+        return std::nullopt;
     }
     if (!document.valid()) {
         showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), textsOf(document.problems));
-        return false;
+        return std::nullopt;
     }
+    return document;
+}
+
+bool CaseFiles::openNow(const QString& fileOrSample)
+{
+    const std::optional<CaseDocument> document = read(fileOrSample, [this, fileOrSample] { openNow(fileOrSample); });
+    if (!document) return false;
     const QFileInfo info(fileOrSample);
-    take(document, info.exists() ? info.absoluteFilePath() : QString());
+    take(*document, info.exists() ? info.absoluteFilePath() : QString());
     return true;
 }
 
-void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::string>& outside)
+CaseDocument CaseFiles::readNow(const QString& fileOrSample) const
+{
+    CaseDocument document = openCase(fileOrSample.toStdString());
+    if (document.outsideFiles.empty() || !allowed_.contains(permission(fileOrSample, document.outsideFiles)))
+        return document;
+    CaseDocument whole = openCase(fileOrSample.toStdString(), OutsidePaths::Allowed);
+    return whole.text == document.text ? whole : document; // else it has just been changed
+}
+
+void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::string>& outside,
+                                   const std::function<void()>& again)
 {
     QStringList names;
     for (const std::string& name : outside) names << QString::fromStdString(inQuotes(name));
@@ -100,11 +143,12 @@ void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::s
                                "case cannot be opened."));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::No);
-    connect(box, &QMessageBox::buttonClicked, this, [this, box, file](QAbstractButton* button) {
-        if (box->standardButton(button) != QMessageBox::Yes) return;
-        allowed_.insert(QFileInfo(file).absoluteFilePath());
-        openNow(file);
-    });
+    connect(box, &QMessageBox::buttonClicked, this,
+            [this, box, asked = permission(file, outside), again](QAbstractButton* button) {
+                if (box->standardButton(button) != QMessageBox::Yes) return;
+                allowed_.insert(asked);
+                again();
+            });
     outside_ = box;
     box->open();
 }
@@ -199,28 +243,6 @@ void CaseFiles::exportTo(const QString& path)
     emit exported(QFileInfo(path).absoluteFilePath(), warnings);
 }
 
-void CaseFiles::save()
-{
-    if (file_.isEmpty())
-        saveAs();
-    else
-        writeAndTell(file_);
-}
-
-void CaseFiles::saveThen(const std::function<void()>& next)
-{
-    afterSave_ = next;
-    save();
-}
-
-void CaseFiles::saveAs()
-{
-    const QFileDialog* dialog = openSaveDialog(&window_, tr("Save the case"), {tr("Case files (*.toml)")},
-                                               file_.isEmpty() ? shortName() + QStringLiteral(".toml") : file_);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { writeAndTell(file); });
-    connect(dialog, &QDialog::rejected, this, [this] { afterSave_ = nullptr; });
-}
-
 void CaseFiles::whenSettled(const std::function<void()>& next)
 {
     if (!modified()) {
@@ -262,34 +284,6 @@ std::string CaseFiles::text() const { return modified() ? updateCaseText(text_, 
 
 std::string CaseFiles::wholeText() const { return updateCaseText(text_, edits_.value()); }
 
-void CaseFiles::writeAndTell(const QString& file)
-{
-    const std::function<void()> next = std::exchange(afterSave_, nullptr);
-    if (const QString problem = write(file); !problem.isEmpty())
-        showProblems(tr("The case was not saved."), {problem});
-    else if (next)
-        next();
-}
-
-QString CaseFiles::write(const QString& file)
-{
-    if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) return reason;
-    const std::filesystem::path folder = pathOf(QFileInfo(file).absolutePath());
-    const std::string text = updateCaseText(text_, edits_.value(), folder);
-    const std::string problem = writeCaseFile(pathOf(file), text);
-    if (!problem.empty()) return QString::fromStdString(problem);
-    file_ = QFileInfo(file).absoluteFilePath();
-    sample_.clear();
-    imported_.clear();
-    text_ = text;
-    folder_ = folder;
-    saved_ = edits_.value();
-    edits_.undoStack().setClean();
-    remember(file_);
-    emit saved();
-    return {};
-}
-
 CaseState CaseFiles::state() const
 {
     CaseState state;
@@ -314,7 +308,9 @@ void CaseFiles::restore(const CaseState& state)
     folder_ = pathOf(state.folder);
     text_ = state.savedText.toStdString();
     // What it read was asked for in the session that it comes from.
-    saved_ = parseCase(text_, state.name.toStdString(), folder_, OutsidePaths::Allowed).value;
+    const CaseDocument saved = parseCase(text_, state.name.toStdString(), folder_, OutsidePaths::Allowed);
+    saved_ = saved.value;
+    watch(saved);
     edits_.open(saved_);
     emit opened();
     if (!state.modified) return;
@@ -335,6 +331,20 @@ void CaseFiles::remember(const QString& file)
     list.prepend(file);
     while (list.size() > mostRecent) list.removeLast();
     QSettings().setValue(recentKey, list);
+}
+
+QStringList CaseFiles::textsOf(const std::vector<InputProblem>& problems)
+{
+    QStringList texts;
+    for (const InputProblem& problem : problems) texts << QString::fromStdString(problem.text());
+    return texts;
+}
+
+QStringList CaseFiles::lastingWarnings(const CaseDocument& document)
+{
+    std::vector<InputProblem> lasting = document.warnings;
+    std::erase_if(lasting, [](const InputProblem& warning) { return warning.kind == ProblemKind::Combination; });
+    return textsOf(lasting) + textsOf(document.unused);
 }
 
 void CaseFiles::showProblems(const QString& what, const QStringList& problems)

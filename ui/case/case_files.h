@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The file of the case that is being edited: new, open, save, recent files, the question about unsaved changes. Files
-// of the established program (CML) are imported and exported; saving never overwrites them. No dialog blocks the
-// window.
+// The file of the case that is being edited: new, open, save, recent files, the question about unsaved changes. A file
+// that another program has changed is not written over without a question. Files of the established program (CML) are
+// imported and exported; saving never overwrites them. No dialog blocks the window.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 
 #include <QPointer>
 #include <QSet>
 #include <QWidget>
 
 #include "ui/case/case_edits.h"
+#include "ui/style/watched_file.h"
 
 class QMessageBox;
 
@@ -21,6 +24,7 @@ namespace touchdown {
 
 struct CaseDocument;
 struct CaseSetting;
+struct InputProblem;
 
 /// All that is needed to edit the case further in another window; undo excepted.
 struct CaseState {
@@ -43,6 +47,13 @@ public:
     /// A case that was read elsewhere. `file` is empty for a sample case and a new one; an imported case has the path
     /// of its import.
     void take(const CaseDocument& document, const QString& file);
+    /// A case without a file, of a result: "st.h5", "run 3". Values of the case that is open are a step of undo in it
+    /// (`step` is its text); another case is opened under the name `name`, after asking about changes. Then calls
+    /// `next`.
+    void use(
+        const Case& c, const QString& name, const QString& step, const std::function<void()>& next = [] {});
+    /// Whether the values are of the case that is open: the model and the title that it has now, or as saved.
+    bool isOpen(const Case& c) const;
     /// Opens a case file or a sample case at once; shows problems. A case that names files outside its folder is opened
     /// after the person allowed it; asked once a session.
     bool openNow(const QString& fileOrSample);
@@ -62,8 +73,15 @@ public:
     void saveAs();
     /// As save(); then calls `next`, unless the user chooses no file or it cannot be written.
     void saveThen(const std::function<void()>& next);
-    /// Writes to a file, which is the case's from then on. Returns "" or the problem in a sentence.
+    /// Writes to a file, which is the case's from then on. Returns "" or the problem in a sentence: also that another
+    /// program has changed the case's file.
     QString write(const QString& file);
+    /// The case of the file as it is now, as one step of undo. Shows problems.
+    void reload();
+    /// Whether another program has changed the file since it was read or written.
+    bool changedOutside() const { return changedOutside(file_); }
+    /// Shows the differences to the file and asks what to do with it.
+    void askAboutFile();
 
     CaseState state() const;
     /// A case from another window, with its edits as one step of undo. An open question about files outside the folder
@@ -95,6 +113,11 @@ public:
 signals:
     void opened();
     void saved();
+    /// The warnings are as those of warned().
+    void reloaded(const QStringList& warnings);
+    /// Another program has changed the file, or one that the case names, in a sentence; "": they are as they were read
+    /// or written. `valid`: it can be reloaded.
+    void fileChanged(const QString& sentence, bool valid);
     void resultsFileChosen(const QString& file);
     void studyFileChosen(const QString& file);
     /// After `opened`; the warnings list the entries that are not modelled.
@@ -104,24 +127,44 @@ signals:
     void exported(const QString& path, const QStringList& warnings);
 
 private:
-    /// Asks whether a case may read files outside its folder; on yes opens it.
-    void askForOutsideFiles(const QString& file, const std::vector<std::string>& outside);
+    /// Opens a case unless it has problems, which are shown, or names files outside its folder: then it asks, and calls
+    /// `again` on yes.
+    std::optional<CaseDocument> read(const QString& fileOrSample, const std::function<void()>& again);
+    /// Asks whether a case may read files outside its folder; on yes calls `again`.
+    void askForOutsideFiles(const QString& file, const std::vector<std::string>& outside,
+                            const std::function<void()>& again);
+    /// A case as it is now, with what it may read outside its folder.
+    CaseDocument readNow(const QString& fileOrSample) const;
+    /// The case's file holds text_, and the files that it names are those of the document.
+    void watch(const CaseDocument& document);
+    void tellChange();
+    /// Whether this is the case's file, and another program has changed it.
+    bool changedOutside(const QString& file) const;
+    /// Asks first if another program has changed the file.
+    void saveTo(const QString& file);
+    /// Whatever lies there.
+    QString writeOver(const QString& file);
     void askForFile(const QString& title, const QString& filter);
     void writeAndTell(const QString& file);
     void remember(const QString& file);
+    static QStringList textsOf(const std::vector<InputProblem>& problems);
+    /// Without those of a combination of values, which stand at their fields.
+    static QStringList lastingWarnings(const CaseDocument& document);
     void showProblems(const QString& what, const QStringList& problems);
 
     CaseEdits& edits_;
     QWidget& window_;
     QString file_;
     QString sample_;
-    QString imported_;             // name of an imported case
+    QString imported_;             // name of an imported case, or of the result that a case comes from
     std::string text_;             // as opened or saved
     std::filesystem::path folder_; // of the files that it names
     Case saved_;                   // the values in it
+    WatchedFile* watched_;         // file_, which holds text_ as far as this window knows
+    std::vector<std::unique_ptr<WatchedFile>> named_; // by the case: rails, a measured surface
     std::function<void()> afterSave_;
     QPointer<QMessageBox> outside_; // the question about files outside a folder
-    QSet<QString> allowed_;         // cases that may read the files outside their folders which they name
+    QSet<QString> allowed_;         // see permission()
 };
 
 } // namespace touchdown

@@ -48,6 +48,9 @@ public:
 
     /// The solution that is shown; nullptr: none.
     const SteadyResult* result() const;
+    const SolutionRecord* shown() const { return solutions_.find(shown_); }
+    /// The case of the last solution, or of the one under way.
+    const Case& asked() const { return asked_; }
     bool stale() const { return stale_; }
     /// The case that was solved last is the case as it is edited, be there a state or none.
     bool solvedAsEdited() const { return isEdited(asked_, {}); }
@@ -62,7 +65,6 @@ signals:
     void solved(const touchdown::SteadyResult& result);
 
 private:
-    const SolutionRecord* shown() const { return solutions_.find(shown_); }
     /// What the list has of a case: its state, or else a search that found none.
     const SolutionRecord* knownOf(const Case& c) const;
     void show(int number);

@@ -48,8 +48,9 @@ QString saveSolution(const SolutionRecord& solution, const QString& file)
 
 StoredSolutions readSolutions(const QString& file)
 {
+    const std::optional<FileIdentity> identity = identityOf(file.toStdString());
     StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
-    if (!stored.problem.empty()) return {file, {}, sentence(stored.problem)};
+    if (!stored.problem.empty()) return {file, {}, {}, sentence(stored.problem)};
     CaseDocument document = parseCase(stored.caseText, file.toStdString());
     // A stored state is shown without the surface of its disk.
     if (!document.outsideFiles.empty())
@@ -57,9 +58,10 @@ StoredSolutions readSolutions(const QString& file)
     if (!document.valid())
         return {file,
                 {},
+                {},
                 tr("The case in %1 cannot be read: %2")
                     .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text()))};
-    StoredSolutions solutions{file, {}, {}};
+    StoredSolutions solutions{file, identity, {}, {}};
     const std::vector<SteadySeriesPoint> points = seriesOf(document.value);
     for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
         if (!stored.states[i].pressure.empty())
@@ -75,8 +77,8 @@ std::vector<int> addSolutions(SolutionsModel& solutions, const StoredSolutions& 
     std::vector<int> added;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const auto& [c, state] = stored.states[static_cast<std::size_t>(places[i])];
-        added.push_back(solutions.add(c, state, stored.file, i + 1 == places.size(), places[i],
-                                      numbers.empty() ? solutions.nextNumber() : numbers[i]));
+        added.push_back(solutions.add(c, state, stored.file, i + 1 == places.size(), places[i], stored.identity,
+                                      numbers.empty() ? 0 : numbers[i]));
     }
     return added;
 }
@@ -120,7 +122,7 @@ void SolutionFiles::open(const QString& file)
     const std::vector<int> added = addSolutions(solutions_, stored, places);
     QStringList numbers;
     for (const int number : added) numbers << QString::number(number);
-    emit opened(added.back());
+    emit opened(added.back(), file);
     emit succeeded(
         tr("Read from %1: solutions %2.").arg(QDir::toNativeSeparators(file)).arg(numbers.join(QStringLiteral(", "))));
 }

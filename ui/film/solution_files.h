@@ -3,6 +3,7 @@
 // Static solutions to and from files (core/results/steady_writer.h), by dialogs that leave the window alive.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include <QString>
 #include <QWidget>
 
+#include "core/formats/file_identity.h"
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -23,6 +25,7 @@ QString saveSolution(const SolutionRecord& solution, const QString& file);
 /// The states of a file that have a field, each with the case of that state.
 struct StoredSolutions {
     QString file;
+    std::optional<FileIdentity> identity; // of that file
     std::vector<std::pair<Case, SteadyResult>> states;
     QString problem; // empty when there is one at least
 };
@@ -45,7 +48,7 @@ public:
 
 signals:
     /// The last of them is `number`.
-    void opened(int number);
+    void opened(int number, const QString& file);
     void succeeded(const QString& sentence);
     void failed(const QString& sentence);
 

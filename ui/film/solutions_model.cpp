@@ -21,26 +21,22 @@ constexpr qsizetype mostChanges = 3; // in a name
 
 } // namespace
 
-int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place)
-{
-    return add(solved, result, file, shown, place, nextNumber());
-}
-
 int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place,
-                        int number)
+                        const std::optional<FileIdentity>& identity, int number)
 {
     auto record = std::make_unique<SolutionRecord>();
-    record->number = number;
+    record->number = number > 0 ? number : nextNumber();
     record->name = nameOf(solved);
     record->value = solved;
     record->file = file;
+    record->identity = identity;
     record->place = place;
     record->result = result;
     record->shown = record->comparedByItself = shown;
     if (shown) uncheckOldest(mostByItself - 1);
-    addRecord(std::move(record));
+    const int added = addRecord(std::move(record)).number;
     dropFields();
-    return number;
+    return added;
 }
 
 /// Of the boxes that nobody touched, all but the newest `kept`.

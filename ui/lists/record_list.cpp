@@ -101,14 +101,22 @@ void RecordList::remove(int row)
 
 void RecordList::setFile(int number, const QString& file)
 {
+    setRecording(number, file);
+    if (const int row = rowOf(number); row >= 0) changeable(row).identity = identityOf(file.toStdString());
+}
+
+void RecordList::setRecording(int number, const QString& file)
+{
     const int row = rowOf(number);
     if (row < 0) return;
     for (int other = 0; other < count(); ++other) {
         if (other == row || !sameFile(listed(other).file, file)) continue;
         changeable(other).file.clear();
+        changeable(other).identity.reset();
         emit dataChanged(index(other), index(other), {Qt::ToolTipRole});
     }
     changeable(row).file = file;
+    changeable(row).identity.reset();
     changeable(row).place = 0;
     emit dataChanged(index(row), index(row), {Qt::ToolTipRole});
 }

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QAbstractListModel>
 #include <QString>
 
 #include "core/case/case.h"
+#include "core/formats/file_identity.h"
 #include "ui/plot/plot_theme.h"
 
 namespace touchdown {
@@ -21,10 +23,11 @@ struct ListedRecord {
     QString name;
     Case value; // that was calculated
     QString note;
-    QString file;      // of the user: it was read from, or written to
-    int place = 0;     // among the records of that file
-    QString kept;      // the whole of it in the folder of the session; empty: not there
-    bool shown = true; // beside others: in the plots, in the comparison
+    QString file;                         // of the user: it was read from, or written to
+    std::optional<FileIdentity> identity; // of that file then; none while it is written
+    int place = 0;                        // among the records of that file
+    QString kept;                         // the whole of it in the folder of the session; empty: not there
+    bool shown = true;                    // beside others: in the plots, in the comparison
 
     virtual ~ListedRecord() = default;
 };
@@ -57,8 +60,10 @@ public:
     void keepFree(int number) { nextNumber_ = std::max(nextNumber_, number + 1); }
     /// Not a record that is still calculated.
     void remove(int row);
-    /// It was written to the file, or is being: another record that had this file has none any more.
+    /// It was written to the file: another record that had this file has none any more.
     void setFile(int number, const QString& file);
+    /// The same of a file that is being written.
+    void setRecording(int number, const QString& file);
     void setKept(int number, const QString& file);
 
     int count() const { return static_cast<int>(records_.size()); }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <QEvent>
 #include <QScrollBar>
@@ -46,28 +47,25 @@ AboutCasePane::AboutCasePane(QWidget* parent) : QTextBrowser(parent)
 
 void AboutCasePane::setCase(const Case& c)
 {
-    const QString title = readable(c.title);
-    if (title == title_ && c.about.paper == about_.paper && c.about.watch == about_.watch &&
-        c.about.assumed == about_.assumed)
-        return;
-    title_ = title;
-    about_ = c.about;
-    result_.clear();
-    rule_.clear();
-    figures_.clear();
-    details_.clear();
-    write();
+    const bool had = hasResult();
+    const Case before = std::exchange(case_, c);
+    if (c.title != before.title || c.about != before.about || hasResult() != had) write();
 }
 
-void AboutCasePane::setResult(const QString& result, const QString& rule, const QString& figures,
-                              const QString& details)
+void AboutCasePane::setResult(const std::function<bool(const Case&)>& belongsTo, const QString& result,
+                              const QString& rule, const QString& figures, const QString& details)
 {
-    if (result == result_ && rule == rule_ && figures == figures_ && details == details_) return;
+    belongsTo_ = belongsTo;
     result_ = result;
     rule_ = rule;
     figures_ = figures;
     details_ = details;
     write();
+}
+
+void AboutCasePane::clearResult()
+{
+    if (belongsTo_) setResult(nullptr, {});
 }
 
 void AboutCasePane::showDetails(bool shown)
@@ -94,7 +92,7 @@ void AboutCasePane::changeEvent(QEvent* event)
 void AboutCasePane::write()
 {
     const MeaningColours colours = meaningColours(palette());
-    QString html = QStringLiteral("<p><b>%1</b></p>").arg(title_.toHtmlEscaped());
+    QString html = QStringLiteral("<p><b>%1</b></p>").arg(readable(case_.title).toHtmlEscaped());
     const auto part = [&html](const QString& heading, const QString& text, const QColor& colour) {
         if (text.isEmpty()) return;
         html +=
@@ -102,21 +100,24 @@ void AboutCasePane::write()
                 .arg(colour.name(), heading,
                      text.trimmed().toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     };
-    part(tr("Result of the paper"), readable(about_.paper), colours.muted);
-    part(tr("What to look at"), readable(about_.watch), colours.muted);
-    part(tr("Result of this run"), result_, colours.change);
-    part(tr("Criterion"), rule_, colours.muted);
-    part(tr("Its figures"), figures_, colours.muted);
-    if (!details_.isEmpty())
+    part(tr("Result of the paper"), readable(case_.about.paper), colours.muted);
+    part(tr("What to look at"), readable(case_.about.watch), colours.muted);
+    const bool hasResult = this->hasResult();
+    if (hasResult) {
+        part(tr("Result of this run"), result_, colours.change);
+        part(tr("Criterion"), rule_, colours.muted);
+        part(tr("Its figures"), figures_, colours.muted);
+    }
+    if (hasResult && !details_.isEmpty())
         html += QStringLiteral("<p style='margin:6px 0 0 0'><a href='%1' style='color:%2; font-weight:600; "
                                "text-decoration:none'>%3 %4</a></p>")
                     .arg(QLatin1String(detailsLink), colours.muted.name(),
                          detailsShown_ ? QStringLiteral("▾") : QStringLiteral("▸"), tr("Details of the solver"));
-    if (detailsShown_ && !details_.isEmpty())
+    if (hasResult && detailsShown_ && !details_.isEmpty())
         html += QStringLiteral("<p style='margin:0'>%1</p>")
                     .arg(details_.toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>")));
     part(tr("⚠ Remarks on the file"), warnings_.join(QLatin1Char('\n')), colours.warning);
-    part(tr("≈ Assumptions"), readable(about_.assumed), colours.warning);
+    part(tr("≈ Assumptions"), readable(case_.about.assumed), colours.warning);
     setHtml(html);
 }
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Description of a case: the paper's result, what to look at, assumptions, and the result of the run.
+// Description of a case: the paper's result, what to look at, assumptions, and the result of the run. A result is shown
+// as long as the case is the one that it belongs to, also again after undo.
 #pragma once
+
+#include <functional>
 
 #include "core/case/case.h"
 
@@ -20,9 +23,12 @@ public:
     explicit AboutCasePane(QWidget* parent = nullptr);
 
     void setCase(const Case& c);
-    /// Result of the last run of this case, its criterion, its figures and those of the solver; empty during a run.
-    void setResult(const QString& result, const QString& rule = {}, const QString& figures = {},
-                   const QString& details = {});
+    /// Result of the last run or solution, its criterion, its figures and those of the solver. `belongsTo` says of
+    /// which cases it is the result.
+    void setResult(const std::function<bool(const Case&)>& belongsTo, const QString& result, const QString& rule = {},
+                   const QString& figures = {}, const QString& details = {});
+    /// During a run, and without one.
+    void clearResult();
     /// The figures of the solver, which are folded away at first; a click on their heading does the same.
     void showDetails(bool shown);
     /// Entries of the file that have no effect or are not modelled.
@@ -33,9 +39,10 @@ protected:
 
 private:
     void write();
+    bool hasResult() const { return belongsTo_ && belongsTo_(case_); }
 
-    QString title_;
-    About about_;
+    Case case_;
+    std::function<bool(const Case&)> belongsTo_;
     QString result_;
     QString rule_;
     QString figures_;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include <QDir>
 #include <QFileInfo>
 
 #include "core/case_files/case_file.h"
@@ -33,11 +34,29 @@ QString incompleteProblem(const RunRecord& record)
         .arg(record.snapshotsArrived());
 }
 
+/// Whether the file of the user still is what the run was read from.
+bool standsInItsFile(const RunRecord& record)
+{
+    return record.identity && fileNow(record.file.toStdString(), *record.identity) == FileNow::Same;
+}
+
 /// A file that has all of the run; empty: there is none.
 QString wholeFile(const RunRecord& record)
 {
-    const QString& file = record.fromFile && record.kept.isEmpty() ? record.file : record.kept;
-    return QFileInfo::exists(file) ? file : QString();
+    if (QFileInfo::exists(record.kept)) return record.kept;
+    return record.fromFile && standsInItsFile(record) ? record.file : QString();
+}
+
+QString replacedProblem(const RunRecord& record)
+{
+    const QString file = QDir::toNativeSeparators(record.file);
+    const QString cause = file.isEmpty()            ? tr("this file is gone or holds another run now")
+                          : QFileInfo::exists(file) ? tr("%1 has been changed or replaced since").arg(file)
+                                                    : tr("%1 is gone or cannot be reached").arg(file);
+    return tr("Run %1 was read from a file, and %2. The window holds only a part of the run. Its time series can be "
+              "saved as CSV. For all of it, bring the file back.")
+        .arg(record.number)
+        .arg(cause);
 }
 
 RunStatus statusFromName(const std::string& text)
@@ -229,6 +248,7 @@ std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const st
 
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem)
 {
+    const std::optional<FileIdentity> identity = identityOf(file.toStdString());
     StoredRun stored = readResults(std::filesystem::path(file.toStdString()));
     if (!stored.problem.empty()) {
         problem = QString::fromStdString(stored.problem);
@@ -240,6 +260,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
         std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
     record->name = QString::fromStdString(stored.title);
     record->file = file;
+    record->identity = identity;
     record->fromFile = true;
     // What the record has is freed at once: a long run would be in memory twice.
     for (std::size_t i = 0; i < stored.samples.columns.size(); ++i) {
@@ -267,6 +288,7 @@ QString saveHdf5(const RunRecord& record, const QString& file)
     const bool held = record.fieldsComplete();
     if (const QString whole = wholeFile(record); !whole.isEmpty() && (record.fromFile || !held))
         return copyWholeFile(whole, file);
+    if (record.fromFile) return replacedProblem(record);
     if (!held) return incompleteProblem(record);
     ResultsWriter writer(std::nullopt);
     std::vector<RecordedFields> sets;

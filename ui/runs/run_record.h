@@ -81,7 +81,7 @@ struct RunRecord : ListedRecord {
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
-    bool fromFile = false;    // it holds only a part of what its file does: no events, no figures
+    bool fromFile = false;    // it holds only a part of what its file did: no events, no figures
     bool ofGuide = false;     // of the lesson or of a demonstration: by a button or a slider
     bool interrupted = false; // read from a file whose writer was killed
 };
@@ -106,7 +106,7 @@ std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const st
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem);
 /// The whole run as an HDF5 file, with the spectrum that its case asks for; of a run that was read from a file, a copy
-/// of that file. "" or the problem in a sentence.
+/// of that file, which is refused if the file is another one by now. "" or the problem in a sentence.
 QString saveHdf5(const RunRecord& record, const QString& file);
 /// The time series as CSV.
 QString saveTimeSeries(const RunRecord& record, const QString& file);

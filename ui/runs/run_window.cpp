@@ -28,7 +28,7 @@ RunWindow::RunWindow(QWidget* parent)
 {
     connect(&controller_, &RunController::delivered, this, &RunWindow::onDelivered);
     connect(&controller_, &RunController::finished, this, [this](int, const Summary& summary) { onFinished(summary); });
-    connect(&controller_, &RunController::recordingFailed, this, [this] { runs_.setFile(number_, {}); });
+    connect(&controller_, &RunController::recordingFailed, this, [this] { runs_.setRecording(number_, {}); });
     values_->add(view_->spectrum()->view()->group());
     connect(view_->plots(), &LivePlots::differencesMade, &memory_, &RunMemory::schedule);
     connect(view_->plots(), &LivePlots::curvesChanged, values_, &CursorTable::scheduleUpdate);
@@ -73,7 +73,7 @@ void RunWindow::add(const RunRequest& request)
     auto record = std::make_unique<RunRecord>(runs_.nextNumber(), request.value, request.caseText,
                                               recordedQuantities(request.value));
     number_ = runs_.add(std::move(record)).number;
-    runs_.setFile(number_, QString::fromStdString(request.recordTo.string()));
+    runs_.setRecording(number_, QString::fromStdString(request.recordTo.string()));
     panel_->setActive(number_);
     view_->spectrum()->setOptionsOf(request.value);
     emit started(number_);
@@ -94,6 +94,7 @@ void RunWindow::onFinished(const Summary& summary)
 {
     const int number = std::exchange(number_, -1);
     runs_.finish(number, summary);
+    if (const QString& file = runs_.find(number)->file; !file.isEmpty()) runs_.setFile(number, QString(file));
     panel_->setActive(-1);
     view_->plots()->runFinished(number);
     view_->spectrum()->runFinished(number);

@@ -77,7 +77,7 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     connect(open_, &QToolButton::clicked, this, &StudyEditor::chooseOpen);
     connect(run_, &QPushButton::clicked, this, &StudyEditor::runRequested);
     connect(stop_, &QPushButton::clicked, this, &StudyEditor::stopRequested);
-    connect(save_, &QToolButton::clicked, this, [this] { saveThen(kind(), {}); });
+    connect(save_, &QToolButton::clicked, this, [this] { chooseSave(kind(), {}); });
     connect(defaults_, &QToolButton::clicked, this, &StudyEditor::takeDefaults);
     showKind();
 }

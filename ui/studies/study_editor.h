@@ -59,6 +59,8 @@ public:
     /// Writes the text of a kind. Empty, or why the file cannot be written.
     QString save(const QString& kind, const QString& file);
     QString save(const QString& file) { return save(kind(), file); }
+    /// As save(), and says so; asks first if another program has changed the file since it was opened or saved.
+    void saveTo(const QString& file) { saveTo(kind(), file, {}); }
     /// The texts that were edited since they were opened or saved.
     std::vector<StudyDraft> unsaved();
     /// A text from another window; false where an edited one would be replaced, or there is no such kind.
@@ -108,8 +110,9 @@ private:
     void chooseOpen();
     /// Asks about an edited text of a kind; calls `next` unless the user cancels.
     void whenSettled(const QString& kind, const std::function<void()>& next);
-    /// Writes the text to its file, or to one that is asked for; without `next` always to that.
-    void saveThen(const QString& kind, const std::function<void()>& next);
+    /// Asks for a file and writes the text to it; then calls `next`, if there is one.
+    void chooseSave(const QString& kind, const std::function<void()>& next);
+    void saveTo(const QString& kind, const QString& file, const std::function<void()>& next);
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);

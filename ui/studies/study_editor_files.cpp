@@ -14,6 +14,7 @@
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
+#include "ui/studies/changed_study.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/whole_file.h"
 
@@ -78,13 +79,15 @@ QString StudyEditor::open(const QString& path)
         return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
     if (file.size() > static_cast<qint64>(maximumStudyFileSize))
         return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
-    const QString text = QString::fromUtf8(file.readAll());
+    const QByteArray bytes = file.readAll();
+    const QString text = QString::fromUtf8(bytes);
     const QString named = kindIn(text);
     // A text without a kind, or with a wrong one, is of the chosen kind.
     const QString opened = kinds_->findData(named) < 0 ? kind() : named;
-    whenSettled(opened, [this, opened, text, path] {
+    whenSettled(opened, [this, opened, text, path, identity = identityOfBytes(bytes.toStdString())] {
         setKind(opened);
         drafts_[opened].file = path;
+        drafts_[opened].identity = identity;
         setText(text);
         drafts_[opened].saved = toText();
         replan();
@@ -96,8 +99,10 @@ QString StudyEditor::open(const QString& path)
 QString StudyEditor::save(const QString& kind, const QString& path)
 {
     StudyDraft& draft = drafts_[kind];
-    if (QString problem = writeWholeFile(path, draft.text.toUtf8()); !problem.isEmpty()) return problem;
+    const QByteArray bytes = draft.text.toUtf8();
+    if (QString problem = writeWholeFile(path, bytes); !problem.isEmpty()) return problem;
     draft.file = path;
+    draft.identity = identityOfBytes(bytes.toStdString());
     draft.saved = draft.text;
     stale_ = true;
     replan();
@@ -121,25 +126,48 @@ void StudyEditor::whenSettled(const QString& kind, const std::function<void()>& 
     connect(box, &QMessageBox::buttonClicked, this, [this, box, kind, next](QAbstractButton* button) {
         const auto chosen = box->standardButton(button);
         if (chosen == QMessageBox::Discard) next();
-        if (chosen == QMessageBox::Save) saveThen(kind, next);
+        if (chosen != QMessageBox::Save) return;
+        if (const QString file = drafts_[kind].file; file.isEmpty())
+            chooseSave(kind, next);
+        else
+            saveTo(kind, file, next);
     });
     box->open();
 }
 
-void StudyEditor::saveThen(const QString& kind, const std::function<void()>& next)
+void StudyEditor::chooseSave(const QString& kind, const std::function<void()>& next)
 {
-    const QString file = drafts_[kind].file;
-    const auto write = [this, kind, next](const QString& path) {
-        const QString problem = save(kind, path);
-        if (!problem.isEmpty()) return problem;
-        emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(path)));
-        if (next) next();
-        return problem;
-    };
-    if (!next || file.isEmpty())
-        askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind + QStringLiteral(".toml"), write);
-    else if (const QString problem = write(file); !problem.isEmpty())
+    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind + QStringLiteral(".toml"),
+               [this, kind, next](const QString& file) {
+                   saveTo(kind, file, next);
+                   return QString();
+               });
+}
+
+void StudyEditor::saveTo(const QString& kind, const QString& file, const std::function<void()>& next)
+{
+    const ChangedStudyAnswers answers{.writeOver =
+                                          [this, kind, file, next](const std::string& shown) {
+                                              drafts_[kind].identity =
+                                                  identityOfBytes(shown); // it may change once more
+                                              saveTo(kind, file, next);
+                                          },
+                                      .reload =
+                                          [this, kind, file](const std::string&) {
+                                              drafts_[kind].saved = drafts_[kind].text; // the person gives it up
+                                              if (const QString problem = open(file); !problem.isEmpty())
+                                                  emit failed(problem);
+                                          },
+                                      .saveAs = [this, kind, next] { chooseSave(kind, next); }};
+    const StudyDraft& draft = drafts_[kind];
+    const bool isItsFile = !draft.file.isEmpty() && QFileInfo(draft.file) == QFileInfo(file);
+    if (isItsFile && asksAboutStudy(*window(), file, draft.identity, draft.text, answers)) return;
+    if (const QString problem = save(kind, file); !problem.isEmpty()) {
         emit failed(problem);
+        return;
+    }
+    emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+    if (next) next();
 }
 
 void StudyEditor::chooseOpen()

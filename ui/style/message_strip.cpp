@@ -11,14 +11,17 @@
 namespace touchdown {
 
 MessageStrip::MessageStrip(QWidget* parent)
-    : QFrame(parent), mark_(new QLabel(this)), text_(new QLabel(this)), action_(new QPushButton(this))
+    : QFrame(parent),
+      mark_(new QLabel(this)),
+      text_(new QLabel(this)),
+      action_(new QPushButton(this)),
+      second_(new QPushButton(this))
 {
     setAccessibleName(tr("Messages"));
     text_->setWordWrap(true);
     text_->setTextFormat(Qt::PlainText);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     text_->setFocusPolicy(Qt::ClickFocus);
-    action_->setAutoDefault(false);
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
     close->setAutoRaise(true);
@@ -27,16 +30,20 @@ MessageStrip::MessageStrip(QWidget* parent)
     close->setFocusPolicy(Qt::NoFocus);
     connect(close, &QToolButton::clicked, this, [this] { clear(); });
     connect(action_, &QPushButton::clicked, this, &MessageStrip::actionRequested);
+    connect(second_, &QPushButton::clicked, this, &MessageStrip::secondRequested);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 5, 6, 5);
     layout->setSpacing(8);
     layout->addWidget(mark_, 0, Qt::AlignTop);
     layout->addWidget(text_, 1);
-    layout->addWidget(action_, 0, Qt::AlignVCenter);
+    for (QPushButton* button : {action_, second_}) {
+        button->setAutoDefault(false);
+        button->hide();
+        layout->addWidget(button, 0, Qt::AlignVCenter);
+    }
     layout->addWidget(close, 0, Qt::AlignTop);
     keepPlace(true);
-    action_->hide();
     hide();
 }
 
@@ -48,13 +55,15 @@ void MessageStrip::keepPlace(bool kept)
     setSizePolicy(keeping);
 }
 
-void MessageStrip::show(Kind kind, const QString& text, const QString& action, Topic topic)
+void MessageStrip::show(Kind kind, const QString& text, const QString& action, Topic topic, const QString& second)
 {
     kind_ = kind;
     topic_ = topic;
     text_->setText(text);
-    action_->setText(action);
-    action_->setVisible(!action.isEmpty());
+    for (const auto& [button, words] : {std::pair(action_, action), std::pair(second_, second)}) {
+        button->setText(words);
+        button->setVisible(!words.isEmpty());
+    }
     colour();
     setVisible(true);
 }
@@ -69,6 +78,7 @@ void MessageStrip::clear()
     topic_ = Topic::Any;
     text_->clear();
     action_->hide();
+    second_->hide();
     setVisible(false);
 }
 

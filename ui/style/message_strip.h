@@ -20,8 +20,10 @@ public:
 
     explicit MessageStrip(QWidget* parent = nullptr);
 
-    /// `action` is the text of a button, for which `actionRequested` is emitted; none when empty.
-    void show(Kind kind, const QString& text, const QString& action = {}, Topic topic = Topic::Any);
+    /// `action` and `second` are the texts of buttons, for which `actionRequested` and `secondRequested` are emitted;
+    /// none when empty.
+    void show(Kind kind, const QString& text, const QString& action = {}, Topic topic = Topic::Any,
+              const QString& second = {});
     void clear();
     /// Only a message of this topic.
     void clear(Topic topic);
@@ -32,6 +34,7 @@ public:
 
 signals:
     void actionRequested();
+    void secondRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -44,7 +47,7 @@ private:
     Topic topic_ = Topic::Any;
     QLabel* mark_;
     QLabel* text_;
-    QPushButton* action_;
+    QPushButton *action_, *second_;
 };
 
 } // namespace touchdown

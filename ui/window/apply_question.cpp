@@ -15,11 +15,10 @@ constexpr qsizetype mostShown = 10; // changes; all of them are in the details
 
 } // namespace
 
-void askToApply(QWidget& window, const Case& open, const Case& found, const QString& title,
+void askToApply(QWidget& window, const Case& open, const Case& found, bool isOther, const QString& title,
                 const std::function<void()>& apply)
 {
     const QStringList changes = caseDifference(open, found);
-    const bool isOther = open.model != found.model || open.title != found.title;
     auto* box = new QMessageBox(open == found ? QMessageBox::Information : QMessageBox::Question,
                                 tr("Apply to the case"), {}, QMessageBox::Cancel, &window);
     box->setObjectName(QStringLiteral("applyQuestion"));
@@ -38,7 +37,7 @@ void askToApply(QWidget& window, const Case& open, const Case& found, const QStr
         shown << tr("and %1 more").arg(changes.size() - mostShown);
         box->setDetailedText(changes.join(QLatin1Char('\n')));
     }
-    shown << tr("Undo takes it back.");
+    shown << (isOther ? tr("The case found has no file: saving asks for a name.") : tr("Undo takes it back."));
     box->setInformativeText(shown.join(QLatin1Char('\n')));
     QPushButton* yes = box->addButton(isOther ? tr("Replace") : tr("Apply"), QMessageBox::AcceptRole);
     box->setDefaultButton(isOther ? qobject_cast<QPushButton*>(box->button(QMessageBox::Cancel)) : yes);

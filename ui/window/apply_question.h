@@ -11,8 +11,9 @@
 
 namespace touchdown {
 
-/// Asks without blocking the window; calls `apply` on yes. `title` is that of the study. Says so where nothing changes.
-void askToApply(QWidget& window, const Case& open, const Case& found, const QString& title,
+/// Asks without blocking the window; calls `apply` on yes. `isOther`: `found` is another case than the open one (see
+/// CaseFiles::isOpen). `title` is that of the study. Says so where nothing changes.
+void askToApply(QWidget& window, const Case& open, const Case& found, bool isOther, const QString& title,
                 const std::function<void()>& apply);
 
 } // namespace touchdown

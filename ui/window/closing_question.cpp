@@ -71,6 +71,9 @@ void ClosingQuestion::saveAll()
     parts_.film.controller().stopAndWait();
     parts_.studies.controller().stopAndWait();
     const UnsavedWork work = unsavedWork(parts_);
+    // What is in the file is asked for before the folder of the results.
+    if (!work.editedCase.isEmpty() && parts_.files.changedOutside())
+        return parts_.files.saveThen([this] { saveAll(); });
     if (!work.anyResult() && work.drafts.empty()) {
         if (work.editedCase.isEmpty())
             emit answered();

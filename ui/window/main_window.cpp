@@ -9,7 +9,6 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLayout>
@@ -40,6 +39,8 @@
 #include "ui/window/closing_question.h"
 #include "ui/window/guides.h"
 #include "ui/window/presenter.h"
+#include "ui/window/recording.h"
+#include "ui/window/result_messages.h"
 #include "ui/window/session.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
@@ -71,6 +72,8 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
     guides_ = new Guides(*this, *pages_);
     presenter_ = new Presenter(*this, *pages_);
+    recording_ = new Recording(*actions_->record, *runs_, *this);
+    results_ = std::make_unique<ResultMessages>(*messages_, *aboutCase_, *film_);
     closing_ = new ClosingQuestion(sessionParts(), *this);
     connectFiles();
     connectRuns();
@@ -142,7 +145,9 @@ void MainWindow::startRun()
 {
     if (!readyToRun()) return;
     endSlowMotion();
-    runs_->start({edits_->value(), files_->wholeText(), recordTo_.toStdString()});
+    recording_->whenFree([this] {
+        runs_->start({edits_->value(), files_->wholeText(), recording_->file().toStdString()});
+    });
 }
 
 void MainWindow::performStudy()
@@ -164,7 +169,7 @@ void MainWindow::onCaseOpened()
         setPage(Page::Run);
     else if (pages_->page() != Page::Studies)
         setPage(Page::StaticState);
-    aboutCase_->setResult({});
+    aboutCase_->clearResult();
     aboutCase_->setWarnings({});
     film_->open(edits_->value());
     runs_->view()->opened(files_->sample(), edits_->value());
@@ -177,7 +182,7 @@ void MainWindow::onCaseEdited()
 {
     aboutCase_->setCase(edits_->value());
     film_->edit(edits_->value());
-    if (!film_->solvedAsEdited() && (!film_->result() || film_->stale())) clearSolutionMessage();
+    if (!film_->solvedAsEdited() && (!film_->result() || film_->stale())) results_->clearSolution();
     runs_->view()->setCase(edits_->value());
     studies_->editor()->setCase(edits_->value());
     pages_->showModel(edits_->value().model);
@@ -233,31 +238,18 @@ void MainWindow::updateRecentMenu()
     if (actions_->recent->isEmpty()) actions_->recent->addAction(tr("None yet"))->setEnabled(false);
 }
 
-void MainWindow::chooseRecording(bool on)
-{
-    if (!on) {
-        recordTo_.clear();
-        return;
-    }
-    auto* dialog = new QFileDialog(this, tr("Record the next runs to"), {}, tr("HDF5 (*.h5)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("h5"));
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { recordTo_ = file; });
-    connect(dialog, &QDialog::finished, this, [this] { actions_->record->setChecked(!recordTo_.isEmpty()); });
-    dialog->open();
-}
-
 void MainWindow::useParametersOf(int number)
 {
     const RunRecord* run = runs().find(number);
-    if (run) edits_->setAll(run->value, tr("use the parameters of run %1").arg(number));
+    if (run) files_->use(run->value, tr("run %1").arg(number), tr("use the parameters of run %1").arg(number));
 }
 
 void MainWindow::useSolution(int number)
 {
     const SolutionRecord* solution = film_->solutions().find(number);
-    if (solution) edits_->setAll(solution->value, tr("use the parameters of solution %1").arg(number));
+    if (solution)
+        files_->use(solution->value, tr("solution %1").arg(number),
+                    tr("use the parameters of solution %1").arg(number));
 }
 
 void MainWindow::runFromSolution(int number)
@@ -272,8 +264,7 @@ void MainWindow::runFromSolution(int number)
     c.initial.nominalTrailingEdgeHeight = attitude.height;
     c.initial.pitch = attitude.pitch;
     c.initial.roll = attitude.roll;
-    if (c != edits_->value()) edits_->setAll(c, tr("run from solution %1").arg(number));
-    startRun();
+    files_->use(c, tr("solution %1").arg(number), tr("run from solution %1").arg(number), [this] { startRun(); });
 }
 
 void MainWindow::useTheme(const QString& name)

@@ -23,6 +23,8 @@ class FilmWindow;
 class Guides;
 class MessageStrip;
 class Presenter;
+class Recording;
+class ResultMessages;
 class RunController;
 class RunFiles;
 class RunView;
@@ -125,16 +127,11 @@ private:
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
-    void onSolutionShown();
-    void showSolution(const SteadyResult& result);
-    /// The message of a solution leaves with its case.
-    void clearSolutionMessage();
     void onStudyOpened(const QString& file);
     void onStudied(const StudyReport& report);
     void updateRunActions();
     void updateTitle();
     void updateRecentMenu();
-    void chooseRecording(bool on);
     void makeFigure();
     void printLesson();
     void showGallery();
@@ -166,11 +163,11 @@ private:
     HelpWindow* help_ = nullptr;
     Guides* guides_ = nullptr;
     Presenter* presenter_ = nullptr;
-    QString givenTheme_;      // by the command line; empty: none
-    bool slowMotion_ = false; // of the first steps
-    QString recordTo_;
-    QString solutionText_;       // the message of the last solution
+    QString givenTheme_;         // by the command line; empty: none
+    bool slowMotion_ = false;    // of the first steps
     Session* session_ = nullptr; // none in a window that only draws pictures
+    Recording* recording_ = nullptr;
+    std::unique_ptr<ResultMessages> results_;
     ClosingQuestion* closing_ = nullptr;
     bool mayClose_ = false; // that question was answered
 };

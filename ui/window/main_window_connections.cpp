@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QMessageBox>
 
 #include "core/simulation/static_state/steady.h"
@@ -17,6 +18,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/case/file_notice.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/modes_page.h"
@@ -33,7 +35,6 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
-#include "ui/slider/attitude_sections.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
@@ -43,6 +44,8 @@
 #include "ui/window/apply_question.h"
 #include "ui/window/guides.h"
 #include "ui/window/presenter.h"
+#include "ui/window/recording.h"
+#include "ui/window/result_messages.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -92,6 +95,14 @@ void MainWindow::connectFiles()
         updateTitle();
         messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
     });
+    connect(files_, &CaseFiles::reloaded, this, [this](const QStringList& warnings) {
+        aboutCase_->setWarnings(warnings);
+        film_->view()->shape()->editor()->setGhost(edits_->value().surface);
+        updateTitle();
+        messages_->show(MessageStrip::Kind::Success,
+                        tr("Reloaded: %1. Undo brings the values back.").arg(QDir::toNativeSeparators(files_->file())));
+    });
+    pages_->addFoot(*new FileNotice(*files_, this));
     connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
     connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
     connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
@@ -118,7 +129,7 @@ void MainWindow::connectRuns()
             [controller](bool on) { on ? controller->pause() : controller->resume(); });
     connect(actions_->step, &QAction::triggered, controller, &RunController::step);
     connect(actions_->stop, &QAction::triggered, controller, &RunController::stop);
-    connect(actions_->record, &QAction::triggered, this, &MainWindow::chooseRecording);
+    connect(actions_->record, &QAction::triggered, recording_, &Recording::choose);
     connect(actions_->pace, &QComboBox::currentIndexChanged, controller, [this, controller] {
         controller->setPace(actions_->pace->currentData().toDouble());
         runs_->progress()->restartEstimate();
@@ -127,7 +138,7 @@ void MainWindow::connectRuns()
     connect(controller, &RunController::recordingFailed, this,
             [this](int, const QString& problem) { messages_->show(MessageStrip::Kind::Failure, problem); });
     connect(runs_, &RunWindow::started, this, [this] {
-        aboutCase_->setResult({});
+        aboutCase_->clearResult();
         messages_->clear();
     });
     connect(runs_, &RunWindow::ended, this, &MainWindow::onRunEnded);
@@ -169,7 +180,8 @@ void MainWindow::connectFilm()
     connect(film_->view(), &FilmView::busyChanged, this, &MainWindow::updateRunActions);
     connect(film_, &FilmWindow::solved, this, &MainWindow::onSolved);
     connect(film_->view()->modes(), &ModesPage::found, runView().spectrum(), &LiveSpectrum::setFilmModes);
-    connect(film_, &FilmWindow::shownChanged, this, &MainWindow::onSolutionShown);
+    connect(film_, &FilmWindow::shownChanged, this,
+            [this] { results_->solutionShown(pages_->page() == Page::StaticState); });
     connect(film_, &FilmWindow::surfaceEdited, edits_, &CaseEdits::setSurface);
     connect(actions_->fit, &QAction::triggered, film_->view(), &FilmView::fit);
     connect(actions_->surface, &QAction::triggered, this, [this] {
@@ -187,9 +199,11 @@ void MainWindow::connectFilm()
     connect(panel, &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(panel, &RecordPanel::saveRequested, solutionFiles_, &SolutionFiles::chooseSave);
     connect(runFiles_, &RunFiles::solutionsChosen, solutionFiles_, &SolutionFiles::open);
-    connect(solutionFiles_, &SolutionFiles::opened, this, [this](int number) {
-        if (pages_->model() != ModelKind::Film) useSolution(number); // another model has no page for it
-        setPage(Page::StaticState);
+    connect(solutionFiles_, &SolutionFiles::opened, this, [this](int number, const QString& file) {
+        if (pages_->model() == ModelKind::Film) return setPage(Page::StaticState);
+        // Another model has no page for it.
+        files_->use(film_->solutions().find(number)->value, QFileInfo(file).fileName(), {},
+                    [this] { setPage(Page::StaticState); });
     });
     connect(solutionFiles_, &SolutionFiles::succeeded, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
@@ -210,11 +224,13 @@ void MainWindow::connectStudies()
     connect(studies_, &StudyWindow::failed, this,
             [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
-        askToApply(*this, edits_->value(), found, title, [this, found, title] {
-            edits_->setAll(found, tr("apply the study: %1").arg(title));
-            messages_->show(
-                MessageStrip::Kind::Success,
-                tr("The parameters are now those of the case that the study found. Undo restores the previous ones."));
+        const bool isOpen = files_->isOpen(found);
+        askToApply(*this, edits_->value(), found, !isOpen, title, [this, found, title, isOpen] {
+            files_->use(found, title, tr("apply the study: %1").arg(title), [this, isOpen] {
+                QString text = tr("The parameters are now those of the case that the study found.");
+                if (isOpen) text += tr(" Undo restores the previous ones.");
+                messages_->show(MessageStrip::Kind::Success, text);
+            });
         });
     });
     connect(files_, &CaseFiles::studyFileChosen, this, &MainWindow::openStudy);
@@ -301,66 +317,16 @@ void MainWindow::onStudied(const StudyReport& report)
 void MainWindow::onRunEnded(int number, const Summary& summary)
 {
     updateRunActions();
-    const RunRecord& run = *runs().find(number);
-    const QString result = resultText(run);
-    aboutCase_->setResult(result, sentence(summary.verdict.rule), figuresText(summary), solverText(summary));
-    QStringList lines{tr("Run %1: %2").arg(number).arg(result)};
-    MessageStrip::Kind kind = MessageStrip::Kind::Success;
-    for (const std::string& warning : summary.warnings) lines << sentence(warning);
-    // A check that found a difference is among the warnings.
-    if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
-    if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState))
-        kind = MessageStrip::Kind::Warning;
-    if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
-    if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
-        kind = MessageStrip::Kind::Failure;
-        lines.front() = tr("Run %1 failed at %2: %3").arg(number).arg(timeText(summary.endTime), result);
-    }
     // In a lecture the end of a good run stands below the page already.
-    if (kind == MessageStrip::Kind::Success && guides_->strip()->isVisible())
-        messages_->clear();
-    else
-        messages_->show(kind, lines.join(QLatin1Char('\n')));
+    results_->runEnded(*runs().find(number), guides_->strip()->isVisible());
     emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
 }
 
 void MainWindow::onSolved(const SteadyResult& result)
 {
     updateRunActions();
-    aboutCase_->setResult(result.status == SteadyStatus::Cancelled ? QString() : steadyText(result));
-    showSolution(result);
+    results_->solved(result);
     emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
-}
-
-void MainWindow::showSolution(const SteadyResult& result)
-{
-    solutionText_ = steadyText(result);
-    switch (result.status) {
-    case SteadyStatus::Converged:
-        messages_->show(result.message.empty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
-                        solutionText_);
-        break;
-    case SteadyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, solutionText_); break;
-    case SteadyStatus::NotConverged:
-    case SteadyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, solutionText_); break;
-    }
-}
-
-void MainWindow::clearSolutionMessage()
-{
-    if (!solutionText_.isEmpty() && messages_->text() == solutionText_) messages_->clear();
-    solutionText_.clear();
-}
-
-void MainWindow::onSolutionShown()
-{
-    const SteadyResult* result = film_->result();
-    aboutCase_->setResult(result ? steadyText(*result) : QString());
-    if (messages_->kind() == MessageStrip::Kind::Success) messages_->clear(); // of another solution
-    clearSolutionMessage();
-    // What was found wrong with a shape comes back with it, and a remark on its state.
-    const bool remarkable = result && !(result->status == SteadyStatus::Converged && result->message.empty());
-    if (remarkable && !film_->stale() && pages_->page() == Page::StaticState) showSolution(*result);
 }
 
 void MainWindow::onImported(const QString& path, const QStringList& warnings)

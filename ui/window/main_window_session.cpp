@@ -25,6 +25,7 @@
 #include "ui/runs/live_plots.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
@@ -34,7 +35,6 @@
 #include "ui/window/presenter.h"
 #include "ui/window/restore_strip.h"
 #include "ui/window/session.h"
-#include "ui/window/session_offer.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {

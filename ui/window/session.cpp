@@ -19,11 +19,11 @@
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_budget.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/whole_file.h"
-#include "ui/window/session_budget.h"
 #include "ui/window/window_pages.h"
 
 namespace touchdown {
@@ -76,8 +76,9 @@ void Session::connectSolutions()
 {
     SolutionsModel& solutions = parts_.film.solutions();
     connect(&solutions, &RecordList::added, this, &Session::onSolutionAdded);
-    connect(&solutions, &RecordList::aboutToRemove, this,
-            [this](int number) { removeFile(folder_->solutionFile(number)); });
+    connect(&solutions, &RecordList::aboutToRemove, this, [this](int number) {
+        if (folder_) removeFile(folder_->solutionFile(number));
+    });
     connect(parts_.film.view()->series(), &SeriesPage::changed, this, &Session::keepSeries);
     connect(parts_.film.view()->modes(), &ModesPage::changed, this, &Session::schedule);
 }
@@ -209,7 +210,6 @@ void Session::keepSeries()
 
 void Session::removeFile(const QString& file)
 {
-    if (!folder_) return;
     results_.post([file] {
         QFile::remove(file);
         return QString();
@@ -247,6 +247,7 @@ void Session::setProblem(const QString& problem)
 
 void Session::look()
 {
+    if (from_) return; // its results come to this folder
     if (folder_ && !folder_->stands()) {
         folder_.reset();
         stream_.reset();

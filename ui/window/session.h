@@ -12,9 +12,9 @@
 #include <QTimer>
 
 #include "ui/calculation/task_queue.h"
-#include "ui/window/session_folder.h"
-#include "ui/window/session_reader.h"
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_folder.h"
+#include "ui/sessions/session_reader.h"
+#include "ui/sessions/session_state.h"
 #include "ui/window/unsaved_work.h"
 
 namespace touchdown {

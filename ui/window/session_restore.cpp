@@ -18,10 +18,10 @@
 #include "ui/film/series_page.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/whole_file.h"
-#include "ui/window/session_offer.h"
 #include "ui/window/window_pages.h"
 
 namespace touchdown {
@@ -168,7 +168,9 @@ QString Session::takeRun(LeftResult& result)
     if (result.inFolder)
         if (QString problem = moveFile(result.file, kept); !problem.isEmpty()) return problem;
     RunRecord& record = *result.run;
-    record.file = entry.file;
+    // A file of the user that is another one by now does not have the run.
+    if (result.inFolder) record.identity = result.identity;
+    record.file = !result.inFolder || result.identity ? entry.file : QString();
     record.kept = result.inFolder ? kept : QString();
     record.note = entry.note;
     record.shown = entry.shown;
@@ -191,7 +193,7 @@ QString Session::takeSolutions(LeftResult& result)
     for (std::size_t i = 0; i < places.size(); ++i) {
         annotate(solutions, result.numbers[i], result.entries[i]);
         if (!result.inFolder) continue;
-        solutions.setFile(result.numbers[i], result.entries[i].file);
+        solutions.setFile(result.numbers[i], result.identity ? result.entries[i].file : QString());
         solutions.setKept(result.numbers[i], kept);
     }
     return {};

@@ -52,8 +52,9 @@ void Session::connectRuns()
         // The file that the user wanted has failed: the session keeps the run instead.
         if (RunRecord* run = parts_.runs.runUnderWay()) beginStream(*run);
     });
-    connect(&parts_.runs.runs(), &RecordList::aboutToRemove, this,
-            [this](int number) { removeFile(folder_->runFile(number)); });
+    connect(&parts_.runs.runs(), &RecordList::aboutToRemove, this, [this](int number) {
+        if (folder_) removeFile(folder_->runFile(number));
+    });
 }
 
 void Session::onRunStarted(int number)

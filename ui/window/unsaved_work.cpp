@@ -16,6 +16,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/changed_file_question.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -152,7 +153,9 @@ QStringList saveWork(const UnsavedWork& work, const SessionParts& parts, const Q
     }
     for (const StudyDraft& draft : work.drafts) {
         const QString file = draft.file.isEmpty() ? freeName(folder, draft.kind, QStringLiteral(".toml")) : draft.file;
-        const QString problem = parts.studies.editor()->save(draft.kind, file);
+        const FileNow now = draft.file.isEmpty() ? FileNow::Gone : fileNow(file.toStdString(), draft.identity);
+        const bool writable = now == FileNow::Same || now == FileNow::Gone;
+        const QString problem = writable ? parts.studies.editor()->save(draft.kind, file) : changeOfFile(file, now);
         if (!problem.isEmpty()) problems << tr("Study %1: %2").arg(draft.kind, problem);
     }
     return problems;

@@ -211,6 +211,16 @@ void TestCaseFiles::asksBeforeItReadsElsewhere()
     // What is saved over it still names the file.
     files_->save();
     QVERIFY(files_->text().find("../track.txt") != std::string::npos);
+    // The answer is for this file, not for others that the case may name by now.
+    QVERIFY(QFile::copy(surface, path(QStringLiteral("secret.txt"))));
+    std::string other = files_->text();
+    other.replace(other.find("track.txt"), 9, "secret.txt");
+    QCOMPARE(writeCaseFile(file.toStdString(), other), std::string());
+    files_->reload();
+    QVERIFY(question() && question()->text().contains(QStringLiteral("../secret.txt")));
+    QCOMPARE(edits_->value().diskSurface.file, std::string("../track.txt"));
+    answer(QMessageBox::Yes);
+    QCOMPARE(edits_->value().diskSurface.file, std::string("../secret.txt"));
 }
 
 /// As a results file needs it, which may be opened anywhere.

@@ -28,6 +28,8 @@ Summary sampleSummary()
     return summary;
 }
 
+bool always(const Case&) { return true; }
+
 class TestAboutCasePane : public QObject {
     Q_OBJECT
 
@@ -80,7 +82,7 @@ private slots:
         AboutCasePane pane;
         pane.resize(500, 500);
         pane.show();
-        pane.setResult(QStringLiteral("Ends."), {}, figuresText(summary), solverText(summary));
+        pane.setResult(always, QStringLiteral("Ends."), {}, figuresText(summary), solverText(summary));
         QVERIFY(pane.toPlainText().contains(QStringLiteral("Touch-downs: 6\n")));
         QVERIFY(!pane.toPlainText().contains(QStringLiteral("Linearisations")));
         QVERIFY(pane.toPlainText().contains(QStringLiteral("Details of the solver")));
@@ -95,10 +97,31 @@ private slots:
         QVERIFY(!pane.toPlainText().contains(QStringLiteral("Linearisations")));
     }
 
+    /// Also in the session's next case, and back by undo.
+    void aResultIsShownForItsCaseAlone()
+    {
+        Case made, other;
+        made.title = "Mine";
+        other = made;
+        other.springs.flyingHeight = 5e-9;
+        AboutCasePane pane;
+        pane.setCase(made);
+        pane.setResult([made](const Case& c) { return c == made; }, QStringLiteral("Ends."), QStringLiteral("At rest"),
+                       QStringLiteral("Touch-downs: 6"), QStringLiteral("Steps: 7"));
+        for (const QString& text : {QStringLiteral("Ends."), QStringLiteral("At rest"), QStringLiteral("Touch-downs"),
+                                    QStringLiteral("Details")}) {
+            QVERIFY2(pane.toPlainText().contains(text), qPrintable(text));
+            pane.setCase(other);
+            QVERIFY2(!pane.toPlainText().contains(text), qPrintable(text));
+            pane.setCase(made);
+        }
+        QVERIFY(pane.toPlainText().contains(QStringLiteral("Ends.")));
+    }
+
     void withoutDetailsThereIsNoLink()
     {
         AboutCasePane pane;
-        pane.setResult(QStringLiteral("Ends."), {}, QStringLiteral("Touch-downs: 6"));
+        pane.setResult(always, QStringLiteral("Ends."), {}, QStringLiteral("Touch-downs: 6"));
         QVERIFY(!pane.toPlainText().contains(QStringLiteral("Details")));
     }
 };

@@ -64,6 +64,8 @@ private slots:
     void keepsTheRunUnderWay();
     void takesABaseline();
     void savesAndReopensRuns();
+    void aRunIsNotSavedFromAnotherFile();
+    void aRunThatLostItsFileIsNotSavedInPart();
     void saysWhyAFileCannotBeOpened();
     void savesALongRunWhole();
 };
@@ -457,6 +459,52 @@ void TestRunsPanel::savesAndReopensRuns()
     const QList<QByteArray> lines = csv.readAll().trimmed().split('\n');
     QVERIFY(lines.front().startsWith("time [s],flying_height [m]"));
     QCOMPARE(lines.size(), static_cast<qsizetype>(record->sampleCount()) + 1);
+}
+
+/// A saved copy holds the run that the window shows, whatever lies at the path of its file by now.
+void TestRunsPanel::aRunIsNotSavedFromAnotherFile()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("run.h5")), aside = folder.filePath(QStringLiteral("aside.h5")),
+                  copy = folder.filePath(QStringLiteral("copy.h5"));
+    QCOMPARE(saveHdf5(*ranRecord(1), file), QString());
+    QString problem;
+    const std::unique_ptr<RunRecord> read = recordFromFile(1, file, problem);
+    QCOMPARE(problem, QString());
+    const auto refused = [&] {
+        const QString reason = saveHdf5(*read, copy);
+        return reason.contains(QStringLiteral("run.h5")) && !QFile::exists(copy);
+    };
+    QVERIFY(QFile::copy(file, aside));
+    QCOMPARE(saveHdf5(*ranRecord(2, [](Case& c) { c.springs.flyingHeight = 4e-9; }), file), QString());
+    QVERIFY(refused());
+    QVERIFY(QFile::remove(file));
+    QVERIFY(refused());
+    QVERIFY(QDir().mkdir(file));
+    QVERIFY(refused());
+    QVERIFY(QDir().rmdir(file));
+    QVERIFY(QFile::rename(aside, file)); // the same bytes
+    QCOMPARE(saveHdf5(*read, copy), QString());
+    const std::unique_ptr<RunRecord> again = recordFromFile(2, copy, problem);
+    QCOMPARE(again->caseText, read->caseText);
+    QCOMPARE(saveTimeSeries(*read, folder.filePath(QStringLiteral("run.csv"))), QString());
+}
+
+/// A run that is written over the file of an opened one takes this file from it.
+void TestRunsPanel::aRunThatLostItsFileIsNotSavedInPart()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("run.h5")), copy = folder.filePath(QStringLiteral("copy.h5"));
+    QCOMPARE(saveHdf5(*ranRecord(1), file), QString());
+    RunsModel model;
+    QString problem;
+    model.add(recordFromFile(1, file, problem));
+    model.add(ranRecord(2, [](Case& c) { c.springs.flyingHeight = 4e-9; }));
+    QCOMPARE(saveHdf5(model.record(1), file), QString());
+    model.setFile(2, file);
+    QVERIFY(model.record(1).identity.has_value());
+    QVERIFY(!saveHdf5(model.record(0), copy).isEmpty());
+    QVERIFY(!QFile::exists(copy));
 }
 
 void TestRunsPanel::saysWhyAFileCannotBeOpened()

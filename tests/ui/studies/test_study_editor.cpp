@@ -6,8 +6,10 @@
 #include <algorithm>
 
 #include <QCheckBox>
+#include <QFile>
 #include <QLineEdit>
 #include <QPointer>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 #include <QtTest>
@@ -78,6 +80,47 @@ private slots:
         replace();
         answer(*editor_, "unsavedStudy", QStringLiteral("Discard"));
         QVERIFY(editor_->toText() != edited);
+    }
+    /// Another program, or another window, has written the file since.
+    void aTextThatChangedOutsideIsNotWrittenOver_data()
+    {
+        QTest::addColumn<bool>("saved");
+        QTest::newRow("opened") << false;
+        QTest::newRow("saved here") << true;
+    }
+    void aTextThatChangedOutsideIsNotWrittenOver()
+    {
+        QFETCH(const bool, saved);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("mine.toml"));
+        const std::string first = "kind = \"hysteresis\"\nsteps = 3\n", theirs = "kind = \"hysteresis\"\nsteps = 5\n";
+        QCOMPARE(writeCaseFile(file.toStdString(), first), std::string());
+        QCOMPARE(editor_->open(file), QString());
+        editor_->setText(QStringLiteral("kind = \"hysteresis\"\nsteps = 4\n"));
+        if (saved) editor_->saveTo(file);
+        QCOMPARE(writeCaseFile(file.toStdString(), theirs), std::string());
+        const QSignalSpy succeeded(editor_.get(), &StudyEditor::succeeded);
+        const auto text = [&file] {
+            QFile read(file);
+            return read.open(QIODevice::ReadOnly) ? read.readAll().toStdString() : std::string();
+        };
+        editor_->saveTo(file);
+        QMessageBox* box = question(*editor_, "changedFile");
+        QVERIFY(box != nullptr);
+        QVERIFY(box->informativeText().contains(QStringLiteral("in the file: steps = 5")));
+        QVERIFY(box->informativeText().contains(QStringLiteral("in this window: steps = 4")));
+        QCOMPARE(text(), theirs);
+        QCOMPARE(writeCaseFile(file.toStdString(), first), std::string()); // once more
+        answer(*editor_, "changedFile", QStringLiteral("Write over it"));
+        QCOMPARE(text(), first);
+        QCOMPARE(succeeded.count(), 0);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        answer(*editor_, "changedFile", QStringLiteral("Reload the file"));
+        QCOMPARE(editor_->toText().toStdString(), first);
+        editor_->setText(QStringLiteral("kind = \"hysteresis\"\nsteps = 4\n"));
+        editor_->saveTo(file);
+        QCOMPARE(succeeded.count(), 1);
+        QCOMPARE(text(), editor_->toText().toStdString());
     }
     void showsTheDefaults()
     {

@@ -58,6 +58,7 @@ struct Fixture {
     {
         Case found = window.edits().value();
         change(found);
+        if (!window.files().isOpen(found)) return window.edits().setAll(found, QStringLiteral("another title"));
         emit window.studies().applyRequested(found, QStringLiteral("a study"));
         const QMessageBox* box = question(window, "applyQuestion");
         if (!box) qFatal("nobody asks");

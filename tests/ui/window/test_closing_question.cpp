@@ -50,6 +50,8 @@ private slots:
     void goesOnWorking();
     void savesAllIntoAFolder();
     void savesACaseToItsFile();
+    void asksForACaseThatAnotherProgramChanged_data();
+    void asksForACaseThatAnotherProgramChanged();
     void asksForTheNameOfACaseAlone();
     void staysOpenWhenSomethingIsNotSaved();
     void keepsARunThatIsStopped();
@@ -227,6 +229,40 @@ void TestClosingQuestion::savesACaseToItsFile()
     QFile written(file);
     QVERIFY(written.open(QIODevice::ReadOnly));
     QVERIFY(written.readAll().contains("flying_height = \"4 nm\" # as designed"));
+}
+
+void TestClosingQuestion::asksForACaseThatAnotherProgramChanged_data()
+{
+    QTest::addColumn<bool>("withResults");
+    QTest::newRow("the case alone") << false;
+    QTest::newRow("with results") << true;
+}
+
+void TestClosingQuestion::asksForACaseThatAnotherProgramChanged()
+{
+    QFETCH(const bool, withResults);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "[springs]\nflying_height = \"7 nm\"\n"), std::string());
+    window_->files().openNow(file);
+    edit("springs.flying_height", QStringLiteral("4"));
+    if (withResults) addSolution();
+    QCOMPARE(writeCaseFile(file.toStdString(), "[springs]\nflying_height = \"5 nm\"\n"), std::string());
+    const auto text = [&file] {
+        QFile written(file);
+        return written.open(QIODevice::ReadOnly) ? written.readAll() : QByteArray();
+    };
+    window_->close();
+    answer(*window_, "closing", saveAll);
+    answer(*window_, "changedFile", QStringLiteral("Cancel"));
+    QVERIFY(window_->isVisible());
+    QVERIFY(text().contains("5 nm"));
+    window_->close();
+    answer(*window_, "closing", saveAll);
+    answer(*window_, "changedFile", QStringLiteral("Write over it"));
+    QVERIFY(text().contains("4 nm"));
+    if (withResults) chooseFolder(folder.path());
+    QVERIFY(!window_->isVisible());
 }
 
 void TestClosingQuestion::asksForTheNameOfACaseAlone()

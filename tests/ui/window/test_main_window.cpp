@@ -88,6 +88,7 @@ private slots:
     void runsAgainWhileRunning();
     void warnsWhenTheStepChangesTheEnd();
     void subtractsABaseline();
+    void theResultLeavesWithItsCase();
     void takesParametersOfARunBack();
     void deletesARun();
     void showsTheSpectrum();
@@ -318,6 +319,21 @@ void TestMainWindow::subtractsABaseline()
     f.window.runs().setBaseline(-1);
     QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("pitch"))->title(), QStringLiteral("Pitch"));
     QCOMPARE(f.window.runView().plots()->plot(QStringLiteral("pitch"))->curves().size(), std::size_t(2));
+}
+
+/// The results of a case are not those of its next edit.
+void TestMainWindow::theResultLeavesWithItsCase()
+{
+    Fixture f;
+    f.runToEnd();
+    const auto shown = [&f] { return f.window.aboutCase().toPlainText().contains(QStringLiteral("90.60 µrad")); };
+    QVERIFY(shown());
+    f.edit("springs.flying_height", QStringLiteral("4"));
+    QVERIFY(!shown());
+    f.window.actions().undo->trigger();
+    QVERIFY(shown());
+    f.window.files().openNow(QStringLiteral("fig12a"));
+    QVERIFY(!shown());
 }
 
 void TestMainWindow::takesParametersOfARunBack()

@@ -5,6 +5,8 @@
 
 #include <QAccessible>
 #include <QAction>
+#include <QFile>
+#include <QFileDialog>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSettings>
@@ -15,7 +17,10 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/case_files/case_file.h"
+#include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/question.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/film/compare_page.h"
@@ -24,10 +29,12 @@
 #include "ui/film/solution_files.h"
 #include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
+#include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/main_window.h"
+#include "ui/window/window_actions.h"
 
 using namespace touchdown;
 
@@ -383,8 +390,49 @@ private slots:
         QCOMPARE(window.film().result()->pressure, f.window.film().result()->pressure);
         QCOMPARE(static_cast<QStackedWidget*>(window.page())->currentWidget(), window.film().view());
         QVERIFY(!window.film().stale());
-        window.edits().undoStack().undo();
-        QCOMPARE(window.edits().value().model, ModelKind::Springs);
+        QVERIFY(window.aboutCase().toPlainText().contains(QStringLiteral("Result of this run")));
+    }
+
+    /// Its case is another one: it has no file until it is saved, and the file that was open stays as it is.
+    void theCaseOfASolutionHasNoFile_data()
+    {
+        QTest::addColumn<bool>("edited");
+        QTest::newRow("saved") << false;
+        QTest::newRow("with edits") << true;
+    }
+    void theCaseOfASolutionHasNoFile()
+    {
+        QFETCH(const bool, edited);
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("st.h5")),
+                      mine = folder.filePath(QStringLiteral("mine.toml"));
+        SolutionsModel solutions;
+        const Case c = test::sampleFilmCase();
+        QCOMPARE(saveSolution(solutions.record(solutions.rowOf(solutions.add(c, test::sampleSteady()))), file),
+                 QString());
+        const std::string text = "# my own comment\ntitle = \"mine\"\nmodel = \"springs\"\n";
+        QCOMPARE(writeCaseFile(mine.toStdString(), text), std::string());
+        MainWindow window;
+        window.show();
+        window.files().openNow(mine);
+        if (edited) window.edits().enter(*findParameter("springs.flying_height"), QStringLiteral("4"));
+        window.openResults(file);
+        QCOMPARE(window.film().solutions().count(), 1);
+        QCOMPARE(question(window, "unsavedChanges") != nullptr, edited);
+        QCOMPARE(window.edits().value().model, edited ? ModelKind::Springs : ModelKind::Film);
+        if (edited) {
+            QVERIFY(!window.aboutCase().toPlainText().contains(QStringLiteral("Result of this run")));
+            answer(window, "unsavedChanges", QStringLiteral("Discard"));
+        }
+        QCOMPARE(window.edits().value().model, ModelKind::Film);
+        QCOMPARE(window.files().file(), QString());
+        QCOMPARE(window.files().shortName(), QStringLiteral("st.h5"));
+        window.actions().save->trigger();
+        const auto* dialog = window.findChild<QFileDialog*>();
+        QVERIFY(dialog && dialog->isVisible());
+        QFile read(mine);
+        QVERIFY(read.open(QIODevice::ReadOnly));
+        QCOMPARE(read.readAll().toStdString(), text);
     }
 };
 

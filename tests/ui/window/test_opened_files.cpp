@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The window opens whatever kind of file the program writes, and says in the window why it cannot open another.
+#include <QFileDialog>
 #include <QSettings>
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
 #include "core/studies/study/study_file.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "tests/ui/sample_study.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
+#include "ui/lists/record_panel.h"
+#include "ui/runs/run_record.h"
+#include "ui/runs/run_window.h"
+#include "ui/runs/runs_model.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
@@ -83,6 +89,31 @@ private slots:
         QCOMPARE(page(), static_cast<int>(MainWindow::Page::Studies));
         QVERIFY2(window_->studies().results()->report().has_value(), qPrintable(window_->messages().text()));
         QCOMPARE(window_->studies().results()->report()->title, report.title);
+    }
+    /// The parameters of another case do not come into the file that is open.
+    void theCaseOfAnotherRunHasNoFile()
+    {
+        const QString mine = folder_.filePath(QStringLiteral("own.toml"));
+        const std::string text = "# my own comment\ntitle = \"mine\"\nmodel = \"springs\"\n";
+        QCOMPARE(writeCaseFile(mine.toStdString(), text), std::string());
+        window_->files().openNow(mine);
+        Case other = openCase("fig12a").value, same = window_->edits().value();
+        same.springs.flyingHeight = 5e-9;
+        for (const Case& c : {other, same})
+            window_->runs().add(
+                std::make_unique<RunRecord>(window_->runs().nextNumber(), c, formatCase(c), std::vector<Quantity>()));
+        emit window_->runWindow().panel()->parametersRequested(2);
+        QCOMPARE(window_->files().file(), mine);
+        QVERIFY(window_->files().modified());
+        emit window_->runWindow().panel()->parametersRequested(1);
+        QCOMPARE(window_->edits().value(), same);
+        answer(*window_, "unsavedChanges", QStringLiteral("Discard"));
+        QCOMPARE(window_->edits().value(), other);
+        QCOMPARE(window_->files().file(), QString());
+        QCOMPARE(window_->files().shortName(), QStringLiteral("run 1"));
+        window_->files().save();
+        QVERIFY(window_->findChild<QFileDialog*>() != nullptr);
+        QCOMPARE(openCase(mine.toStdString()).text, text);
     }
     void aMessageLeavesWithItsPage()
     {

@@ -51,6 +51,7 @@ private slots:
     void leavesAnEditedTextWhereTheWindowHasOne();
     void keepsAnewRunOutOfTheNumbersOfOthers();
     void tellsManyRefusalsInOneLine();
+    void opensNoFileThatHoldsAnotherRunByNow();
 
 private:
     /// Runs with the notes "note 1", "note 2", ... and edits of the case; then the window is killed.
@@ -309,6 +310,27 @@ void TestSessionRestore::tellsManyRefusalsInOneLine()
     QVERIFY(box);
     QCOMPARE(box->detailedText().count(u'\n'), 28);
     QVERIFY(QFileInfo::exists(held + QStringLiteral("/run30.h5")));
+}
+
+/// The session knows what the user's file was. Run 1 is only in that file, run 2 in the folder of the session, too.
+void TestSessionRestore::opensNoFileThatHoldsAnotherRunByNow()
+{
+    leaveRuns(2);
+    restore();
+    const QString file = data_->filePath(QStringLiteral("mine.h5")),
+                  other = data_->filePath(QStringLiteral("other.h5"));
+    for (const QString& path : {file, other}) QCOMPARE(saveHdf5(window_->runs().record(1), path), QString());
+    window_->runs().setFile(2, other);
+    window_->openResults(file);
+    QCOMPARE(window_->runs().count(), 3);
+    window_->runs().setData(window_->runs().index(2), QStringLiteral("opened"), RecordList::NoteRole);
+    for (const QString& path : {file, other})
+        QCOMPARE(saveHdf5(window_->runs().record(0), path), QString()); // another run, under the same names
+    start();
+    restore();
+    QCOMPARE(notes(), QStringList({QStringLiteral("note 1"), QStringLiteral("note 2")}));
+    QVERIFY2(message().contains(file) && message().contains(QStringLiteral("opened")), qPrintable(message()));
+    QVERIFY(window_->runs().record(1).file.isEmpty()); // it is not saved any more
 }
 
 TOUCHDOWN_TEST(TestSessionRestore)

@@ -1,19 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_reader.h"
+#include "ui/sessions/session_reader.h"
 
 #include <exception>
 
 #include <QDir>
 #include <QFileInfo>
 
-#include "ui/window/session_folder.h"
+#include "ui/sessions/session_folder.h"
 
 namespace touchdown {
 
 namespace {
 
+/// What the user's file of a result is, if it is what the session knew; nothing if it is another one or gone.
+std::optional<FileIdentity> identityStill(const ListedState& entry)
+{
+    const std::optional<FileIdentity> known = identityFromText(entry.identity.toStdString());
+    if (entry.file.isEmpty() || !known) return {};
+    return fileNow(entry.file.toStdString(), *known) == FileNow::Same ? known : std::nullopt;
+}
+
 void readResult(LeftResult& result)
 {
+    if (result.inFolder && !result.entries.empty()) result.identity = identityStill(result.entries.front());
+    // A session of the version before knows no identity.
+    for (const ListedState& entry : result.entries)
+        if (!result.inFolder && !entry.identity.isEmpty() && !identityStill(entry)) {
+            result.problem = SessionReader::tr("%1 is no longer the file that the session knew: it was changed or "
+                                               "replaced. It was not opened; its note is “%2”.")
+                                 .arg(QDir::toNativeSeparators(result.file), entry.note);
+            return;
+        }
     if (result.inFolder && !isOwnFile(result.file)) { // a link, a directory, a device
         result.problem = SessionReader::tr("%1 is no regular file.").arg(QDir::toNativeSeparators(result.file));
         return;

@@ -13,7 +13,7 @@
 #include "ui/film/series_file.h"
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_state.h"
 
 namespace touchdown {
 
@@ -31,7 +31,8 @@ struct LeftResult {
     StoredSolutions solutions;
     StoredStudy report;
     StoredSeries series;
-    QString problem; // why it could not be read; empty: it was
+    std::optional<FileIdentity> identity; // of the user's file of a result in the folder, where that has it still
+    QString problem;                      // why it could not be read; empty: it was
 };
 
 class SessionReader : public CalculationController {

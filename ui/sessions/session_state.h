@@ -27,7 +27,8 @@ class RecordList;
 struct ListedState {
     int number = 0;
     QString note;
-    QString file; // that the user saved it to, or opened; empty: only the session has it
+    QString file;     // that the user saved it to, or opened; empty: only the session has it
+    QString identity; // of that file then (core/formats/file_identity.h); empty: not known
     bool shown = true;
     bool underWay = false; // a run that had not ended
     int place = 0;         // in `file`

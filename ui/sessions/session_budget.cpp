@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_budget.h"
+#include "ui/sessions/session_budget.h"
 
-#include "ui/window/session_folder.h"
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_folder.h"
+#include "ui/sessions/session_state.h"
 
 namespace touchdown {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_folder.h"
+#include "ui/sessions/session_folder.h"
 
 #include <cerrno>
 #include <cstdio>

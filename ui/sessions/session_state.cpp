@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_state.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +14,8 @@
 
 #include "core/formats/text_file.h"
 #include "ui/lists/record_list.h"
+#include "ui/sessions/session_folder.h"
 #include "ui/style/translate.h"
-#include "ui/window/session_folder.h"
 
 namespace touchdown {
 
@@ -96,9 +96,9 @@ QJsonArray listToJson(const std::vector<ListedState>& list)
 {
     QJsonArray array;
     for (const ListedState& each : list)
-        array << QJsonObject{{"number", each.number},     {"note", each.note},   {"file", each.file},
-                             {"shown", each.shown},       {"place", each.place}, {"from", each.from},
-                             {"under_way", each.underWay}};
+        array << QJsonObject{{"number", each.number}, {"note", each.note},         {"identity", each.identity},
+                             {"file", each.file},     {"shown", each.shown},       {"place", each.place},
+                             {"from", each.from},     {"under_way", each.underWay}};
     return array;
 }
 
@@ -111,6 +111,7 @@ std::vector<ListedState> listFromJson(const JsonFields& state, const char* key)
         list.push_back({.number = number,
                         .note = json.text("note"),
                         .file = json.text("file"),
+                        .identity = json.text("identity"),
                         .shown = json.truth("shown", true),
                         .underWay = json.truth("under_way"),
                         .place = json.number("place", 0, mostNumber),
@@ -123,7 +124,11 @@ QJsonArray draftsToJson(const std::vector<StudyDraft>& drafts)
 {
     QJsonArray array;
     for (const StudyDraft& each : drafts)
-        array << QJsonObject{{"kind", each.kind}, {"text", each.text}, {"saved_text", each.saved}, {"file", each.file}};
+        array << QJsonObject{{"kind", each.kind},
+                             {"text", each.text},
+                             {"saved_text", each.saved},
+                             {"file", each.file},
+                             {"identity", QString::fromStdString(each.identity.text())}};
     return array;
 }
 
@@ -156,7 +161,8 @@ SessionState stateFromJson(const QByteArray& bytes)
     state.runs = listFromJson(json, "runs");
     state.solutions = listFromJson(json, "solutions");
     for (const JsonFields& draft : json.list("studies"))
-        state.drafts.push_back({draft.text("kind"), draft.text("text"), draft.text("saved_text"), draft.text("file")});
+        state.drafts.push_back({draft.text("kind"), draft.text("text"), draft.text("saved_text"), draft.text("file"),
+                                identityFromText(draft.text("identity").toStdString()).value_or(FileIdentity{})});
     if (json.has("modes") && !(state.modes = modesFromJson(json.object("modes")))) json.refuse("modes");
     state.study = json.text("study");
     state.studyUnderWay = json.text("study_under_way");
@@ -191,7 +197,7 @@ void matchFiles(std::vector<ListedState>& list, const QString& folder, const QSt
         const QRegularExpressionMatch match = pattern.match(name);
         const int number = match.captured(1).toInt();
         if (match.hasMatch() && std::ranges::find(list, number, &ListedState::number) == list.end())
-            list.push_back({.number = number, .note = {}, .file = {}});
+            list.push_back({.number = number, .note = {}, .file = {}, .identity = {}});
     }
     std::ranges::sort(list, {}, &ListedState::number);
 }
@@ -211,6 +217,7 @@ std::vector<ListedState> statesOf(const RecordList& list, int underWay)
         states.push_back({.number = each.number,
                           .note = each.note,
                           .file = each.file,
+                          .identity = each.identity ? QString::fromStdString(each.identity->text()) : QString(),
                           .shown = each.shown,
                           .underWay = each.number == underWay,
                           .place = each.place});

@@ -9,7 +9,7 @@
 #include <QStringList>
 #include <QWidget>
 
-#include "ui/window/session_folder.h"
+#include "ui/sessions/session_folder.h"
 
 namespace touchdown {
 

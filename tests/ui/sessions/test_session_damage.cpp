@@ -2,7 +2,7 @@
 //
 // The folder of a session that broke off is damaged in many ways, as by a full disk, another version or another
 // program. The next start never removes what the program did not write, and loses nothing that it did.
-#include "ui/window/session_offer.h"
+#include "ui/sessions/session_offer.h"
 
 #include <functional>
 #include <map>
@@ -19,9 +19,9 @@
 #include <QtTest>
 
 #include "tests/support/test_program.h"
-#include "ui/window/session_budget.h"
-#include "ui/window/session_folder.h"
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_budget.h"
+#include "ui/sessions/session_folder.h"
+#include "ui/sessions/session_state.h"
 
 using namespace touchdown;
 
@@ -120,9 +120,9 @@ SessionState TestSessionDamage::sampleState()
     state.edited.savedText = QStringLiteral("[springs]\n");
     state.edited.text = QStringLiteral("[springs]\nflying_height = \"4.321 nm\" # an hour of thought\n");
     state.edited.modified = true;
-    state.runs = {{.number = 1, .note = QStringLiteral("the best"), .file = {}},
-                  {.number = 3, .note = QStringLiteral("the worst"), .file = {}}};
-    state.solutions = {{.number = 2, .note = QStringLiteral("flies"), .file = {}}};
+    state.runs = {{.number = 1, .note = QStringLiteral("the best"), .file = {}, .identity = {}},
+                  {.number = 3, .note = QStringLiteral("the worst"), .file = {}, .identity = {}}};
+    state.solutions = {{.number = 2, .note = QStringLiteral("flies"), .file = {}, .identity = {}}};
     state.drafts = {{QStringLiteral("cycles"), QStringLiteral("steps = 77\n"), QStringLiteral("steps = 7\n"), {}}};
     return state;
 }
@@ -318,7 +318,7 @@ void TestSessionDamage::readsWhatItWrites()
     large.edited.text = large.edited.savedText = QString(500'000, u'#');
     large.runs.clear();
     for (int i = 1; i <= 300; ++i) {
-        large.runs.push_back({.number = i, .note = QString(2000, u'n'), .file = {}});
+        large.runs.push_back({.number = i, .note = QString(2000, u'n'), .file = {}, .identity = {}});
         write(file(QStringLiteral("run%1.h5").arg(i)), "results");
     }
     become(toJson(large));

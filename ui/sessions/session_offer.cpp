@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_offer.h"
+#include "ui/sessions/session_offer.h"
 
 #include <algorithm>
 #include <tuple>
@@ -12,9 +12,9 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "ui/sessions/session_state.h"
 #include "ui/style/translate.h"
 #include "ui/style/whole_file.h"
-#include "ui/window/session_state.h"
 
 namespace touchdown {
 
