@@ -54,6 +54,7 @@ set(rooms
     ui/studies
     ui/lesson
     ui/runs
+    ui/sessions
     ui/window
     app/terminal
     app/commands
@@ -97,7 +98,6 @@ set(known_arrows
     ui/plot/plot_export->ui/plot/plot_widget
     ui/plot/plot_navigation->ui/plot/plot_widget
     ui/plot/plot_painter->ui/plot/plot_widget
-    ui/window/unsaved_work->ui/window/session
     # The static state finds sensitivities, which need static states of changed cases.
     core/simulation/static_state/steady->core/simulation/static_state/sensitivity
     # The guides call the window that holds them. They need an interface of their own.

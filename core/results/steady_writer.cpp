@@ -26,7 +26,7 @@ void putPlace(const Hdf5Group& group, const std::string& name, const SurfacePoin
 void writeFields(const Hdf5Group& state, const SteadyResult& result)
 {
     const CellGrid& grid = result.grid;
-    if (grid.x.size() < 2 || grid.y.size() < 2) return;
+    if (grid.x.size() < 2 || grid.y.size() < 2 || result.pressure.size() != grid.cells()) return;
     std::vector<double> x, y;
     for (int i = 0; i < grid.nx(); ++i) x.push_back(grid.centreX(i));
     for (int j = 0; j < grid.ny(); ++j) y.push_back(grid.centreY(j));
@@ -77,8 +77,8 @@ void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& resul
     state.set("message", result.message);
     state.set("iterations", std::int64_t{result.iterations});
     state.set("wall_seconds", result.wallSeconds);
-    // Without a solution only the attitude that was asked for is known.
-    const bool known = result.grid.x.size() > 1;
+    // Without a solution only the attitude that was asked for is known. A list of states may have left out the fields.
+    const bool known = result.grid.x.size() > 1 || result.status == SteadyStatus::Converged;
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     state.set("residual", known ? result.residual : unknown);
     state.set("load_error", known ? result.loadError : unknown);

@@ -21,6 +21,7 @@
 #include "ui/film/same_film.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -176,6 +177,26 @@ void ModesPage::clear()
     picture_->setMode(std::nullopt, {});
     pages_->setCurrentIndex(0);
     showNotes();
+    emit changed();
+}
+
+std::optional<FoundModes> ModesPage::known() const
+{
+    if (!result_ || result_->modes.empty()) return std::nullopt;
+    return FoundModes{solved_, *result_};
+}
+
+void ModesPage::restore(const FoundModes& modes)
+{
+    take(modes.value, modes.result);
+    showNotes();
+}
+
+QString ModesPage::save(const QString& path)
+{
+    QString problem = writeWholeFile(path, csvOf(*result_));
+    saved_ = problem.isEmpty();
+    return problem;
 }
 
 bool ModesPage::stale() const { return result_ && !sameFilm(case_, solved_); }
@@ -202,15 +223,20 @@ void ModesPage::onFinished(const ModesResult& result)
                             ? QString()
                             : tr("%1 × %2 cells").arg(result.steady.grid.nx()).arg(result.steady.grid.ny()));
     // A search that was stopped does not replace what is known.
-    if (result.status != SteadyStatus::Cancelled) {
-        result_ = result;
-        solved_ = asked_;
-        if (!result.modes.empty()) picture_->setState(solved_, result.steady.attitude);
-        fillTable();
-        pages_->setCurrentIndex(result.modes.empty() ? 0 : 1);
-        emit found(solved_, result);
-    }
+    if (result.status != SteadyStatus::Cancelled) take(asked_, result);
     showNotes();
+}
+
+void ModesPage::take(const Case& c, const ModesResult& result)
+{
+    result_ = result;
+    solved_ = c;
+    saved_ = false;
+    if (!result.modes.empty()) picture_->setState(solved_, result.steady.attitude);
+    fillTable();
+    pages_->setCurrentIndex(result.modes.empty() ? 0 : 1);
+    emit found(solved_, result);
+    emit changed();
 }
 
 void ModesPage::fillTable()

@@ -14,6 +14,7 @@
 #include <QToolButton>
 
 #include "ui/film/modes_controller.h"
+#include "ui/film/modes_text.h"
 
 namespace touchdown {
 
@@ -35,8 +36,18 @@ public:
     ModePicture* picture() const { return picture_; }
     QTableWidget* table() const { return table_; }
     bool stale() const;
+    /// The modes that are known; nothing where there are none.
+    std::optional<FoundModes> known() const;
+    /// Modes of another window.
+    void restore(const FoundModes& modes);
+    /// Whether there are modes that no file has.
+    bool unsaved() const { return known().has_value() && !saved_; }
+    /// Writes the table as comma-separated values. "" or the problem in a sentence.
+    QString save(const QString& path);
 
 signals:
+    /// Other modes are known, or none any more.
+    void changed();
     /// Modes were found, or none, for this case.
     void found(const touchdown::Case& solved, const touchdown::ModesResult& result);
 
@@ -54,6 +65,7 @@ private:
     QWidget* buildPicture();
     QWidget* buildTable();
     void onFinished(const ModesResult& result);
+    void take(const Case& c, const ModesResult& result);
     void fillTable();
     void showMode(int row);
     void showSpeed();
@@ -71,6 +83,7 @@ private:
     Case case_, asked_, solved_;
     QString refusal_; // why the last search did not start
     std::optional<ModesResult> result_;
+    bool saved_ = false; // by the user
 };
 
 } // namespace touchdown

@@ -197,6 +197,7 @@ void SeriesPage::open(const Case& c)
     pages_->setCurrentIndex(0);
     showProblem({});
     showNotes();
+    emit changed();
 }
 
 bool SeriesPage::stale() const { return !states_.empty() && !sameFilm(case_, solved_); }
@@ -209,9 +210,16 @@ void SeriesPage::startOrStop()
         problem = sentence("the case contradicts itself: " + problems.front().key + " " + problems.front().message);
     showProblem(problem);
     if (!problem.isEmpty()) return;
-    solved_ = case_;
-    points_ = setup_->points();
+    begin(case_, setup_->points());
+    controller_.start(solved_, points_);
+}
+
+void SeriesPage::begin(const Case& c, std::vector<SteadySeriesPoint> points)
+{
+    solved_ = c;
+    points_ = std::move(points);
     states_.clear();
+    saved_ = false;
     table_->setRowCount(0);
     makePlainTable(table_, tableHeads());
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -220,7 +228,29 @@ void SeriesPage::startOrStop()
     plots_->setStates(points_, {});
     plots_->fit();
     pages_->setCurrentIndex(0);
-    controller_.start(solved_, points_);
+}
+
+StoredSeries SeriesPage::series() const
+{
+    StoredSeries series{listing(solved_, points_), {}, {}};
+    for (const SeriesState& state : states_) series.results.push_back(state.result);
+    return series;
+}
+
+void SeriesPage::restore(const StoredSeries& series)
+{
+    begin(series.value, seriesOf(series.value));
+    for (std::size_t i = 0; i < series.results.size(); ++i) append(i, series.results[i]);
+    plots_->fit();
+    showNotes();
+    emit changed();
+}
+
+QString SeriesPage::save(const QString& path)
+{
+    QString problem = writeWholeFile(path, csv());
+    saved_ = problem.isEmpty();
+    return problem;
 }
 
 void SeriesPage::showProblem(const QString& text)
@@ -229,7 +259,7 @@ void SeriesPage::showProblem(const QString& text)
     problem_->setVisible(!text.isEmpty());
 }
 
-void SeriesPage::onSolved(std::size_t index, const SteadyResult& result)
+void SeriesPage::append(std::size_t index, const SteadyResult& result)
 {
     SteadyResult numbers = result;
     numbers.pressure = {}; // many states would need much memory
@@ -239,6 +269,12 @@ void SeriesPage::onSolved(std::size_t index, const SteadyResult& result)
     addRow(states_.back());
     pages_->setCurrentIndex(1);
     plots_->setStates(points_, states_);
+}
+
+void SeriesPage::onSolved(std::size_t index, const SteadyResult& result)
+{
+    append(index, result);
+    emit changed();
     emit solved(caseAt(solved_, points_[index]), result);
 }
 
@@ -357,7 +393,7 @@ QByteArray SeriesPage::csv() const
 void SeriesPage::chooseSave()
 {
     askAndSave(this, tr("Save the series"), {tr("Comma-separated values (*.csv)")}, QStringLiteral("series.csv"),
-               [this](const QString& path) { return writeWholeFile(path, csv()); });
+               [this](const QString& path) { return save(path); });
 }
 
 void SeriesPage::changeEvent(QEvent* event)

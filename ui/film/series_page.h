@@ -11,6 +11,7 @@
 #include <QToolButton>
 
 #include "ui/film/series_controller.h"
+#include "ui/film/series_file.h"
 #include "ui/film/series_plots.h"
 
 namespace touchdown {
@@ -36,6 +37,13 @@ public:
     QTableWidget* table() const { return table_; }
     const std::vector<SeriesState>& states() const { return states_; }
     bool stale() const;
+    /// The states that are known, and the case that lists their points; to be shown by another window.
+    StoredSeries series() const;
+    void restore(const StoredSeries& series);
+    /// The states that no file has.
+    std::size_t unsaved() const { return saved_ ? 0 : states_.size(); }
+    /// Writes csv(). "" or the problem in a sentence.
+    QString save(const QString& path);
 
     /// All numbers of the states, in display units, as comma-separated values; empty cells where there is no state.
     QByteArray csv() const;
@@ -48,6 +56,8 @@ public slots:
     void chooseSave();
 
 signals:
+    /// Another state is known, or none any more.
+    void changed();
     /// A state of the series: the case at its point, and the result with its fields.
     void solved(const touchdown::Case& c, const touchdown::SteadyResult& result);
 
@@ -59,6 +69,8 @@ private:
     QWidget* buildTable();
     QStringList tableHeads() const;
     QStringList tableCells(const SeriesState& state) const;
+    void begin(const Case& c, std::vector<SteadySeriesPoint> points);
+    void append(std::size_t index, const SteadyResult& result);
     void onSolved(std::size_t index, const SteadyResult& result);
     void onFinished(bool stopped);
     void showProblem(const QString& text);
@@ -78,6 +90,7 @@ private:
     Case case_, solved_;
     std::vector<SteadySeriesPoint> points_;
     std::vector<SeriesState> states_;
+    bool saved_ = false; // by the user
 };
 
 } // namespace touchdown

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -47,40 +46,41 @@ QString saveSolution(const SolutionRecord& solution, const QString& file)
     return QString::fromStdString(problem);
 }
 
-std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem,
-                              std::optional<std::vector<int>> places)
+StoredSolutions readSolutions(const QString& file)
 {
     const std::optional<FileIdentity> identity = identityOf(file.toStdString());
-    const StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
-    problem = sentence(stored.problem);
-    if (!stored.problem.empty()) return {};
+    StoredSteady stored = readSteady(std::filesystem::path(file.toStdString()));
+    if (!stored.problem.empty()) return {file, {}, {}, sentence(stored.problem)};
     CaseDocument document = parseCase(stored.caseText, file.toStdString());
     // A stored state is shown without the surface of its disk.
     if (!document.outsideFiles.empty())
         std::erase_if(document.problems, [](const InputProblem& each) { return each.key == surfaceFileKey; });
-    if (!document.valid()) {
-        problem = tr("The case in %1 cannot be read: %2")
-                      .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text()));
-        return {};
-    }
+    if (!document.valid())
+        return {file,
+                {},
+                {},
+                tr("The case in %1 cannot be read: %2")
+                    .arg(QDir::toNativeSeparators(file), QString::fromStdString(document.problems.front().text()))};
+    StoredSolutions solutions{file, identity, {}, {}};
     const std::vector<SteadySeriesPoint> points = seriesOf(document.value);
-    std::vector<std::pair<Case, const SteadyResult*>> shown;
     for (std::size_t i = 0; i < std::min(points.size(), stored.states.size()); ++i)
         if (!stored.states[i].pressure.empty())
-            shown.emplace_back(caseAt(document.value, points[i]), &stored.states[i]);
-    if (!places) {
-        places.emplace(shown.size());
-        std::iota(places->begin(), places->end(), 0);
+            solutions.states.emplace_back(caseAt(document.value, points[i]), std::move(stored.states[i]));
+    if (solutions.states.empty())
+        solutions.problem = tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file));
+    return solutions;
+}
+
+std::vector<int> addSolutions(SolutionsModel& solutions, const StoredSolutions& stored, const std::vector<int>& places,
+                              const std::vector<int>& numbers)
+{
+    std::vector<int> added;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto& [c, state] = stored.states[static_cast<std::size_t>(places[i])];
+        added.push_back(solutions.add(c, state, stored.file, i + 1 == places.size(), places[i], stored.identity,
+                                      numbers.empty() ? 0 : numbers[i]));
     }
-    std::erase_if(*places, [&](int place) { return place < 0 || place >= std::ssize(shown); });
-    std::vector<int> numbers;
-    for (const int place : *places) {
-        const auto& [c, state] = shown[static_cast<std::size_t>(place)];
-        numbers.push_back(solutions.add(c, *state, file, place == places->back(), place, identity));
-    }
-    if (numbers.empty())
-        problem = tr("No state in %1 has a pressure field to show.").arg(QDir::toNativeSeparators(file));
-    return numbers;
+    return added;
 }
 
 SolutionFiles::SolutionFiles(SolutionsModel& solutions, QWidget& window)
@@ -112,12 +112,14 @@ void SolutionFiles::chooseSave(int number)
 
 void SolutionFiles::open(const QString& file)
 {
-    QString problem;
-    const std::vector<int> added = addSolutions(solutions_, file, problem);
-    if (added.empty()) {
-        emit failed(problem);
+    const StoredSolutions stored = readSolutions(file);
+    if (!stored.problem.isEmpty()) {
+        emit failed(stored.problem);
         return;
     }
+    std::vector<int> places(stored.states.size());
+    std::iota(places.begin(), places.end(), 0);
+    const std::vector<int> added = addSolutions(solutions_, stored, places);
     QStringList numbers;
     for (const int number : added) numbers << QString::number(number);
     emit opened(added.back(), file);

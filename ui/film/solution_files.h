@@ -4,11 +4,15 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QObject>
 #include <QString>
 #include <QWidget>
+
+#include "core/formats/file_identity.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
@@ -18,10 +22,18 @@ struct SolutionRecord;
 /// "" or the problem in a sentence.
 QString saveSolution(const SolutionRecord& solution, const QString& file);
 
-/// Adds every state of a file that has a field, with the case of that state; the last one is chosen. With `places`,
-/// only those states: they count from 0 among those with a field. Returns their numbers; none with `problem` set.
-std::vector<int> addSolutions(SolutionsModel& solutions, const QString& file, QString& problem,
-                              std::optional<std::vector<int>> places = {});
+/// The states of a file that have a field, each with the case of that state.
+struct StoredSolutions {
+    QString file;
+    std::optional<FileIdentity> identity; // of that file
+    std::vector<std::pair<Case, SteadyResult>> states;
+    QString problem; // empty when there is one at least
+};
+StoredSolutions readSolutions(const QString& file);
+/// Adds the states at these places, which count from 0; the last one is chosen. `numbers`: that they get; empty: the
+/// next ones. Returns their numbers.
+std::vector<int> addSolutions(SolutionsModel& solutions, const StoredSolutions& stored, const std::vector<int>& places,
+                              const std::vector<int>& numbers = {});
 
 class SolutionFiles : public QObject {
     Q_OBJECT

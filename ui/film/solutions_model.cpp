@@ -22,10 +22,10 @@ constexpr qsizetype mostChanges = 3; // in a name
 } // namespace
 
 int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QString& file, bool shown, int place,
-                        const std::optional<FileIdentity>& identity)
+                        const std::optional<FileIdentity>& identity, int number)
 {
     auto record = std::make_unique<SolutionRecord>();
-    record->number = nextNumber();
+    record->number = number > 0 ? number : nextNumber();
     record->name = nameOf(solved);
     record->value = solved;
     record->file = file;
@@ -34,9 +34,9 @@ int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QS
     record->result = result;
     record->shown = record->comparedByItself = shown;
     if (shown) uncheckOldest(mostByItself - 1);
-    const int number = addRecord(std::move(record)).number;
+    const int added = addRecord(std::move(record)).number;
     dropFields();
-    return number;
+    return added;
 }
 
 /// Of the boxes that nobody touched, all but the newest `kept`.

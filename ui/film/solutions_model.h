@@ -26,8 +26,9 @@ public:
 
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     /// A solution with a field; `shown`: its box is checked, and the list chooses it. Returns its number.
+    /// `number`: one that was kept free; 0: the next one.
     int add(const Case& solved, const SteadyResult& result, const QString& file = {}, bool shown = true, int place = 0,
-            const std::optional<FileIdentity>& identity = {});
+            const std::optional<FileIdentity>& identity = {}, int number = 0);
 
     const SolutionRecord& record(int row) const { return static_cast<const SolutionRecord&>(listed(row)); }
     const SolutionRecord* find(int number) const; // nullptr: it is gone

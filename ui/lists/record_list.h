@@ -4,6 +4,7 @@
 // a check box; one may be the baseline that others are compared with.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -57,6 +58,8 @@ public:
 
     /// A number for a record that is to be added.
     int nextNumber() const { return nextNumber_; }
+    /// Numbers up to this one are for records that come later.
+    void keepFree(int number) { nextNumber_ = std::max(nextNumber_, number + 1); }
     /// Not a record that is still calculated.
     void remove(int row);
     /// It was written to the file: another record that had this file has none any more.

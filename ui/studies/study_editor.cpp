@@ -3,25 +3,18 @@
 
 #include <algorithm>
 
-#include <QDir>
 #include <QEvent>
-#include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include "core/formats/toml_document.h"
 #include "core/formats/toml_editor.h"
-#include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
-#include "ui/studies/changed_study.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
-#include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
-#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -29,15 +22,6 @@ namespace {
 
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
-
-/// The kind that the study's text names; empty if it names none.
-QString kindIn(const QString& text)
-{
-    const TomlDocument toml = readToml(text.toStdString());
-    const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
-    const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
-    return kind == nullptr ? QString() : QString::fromStdString(*kind);
-}
 
 } // namespace
 
@@ -81,14 +65,12 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
         drafts_[kind()].text = toText();
         stale_ = true;
         soon_.start();
+        emit edited();
     });
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
     connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
     connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
-    connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) {
-        openSample(sample);
-        tabs_->setCurrentWidget(form_);
-    });
+    connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) { openSample(sample); });
     connect(problems_, &QLabel::linkActivated, this, [this](const QString& line) {
         tabs_->setCurrentWidget(text_);
         text_->goToLine(line.toInt());
@@ -96,7 +78,7 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     connect(open_, &QToolButton::clicked, this, &StudyEditor::chooseOpen);
     connect(run_, &QPushButton::clicked, this, &StudyEditor::runRequested);
     connect(stop_, &QPushButton::clicked, this, &StudyEditor::stopRequested);
-    connect(save_, &QToolButton::clicked, this, &StudyEditor::chooseSave);
+    connect(save_, &QToolButton::clicked, this, [this] { chooseSave(kind(), {}); });
     connect(defaults_, &QToolButton::clicked, this, &StudyEditor::takeDefaults);
     showKind();
 }
@@ -194,14 +176,6 @@ void StudyEditor::setKind(const QString& name)
     if (const int index = kinds_->findData(name); index >= 0) kinds_->setCurrentIndex(index);
 }
 
-void StudyEditor::openSample(const SampleStudy& sample)
-{
-    setKind(QString::fromStdString(sample.kind));
-    drafts_[kind()].file.clear();
-    replaceText(withoutLicence(sample.text));
-    replan();
-}
-
 void StudyEditor::showKind()
 {
     const auto found = std::ranges::find(catalogue_.kinds, kind().toStdString(), &StudyKind::name);
@@ -212,12 +186,6 @@ void StudyEditor::showKind()
     text_->setPlainText(draft.text);
     stale_ = true;
     if (isVisible()) replan();
-}
-
-void StudyEditor::takeDefaults()
-{
-    drafts_[kind()] = {};
-    replan();
 }
 
 const StudyPlan& StudyEditor::plan()
@@ -234,7 +202,7 @@ void StudyEditor::replan()
     Draft& draft = drafts_[kind()];
     if (draft.text == draft.defaults && draft.file.isEmpty()) {
         const QString defaults = QString::fromStdString(catalogue_.defaultText(kind().toStdString(), case_));
-        draft.text = draft.defaults = defaults;
+        draft.text = draft.saved = draft.defaults = defaults;
         if (toText() != defaults) text_->setPlainText(defaults);
         soon_.stop();
     }
@@ -322,84 +290,6 @@ void StudyEditor::setRunning(bool running, bool chosen)
 {
     run_->setText(running && chosen ? tr("Perform again") : tr("Perform"));
     stop_->setEnabled(running);
-}
-
-QString StudyEditor::open(const QString& path)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        return tr("%1 cannot be read: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
-    if (file.size() > static_cast<qint64>(maximumStudyFileSize))
-        return tr("%1 is too large for a study file.").arg(QDir::toNativeSeparators(path));
-    const QByteArray bytes = file.readAll();
-    const QString text = QString::fromUtf8(bytes);
-    setKind(kindIn(text)); // a text without a kind is of the chosen kind
-    drafts_[kind()].file = path;
-    drafts_[kind()].identity = identityOfBytes(bytes.toStdString());
-    setText(text);
-    replan();
-    return {};
-}
-
-bool StudyEditor::changedOutside(const Draft& draft, const QString& file)
-{
-    if (draft.file.isEmpty() || QFileInfo(draft.file) != QFileInfo(file)) return false;
-    const FileNow now = fileNow(file.toStdString(), draft.identity);
-    return now == FileNow::Other || now == FileNow::Unreadable;
-}
-
-QString StudyEditor::save(const QString& path)
-{
-    if (changedOutside(drafts_[kind()], path))
-        return tr("%1 was changed by another program. It was not written over; save the study by itself.")
-            .arg(QDir::toNativeSeparators(path));
-    const QByteArray bytes = toText().toUtf8();
-    if (QString problem = writeWholeFile(path, bytes); !problem.isEmpty()) return problem;
-    drafts_[kind()].file = path;
-    drafts_[kind()].identity = identityOfBytes(bytes.toStdString());
-    stale_ = true;
-    replan();
-    return {};
-}
-
-void StudyEditor::chooseOpen()
-{
-    auto* dialog = new QFileDialog(this, tr("Open a study"), {}, tr("Studies (*.toml);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
-    });
-    dialog->open();
-}
-
-void StudyEditor::chooseSave()
-{
-    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind() + QStringLiteral(".toml"),
-               [this](const QString& file) {
-                   saveTo(file);
-                   return QString();
-               });
-}
-
-void StudyEditor::saveTo(const QString& file)
-{
-    Draft& draft = drafts_[kind()];
-    ChangedStudyAnswers answers;
-    answers.writeOver = [this, &draft, file](const std::string& shown) {
-        draft.identity = identityOfBytes(shown); // it may change once more
-        saveTo(file);
-    };
-    answers.reload = [this, file] {
-        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
-    };
-    answers.saveAs = [this] { chooseSave(); };
-    if (changedOutside(draft, file))
-        askAboutStudy(*window(), file, draft.identity, toText(), answers);
-    else if (const QString problem = save(file); !problem.isEmpty())
-        emit failed(problem);
-    else
-        emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
 }
 
 void StudyEditor::changeEvent(QEvent* event)

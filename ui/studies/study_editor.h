@@ -18,9 +18,9 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "core/formats/file_identity.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
+#include "ui/studies/study_draft.h"
 #include "ui/studies/study_form_view.h"
 #include "ui/studies/study_samples.h"
 #include "ui/studies/study_text_edit.h"
@@ -54,12 +54,19 @@ public:
     void setText(const QString& text) { text_->setPlainText(text); }
     QString toText() const { return text_->toPlainText(); }
     void openSample(const SampleStudy& sample);
-    /// Empty, or why the file cannot be read.
+    /// Empty, or why the file cannot be read. Asks first where it would replace an edited text.
     QString open(const QString& file);
-    /// Empty, or why the file cannot be written: also that another program has changed the study's file.
-    QString save(const QString& file);
-    /// As save(), and says so; asks first if another program has changed the study's file.
-    void saveTo(const QString& file);
+    /// Writes the text of a kind. Empty, or why the file cannot be written: also that another program has changed it.
+    QString save(const QString& kind, const QString& file);
+    QString save(const QString& file) { return save(kind(), file); }
+    /// As save(), and says so; asks first if another program has changed the file since it was opened or saved.
+    void saveTo(const QString& file) { saveTo(kind(), file, {}); }
+    /// The texts that were edited since they were opened or saved.
+    std::vector<StudyDraft> unsaved();
+    /// A text from another window; false where an edited one would be replaced, or there is no such kind.
+    bool restore(const StudyDraft& draft);
+    /// Of a kind, as the list shows it.
+    QString titleOf(const QString& kind) const;
     /// Whether a study is under way; one of the chosen kind?
     void setRunning(bool running, bool chosen);
     /// The time that the study takes, in a sentence; empty: nothing is said.
@@ -82,6 +89,9 @@ signals:
     /// Something was opened or saved, or could not be.
     void succeeded(const QString& message);
     void failed(const QString& problem);
+    void fileOpened(const QString& file);
+    /// A text has changed, or its file.
+    void edited();
     /// Another plan, another kind.
     void planned();
     void hidden();
@@ -92,18 +102,19 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    struct Draft {
-        QString text;
-        QString defaults;        // as the text began
-        QString file;            // where it was opened or saved; empty for none
-        FileIdentity identity{}; // of that file then
+    struct Draft : StudyDraft {
+        QString defaults; // a text that equals them follows the case
     };
 
     void build();
     void chooseOpen();
-    void chooseSave();
     /// Whether this is the draft's file, and another program has changed it since it was opened or saved.
-    static bool changedOutside(const Draft& draft, const QString& file);
+    static bool changedOutside(const StudyDraft& draft, const QString& file);
+    /// Asks about an edited text of a kind; calls `next` unless the user cancels.
+    void whenSettled(const QString& kind, const std::function<void()>& next);
+    /// Asks for a file and writes the text to it; then calls `next`, if there is one.
+    void chooseSave(const QString& kind, const std::function<void()>& next);
+    void saveTo(const QString& kind, const QString& file, const std::function<void()>& next);
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);

@@ -175,7 +175,7 @@ const StudyOutcome* StudyWindow::outcome(const std::string& kind) const
     return found == outcomes_.end() ? nullptr : &found->second;
 }
 
-void StudyWindow::restore(StoredStudy stored)
+void StudyWindow::restore(StoredStudy stored, const QString& file)
 {
     const std::string kind = stored.report.kind;
     StudyPlan plan;
@@ -183,7 +183,7 @@ void StudyWindow::restore(StoredStudy stored)
     plan.title = stored.report.title;
     plan.text = std::move(stored.studyText);
     plan.start = parseCase(std::move(stored.caseText), plan.title);
-    outcomes_[kind] = {std::move(plan), std::move(stored.report), {}, 0};
+    outcomes_[kind] = {std::move(plan), std::move(stored.report), file, 0};
     show();
 }
 

@@ -44,6 +44,8 @@ public:
 
     /// Performs the study in the editor; false if it has errors.
     bool perform();
+    /// The kind of the study under way; empty: none.
+    QString kindUnderWay() const { return controller_.active() ? QString::fromStdString(performing_) : QString(); }
     bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
 
     /// Whether a run or a static state has the processors: then no pilot runs beside it.
@@ -55,8 +57,8 @@ public:
     const StudyOutcome* outcome(const std::string& kind) const;
     /// Saves the report of a kind that has one. Returns "" or the problem in a sentence.
     QString save(const std::string& kind, const QString& file);
-    /// A report that was read from a file, as if it had been performed here.
-    void restore(StoredStudy stored);
+    /// A report that was read from a file, as if it had been performed here. `file`: of the user; empty: none.
+    void restore(StoredStudy stored, const QString& file = {});
 
 signals:
     void started();

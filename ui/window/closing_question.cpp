@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include "ui/case/case_files.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
@@ -72,7 +73,7 @@ void ClosingQuestion::saveAll()
     // What is in the file is asked for before the folder of the results.
     if (!work.editedCase.isEmpty() && parts_.files.changedOutside())
         return parts_.files.saveThen([this] { saveAll(); });
-    if (!work.anyResult()) {
+    if (!work.anyResult() && work.drafts.empty()) {
         if (work.editedCase.isEmpty())
             emit answered();
         else

@@ -42,6 +42,7 @@
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
 #include "ui/window/result_messages.h"
+#include "ui/window/session.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 

@@ -32,7 +32,6 @@ class RunWindow;
 class RunsModel;
 class Session;
 class StartCard;
-class SessionFolder;
 class SolutionFiles;
 class StudyWindow;
 class WindowActions;
@@ -128,6 +127,7 @@ private:
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
+    void onStudyOpened(const QString& file);
     void onStudied(const StudyReport& report);
     void updateRunActions();
     void updateTitle();
@@ -144,7 +144,7 @@ private:
     void followFont(const QSize& before);
     SessionParts sessionParts();
     void listSessions();
-    void takeSession(std::unique_ptr<SessionFolder> folder);
+    void showWhatIsKept();
     void saveArrangement();
 
     CaseEdits* edits_;

@@ -215,6 +215,7 @@ void MainWindow::connectStudies()
 {
     connect(actions_->study, &QAction::triggered, this, &MainWindow::performStudy);
     connect(studies_->editor(), &StudyEditor::runRequested, this, &MainWindow::performStudy);
+    connect(studies_->editor(), &StudyEditor::fileOpened, this, &MainWindow::onStudyOpened);
     connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
     connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(studies_, &StudyWindow::ended, this, &MainWindow::onStudied);
@@ -279,12 +280,17 @@ void MainWindow::openStudy(const QString& file)
             problem = tr("A study of this kind is being performed. Stop it before a report is opened.");
         if (problem.isEmpty()) {
             studies_->editor()->setKind(QString::fromStdString(stored.report.kind));
-            studies_->restore(std::move(stored));
+            studies_->restore(std::move(stored), file);
+            onStudyOpened(file);
         }
     } else {
         problem = studies_->editor()->open(file);
     }
-    if (!problem.isEmpty()) return messages_->show(MessageStrip::Kind::Failure, problem);
+    if (!problem.isEmpty()) messages_->show(MessageStrip::Kind::Failure, problem);
+}
+
+void MainWindow::onStudyOpened(const QString& file)
+{
     setPage(Page::Studies);
     messages_->show(MessageStrip::Kind::Success, tr("Opened: %1").arg(QDir::toNativeSeparators(file)));
 }

@@ -25,6 +25,8 @@
 #include "ui/runs/live_plots.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_offer.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
@@ -32,8 +34,8 @@
 #include "ui/window/guides.h"
 #include "ui/window/lesson_print.h"
 #include "ui/window/presenter.h"
+#include "ui/window/restore_strip.h"
 #include "ui/window/session.h"
-#include "ui/window/session_offer.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -65,33 +67,44 @@ void MainWindow::connectSession()
 
 void MainWindow::beginSession(bool offer)
 {
-    QString problem;
-    std::unique_ptr<SessionFolder> folder = SessionFolder::create(problem);
-    if (!folder) {
-        messages_->show(MessageStrip::Kind::Warning, problem);
-        return;
-    }
-    session_ = new Session(sessionParts(), std::move(folder), this);
+    session_ = new Session(sessionParts(), this);
+    pages_->addFoot(*new RestoreStrip(*session_, *messages_, *this));
+    connect(session_, &Session::problemChanged, this, &MainWindow::showWhatIsKept);
+    showWhatIsKept();
     connect(session_, &Session::failed, this, [this](const QString& text) {
         auto* box = new QMessageBox(QMessageBox::Warning, tr("Touchdown"), text, QMessageBox::Ok, this);
         box->setObjectName(QStringLiteral("notKept"));
+        box->setTextFormat(Qt::PlainText);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
-    std::unique_ptr<SessionFolder> last = newestBrokenOff();
+    if (!session_->folder()) return messages_->show(MessageStrip::Kind::Warning, session_->problem());
+    QStringList remarks;
+    std::unique_ptr<SessionFolder> last = newestBrokenOff(remarks);
     if (last && offer)
-        offerSession(*this, std::move(last),
-                     [this](std::unique_ptr<SessionFolder> taken) { takeSession(std::move(taken)); });
-    else if (last)
-        messages_->show(MessageStrip::Kind::Information,
-                        tr("A session ended without being closed. File, Sessions, Restore brings its work back."));
+        return offerSession(*this, std::move(last), remarks,
+                            [this](std::unique_ptr<SessionFolder> taken) { session_->restore(std::move(taken)); });
+    if (last) remarks << tr("A session ended without being closed. File, Sessions, Restore brings its work back.");
+    if (!remarks.isEmpty()) messages_->show(MessageStrip::Kind::Information, remarks.join(QLatin1Char('\n')));
+}
+
+/// A word that stays in the status bar while not all of the work is kept.
+void MainWindow::showWhatIsKept()
+{
+    QLabel* mark = pages_->notKept();
+    mark->setVisible(!session_->problem().isEmpty());
+    mark->setToolTip(session_->problem().toHtmlEscaped());
+    mark->setAccessibleDescription(session_->problem());
 }
 
 void MainWindow::listSessions()
 {
     QMenu* menu = actions_->sessions;
     menu->clear();
-    QStringList paths = session_ ? SessionFolder::ended() : QStringList();
+    if (session_ && !session_->problem().isEmpty()) menu->addAction(session_->problem())->setEnabled(false);
+    if (session_ && session_->restoring()) menu->addAction(tr("A session is being restored"))->setEnabled(false);
+    const bool ready = session_ && session_->folder() && !session_->restoring();
+    QStringList paths = ready ? SessionFolder::ended() : QStringList();
     for (const QString& path : paths.mid(0, mostSessions)) {
         const std::optional<SessionState> state = readSession(path);
         const QString left = state ? describe(*state, studiesIn(path)) : QString();
@@ -100,29 +113,18 @@ void MainWindow::listSessions()
                             QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
                         this, [this, path] {
                             files_->whenSettled([this, path] {
-                                if (auto folder = SessionFolder::take(path)) takeSession(std::move(folder));
+                                if (auto folder = SessionFolder::take(path)) session_->restore(std::move(folder));
                             });
                         });
     }
     if (menu->isEmpty()) menu->addAction(tr("None"))->setEnabled(false);
 }
 
-void MainWindow::takeSession(std::unique_ptr<SessionFolder> folder)
-{
-    const SessionState state = readSession(folder->path()).value_or(SessionState{});
-    const QString left = describe(state, studiesIn(folder->path()));
-    QApplication::setOverrideCursor(Qt::WaitCursor);
-    const QStringList problems = session_->restore(std::move(folder));
-    QApplication::restoreOverrideCursor();
-    if (problems.isEmpty())
-        messages_->show(MessageStrip::Kind::Success, tr("Restored: %1.").arg(left));
-    else
-        messages_->show(MessageStrip::Kind::Warning, problems.join(QLatin1Char('\n')));
-}
-
 void MainWindow::closeEvent(QCloseEvent* event)
 {
     if (guides_->onlyTried()) files_->leaveUnsaved();
+    if (session_) session_->reader().stopAndWait();
+    studies_->editor()->plan(); // takes what was typed in its form
     if (!mayClose_ && !closing_->nothingLost(session_ && session_->keepsAll())) {
         event->ignore();
         return;

@@ -2,8 +2,7 @@
 #include "ui/window/session.h"
 
 #include <algorithm>
-#include <chrono>
-#include <thread>
+#include <iterator>
 #include <utility>
 
 #include <QCoreApplication>
@@ -11,42 +10,31 @@
 #include <QSettings>
 
 #include "core/case_files/case_text.h"
-#include "core/results/results_writer.h"
 #include "core/studies/study/study_file.h"
 #include "ui/case/case_edits.h"
+#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_budget.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/whole_file.h"
-#include "ui/window/session_budget.h"
-#include "ui/window/unsaved_work.h"
 #include "ui/window/window_pages.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr int restBeforeState = 100; // from an edit to its writing [ms]
-// A run that ends within this time has the processor to itself: its file is written afterwards.
-constexpr auto restBeforeFile = std::chrono::milliseconds(100);
-constexpr std::size_t mostPending = std::size_t(256) << 20; // that may wait for the disk [byte]
+constexpr int restBeforeState = 100;     // from an edit to its writing [ms]
+constexpr int restBetweenReports = 2000; // of a study under way [ms]
+constexpr int restBetweenLooks = 2000;   // at the folder [ms]
+constexpr int longestRest = 256'000;     // of these, while something is not kept [ms]
 constexpr auto budgetKey = "session/budget";
-
-std::size_t bytesOf(const SampleBatch& samples)
-{
-    return samples.size() * (samples.columns.size() + 1) * sizeof(double);
-}
-
-std::size_t bytesOf(const std::vector<FieldSnapshot>& fields)
-{
-    std::size_t count = 0;
-    for (const FieldSnapshot& snapshot : fields)
-        for (const std::vector<double>& values : snapshot.values) count += values.size();
-    return count * sizeof(double);
-}
 
 std::size_t bytesOf(const SteadyResult& state)
 {
@@ -55,55 +43,70 @@ std::size_t bytesOf(const SteadyResult& state)
 
 } // namespace
 
-struct Session::Stream {
-    int number = 0;
-    bool opened = false; // or waits for it on the writer's thread
-    ResultsWriter writer;
-    bool whole = true;   // no samples or snapshots from before it are missing
-    bool broken = false; // on the writer's thread
-};
-
 qint64 Session::budget() { return QSettings().value(budgetKey, defaultBudget).toLongLong(); }
 
 void Session::setBudget(qint64 bytes) { QSettings().setValue(budgetKey, bytes); }
 
-Session::Session(const SessionParts& parts, std::unique_ptr<SessionFolder> folder, QObject* parent)
-    : QObject(parent), parts_(parts), folder_(std::move(folder))
+Session::Session(const SessionParts& parts, QObject* parent)
+    : QObject(parent), parts_(parts), folder_(SessionFolder::create(problem_))
 {
     soon_.setSingleShot(true);
     connect(&soon_, &QTimer::timeout, this, &Session::keepState);
+    studySoon_.setSingleShot(true);
+    studySoon_.setInterval(restBetweenReports);
+    watch_.setInterval(restBetweenLooks);
+    connect(&watch_, &QTimer::timeout, this, &Session::look);
+    watch_.start();
     connectRuns();
     connectSolutions();
-    connect(&parts_.studies, &StudyWindow::ended, this, &Session::onStudied);
+    connectStudies();
     connectState();
+    connectReader();
     keepWithinBudget();
     schedule();
 }
 
 Session::~Session()
 {
+    reader_.disconnect();
     if (folder_) keepState();
-}
-
-void Session::connectRuns()
-{
-    connect(&parts_.runs, &RunWindow::started, this, &Session::onRunStarted);
-    connect(&parts_.runs.controller(), &RunController::delivered, this, &Session::onDelivered);
-    connect(&parts_.runs, &RunWindow::ended, this, &Session::onRunEnded);
-    connect(&parts_.runs.controller(), &RunController::recordingFailed, this, [this] {
-        // The file that the user wanted has failed: the session keeps the run instead.
-        if (RunRecord* run = parts_.runs.runUnderWay()) beginStream(*run);
-    });
-    connect(&parts_.runs.runs(), &RecordList::aboutToRemove, this,
-            [this](int number) { removeFile(folder_->runFile(number)); });
 }
 
 void Session::connectSolutions()
 {
     SolutionsModel& solutions = parts_.film.solutions();
     connect(&solutions, &RecordList::added, this, &Session::onSolutionAdded);
-    connect(&solutions, &RecordList::aboutToRemove, this,
-            [this](int number) { removeFile(folder_->solutionFile(number)); });
+    connect(&solutions, &RecordList::aboutToRemove, this, [this](int number) {
+        if (folder_) removeFile(folder_->solutionFile(number));
+    });
+    connect(parts_.film.view()->series(), &SeriesPage::changed, this, &Session::keepSeries);
+    connect(parts_.film.view()->modes(), &ModesPage::changed, this, &Session::schedule);
+}
+
+void Session::connectStudies()
+{
+    StudyWindow& studies = parts_.studies;
+    connect(&studies, &StudyWindow::ended, this, [this](const StudyReport& report) {
+        studySoon_.stop();
+        studyGrew_ = false;
+        schedule();
+        keepStudy(report.kind);
+    });
+    const auto keepNow = [this] {
+        studyGrew_ = false;
+        keepStudy(parts_.studies.kindUnderWay().toStdString());
+        studySoon_.start();
+    };
+    connect(&studies.controller(), &StudyController::partial, this, [this, keepNow] {
+        studyGrew_ = true;
+        if (!studySoon_.isActive()) keepNow();
+    });
+    connect(&studySoon_, &QTimer::timeout, this, [this, keepNow] {
+        if (studyGrew_) keepNow();
+    });
+    connect(&studies, &StudyWindow::started, this, &Session::schedule);
+    connect(studies.editor(), &StudyEditor::edited, this, &Session::schedule);
+    connect(studies.editor()->kinds(), &QComboBox::currentIndexChanged, this, &Session::schedule);
 }
 
 void Session::connectState()
@@ -132,11 +135,15 @@ void Session::schedule()
 SessionState Session::state() const
 {
     const RunRecord* underWay = parts_.runs.runUnderWay();
-    SessionState state;
+    SessionState state = arriving_;
     state.edited = parts_.files.state();
-    state.page = static_cast<int>(parts_.pages.page());
-    state.runs = statesOf(parts_.runs.runs(), underWay ? underWay->number : -1);
-    state.solutions = statesOf(parts_.film.solutions(), -1);
+    if (!from_) state.page = static_cast<int>(parts_.pages.page());
+    std::ranges::move(statesOf(parts_.runs.runs(), underWay ? underWay->number : -1), std::back_inserter(state.runs));
+    std::ranges::move(statesOf(parts_.film.solutions(), -1), std::back_inserter(state.solutions));
+    state.drafts = parts_.studies.editor()->unsaved();
+    state.modes = parts_.film.view()->modes()->known();
+    state.study = parts_.studies.editor()->kind();
+    state.studyUnderWay = parts_.studies.kindUnderWay();
     return state;
 }
 
@@ -147,105 +154,16 @@ void Session::keepState()
     SessionState now = state();
     if (const QByteArray text = toJson(now); std::exchange(written_, text) == text) return;
     now.written = QDateTime::currentDateTimeUtc();
-    states_.post([file = folder_->stateFile(), text = toJson(now)] { return writeWholeFile(file, text); },
+    const QByteArray text = toJson(now);
+    if (text.size() > qsizetype(largestState)) return report(tr("Its texts and notes take more than 4 MiB."));
+    states_.post([file = folder_->stateFile(), text] { return writeWholeFile(file, text); },
                  [this](const QString& problem) { report(problem); });
-}
-
-void Session::onRunStarted(int number)
-{
-    keepWithinBudget();
-    // A run that the user records is in that file.
-    if (RunRecord* run = parts_.runs.runs().find(number); run && run->file.isEmpty()) beginStream(*run);
-}
-
-void Session::beginStream(RunRecord& run)
-{
-    if (!folder_) return;
-    if (overBudget_) {
-        report(tr("The files of the sessions take more than the %1 that File > Sessions allows.")
-                   .arg(QLocale().formattedDataSize(budget())));
-        return;
-    }
-    stream_ = std::make_shared<Stream>();
-    stream_->number = run.number;
-    if (!run.finished() && fieldsKnownOf_ != run.number) return; // its first delivery says which fields it records
-    std::vector<RecordedFields> sets;
-    for (const FieldHistory& history : run.fields) sets.push_back(history.fields);
-    openStream(run, sets);
-    RunDelivery whole;
-    stream_->whole = run.fieldsComplete();
-    for (std::size_t part = 0; part < run.parts(); ++part) {
-        whole.samples = run.samples(part);
-        onDelivered(whole);
-    }
-    whole.samples = {};
-    for (const FieldHistory& history : run.fields)
-        for (std::size_t i = 0; i < history.snapshots.size(); ++i) whole.fields.push_back(history.snapshot(i));
-    onDelivered(whole);
-}
-
-void Session::openStream(const RunRecord& run, const std::vector<RecordedFields>& sets)
-{
-    stream_->opened = true;
-    results_.post(
-        [stream = stream_, file = folder_->runFile(run.number).toStdString(), c = run.value, text = run.caseText,
-         quantities = run.quantities, sets] {
-            std::this_thread::sleep_for(restBeforeFile);
-            const std::string problem = stream->writer.open(file, c, text, quantities, sets);
-            stream->broken = !problem.empty();
-            return QString::fromStdString(problem);
-        },
-        [this](const QString& problem) { report(problem); });
-}
-
-void Session::onDelivered(const RunDelivery& delivery)
-{
-    if (const RunRecord* run = parts_.runs.runUnderWay(); run && delivery.sets) {
-        fieldsKnownOf_ = run->number;
-        if (stream_) openStream(*run, *delivery.sets);
-    }
-    const std::size_t bytes = bytesOf(delivery.samples) + bytesOf(delivery.fields);
-    if (!stream_ || bytes == 0) return;
-    if (results_.pending() + bytes > mostPending) {
-        results_.post([stream = std::exchange(stream_, nullptr)] {
-            stream->broken = true;
-            return QString();
-        });
-        report(tr("The disk is slower than the run."));
-        return;
-    }
-    results_.post(
-        [stream = stream_, samples = delivery.samples, fields = delivery.fields] {
-            if (stream->broken) return QString();
-            const std::string problem = stream->writer.append(samples, fields);
-            stream->broken = !problem.empty();
-            return QString::fromStdString(problem);
-        },
-        [this](const QString& problem) { report(problem); }, bytes);
-}
-
-void Session::onRunEnded(int number, const Summary& summary)
-{
-    schedule();
-    if (!stream_ || stream_->number != number) return;
-    if (!stream_->opened) return stream_.reset(); // it failed before it began
-    results_.post(
-        [stream = std::exchange(stream_, nullptr), summary] {
-            if (stream->broken || !stream->whole) return tr("The file of the run is not complete.");
-            return QString::fromStdString(stream->writer.finish(summary));
-        },
-        [this, number, file = folder_->runFile(number)](const QString& problem) {
-            if (problem.isEmpty())
-                parts_.runs.runs().setKept(number, file);
-            else
-                report(problem);
-        });
 }
 
 void Session::onSolutionAdded(int number)
 {
     const SolutionRecord* solution = parts_.film.solutions().find(number);
-    if (!folder_ || restoring_ || !solution || !solution->file.isEmpty()) return;
+    if (!folder_ || adding_ || !solution || !solution->file.isEmpty()) return;
     const std::size_t bytes = bytesOf(solution->result);
     if (overBudget_ || results_.pending() + bytes > mostPending) return;
     const QString file = folder_->solutionFile(number);
@@ -259,21 +177,39 @@ void Session::onSolutionAdded(int number)
                   bytes);
 }
 
-void Session::onStudied(const StudyReport& report)
+void Session::keepStudy(const std::string& kind)
 {
-    const StudyOutcome* outcome = parts_.studies.outcome(report.kind);
+    const StudyOutcome* outcome = parts_.studies.outcome(kind);
     if (!folder_ || !outcome || !outcome->report) return;
+    StudyReport kept = *outcome->report;
+    if (parts_.studies.underWay(kind)) {
+        kept.status = StudyStatus::Cancelled;
+        kept.message = tr("The program that performed this study was interrupted.").toStdString();
+    }
     results_.post(
-        [file = folder_->studyFile(QString::fromStdString(report.kind)).toStdString(), kept = *outcome->report,
+        [file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
          c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
             return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
         },
-        [this](const QString& problem) { this->report(problem); });
+        [this](const QString& problem) { report(problem); });
+}
+
+void Session::keepSeries()
+{
+    schedule();
+    if (!folder_ || adding_) return;
+    const SeriesPage& page = *parts_.film.view()->series();
+    if (page.states().empty()) {
+        if (std::exchange(seriesKept_, false)) removeFile(folder_->seriesFile());
+        return;
+    }
+    seriesKept_ = true;
+    results_.post([file = folder_->seriesFile(), series = page.series()] { return writeSeries(file, series); },
+                  [this](const QString& problem) { report(problem); });
 }
 
 void Session::removeFile(const QString& file)
 {
-    if (!folder_) return;
     results_.post([file] {
         QFile::remove(file);
         return QString();
@@ -294,10 +230,61 @@ void Session::keepWithinBudget()
 
 void Session::report(const QString& problem)
 {
-    if (problem.isEmpty() || std::exchange(reported_, true)) return;
-    emit failed(tr("Not all of the work is kept against a crash: %1 Runs go on in memory; save the results that you "
-                   "need.")
-                    .arg(sentence(problem.toStdString())));
+    if (problem.isEmpty()) return;
+    ++failures_;
+    setProblem(
+        tr("Not all of the work is kept against a crash: %1 Runs go on in memory; save the results that you need.")
+            .arg(sentence(problem.toStdString())));
+    if (!std::exchange(reported_, true)) emit failed(problem_);
+}
+
+void Session::setProblem(const QString& problem)
+{
+    if (std::exchange(problem_, problem) != problem) emit problemChanged();
+    // A full disk is asked less and less often.
+    watch_.setInterval(problem.isEmpty() ? restBetweenLooks : std::min(2 * watch_.interval(), longestRest));
+}
+
+void Session::look()
+{
+    if (from_) return; // its results come to this folder
+    if (folder_ && !folder_->stands()) {
+        folder_.reset();
+        stream_.reset();
+        report(tr("its folder was removed."));
+    }
+    if (!problem_.isEmpty()) keepAgain();
+}
+
+void Session::keepAgain()
+{
+    if (closed_ || from_) return;
+    if (!folder_) {
+        QString problem;
+        folder_ = SessionFolder::create(problem);
+        if (!folder_) return setProblem(problem);
+    }
+    keepWithinBudget();
+    written_.clear();
+    keepState();
+    const UnsavedWork work = notKept();
+    for (const int number : work.runs) {
+        RunRecord& run = *parts_.runs.runs().find(number);
+        if (parts_.runs.runUnderWay() || !run.fieldsComplete() || !run.summary) continue;
+        beginStream(run);
+        onRunEnded(number, *run.summary);
+    }
+    for (const int number : work.solutions) onSolutionAdded(number);
+    for (const std::string& kind : work.studies) keepStudy(kind);
+    if (work.series > 0) keepSeries();
+    // Behind all of that, and behind what it reports.
+    results_.post([] { return QString(); },
+                  [this, before = failures_](const QString&) {
+                      states_.post([] { return QString(); },
+                                   [this, before](const QString&) {
+                                       if (failures_ == before && !notKept().anyResult()) setProblem({});
+                                   });
+                  });
 }
 
 void Session::wait()
@@ -306,28 +293,36 @@ void Session::wait()
     states_.wait();
 }
 
+UnsavedWork Session::notKept() const
+{
+    UnsavedWork work = unsavedWork(parts_);
+    const auto in = [](const RecordList& list) {
+        return [&list](int number) { return isOwnFile(list.listed(list.rowOf(number)).kept); };
+    };
+    std::erase_if(work.runs, in(parts_.runs.runs()));
+    std::erase_if(work.solutions, in(parts_.film.solutions()));
+    std::erase_if(work.studies, [this](const std::string& kind) {
+        return folder_ && isOwnFile(folder_->studyFile(QString::fromStdString(kind)));
+    });
+    if (folder_ && isOwnFile(folder_->seriesFile())) work.series = 0;
+    if (folder_) work.modes = false; // the state has them
+    return work;
+}
+
 bool Session::keepsAll()
 {
     if (!folder_) return false;
-    const UnsavedWork work = unsavedWork(parts_);
-    if (work.empty()) return true;
+    if (unsavedWork(parts_).empty()) return true;
     wait();
     QCoreApplication::sendPostedEvents(&results_, QEvent::MetaCall); // what the writers say
     QCoreApplication::sendPostedEvents(&states_, QEvent::MetaCall);
-    const RunRecord* underWay = parts_.runs.runUnderWay();
-    const bool recorded = !underWay || !underWay->file.isEmpty() || (stream_ && stream_->whole);
-    const auto in = [](const RecordList& list) {
-        return [&list](int number) { return !list.listed(list.rowOf(number)).kept.isEmpty(); };
-    };
-    return !reported_ && recorded && std::ranges::all_of(work.runs, in(parts_.runs.runs())) &&
-           std::ranges::all_of(work.solutions, in(parts_.film.solutions())) &&
-           std::ranges::all_of(work.studies, [this](const std::string& kind) {
-               return QFile::exists(folder_->studyFile(QString::fromStdString(kind)));
-           });
+    return problem_.isEmpty() && recordsWholeRun() && !notKept().anyResult();
 }
 
 void Session::close(bool keep)
 {
+    closed_ = true;
+    watch_.stop();
     if (!folder_) return;
     soon_.stop();
     wait();

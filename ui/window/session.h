@@ -12,32 +12,18 @@
 #include <QTimer>
 
 #include "ui/calculation/task_queue.h"
-#include "ui/window/session_folder.h"
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_folder.h"
+#include "ui/sessions/session_reader.h"
+#include "ui/sessions/session_state.h"
+#include "ui/window/unsaved_work.h"
 
 namespace touchdown {
 
-class CaseEdits;
-class FilmWindow;
 class RecordList;
-class RunWindow;
-class StudyWindow;
-class WindowPages;
 struct RecordedFields;
 struct RunDelivery;
 struct RunRecord;
-struct StudyReport;
 struct Summary;
-
-/// The parts of a window whose work is kept; all must outlive the session.
-struct SessionParts {
-    CaseFiles& files;
-    CaseEdits& edits;
-    RunWindow& runs;
-    FilmWindow& film;
-    StudyWindow& studies;
-    WindowPages& pages;
-};
 
 class Session : public QObject {
     Q_OBJECT
@@ -48,15 +34,23 @@ public:
     static void setBudget(qint64 bytes);
     static constexpr qint64 defaultBudget = qint64(2) << 30;
 
-    Session(const SessionParts& parts, std::unique_ptr<SessionFolder> folder, QObject* parent);
+    Session(const SessionParts& parts, QObject* parent);
     /// Leaves the folder as after a kill, with all that was asked for written.
     ~Session() override;
 
-    const SessionFolder& folder() const { return *folder_; }
-    /// Takes over the work of an earlier session. The case in the window is replaced, results are added to the lists.
-    /// Results that could not be taken over stay in its folder, else this is removed. Returns a sentence for each
-    /// result that is not in the window.
-    QStringList restore(std::unique_ptr<SessionFolder> from);
+    /// nullptr: it could not be created, or was removed.
+    const SessionFolder* folder() const { return folder_.get(); }
+    /// Why not all of the work is kept, in a sentence; empty: it is.
+    QString problem() const { return problem_; }
+    /// Takes over the work of an earlier session. The case in the window is replaced at once; results are read beside
+    /// the window and added to the lists one by one. Results that could not be taken over, or not yet when this is
+    /// stopped, stay in its folder, else this is removed.
+    void restore(std::unique_ptr<SessionFolder> from);
+    bool restoring() const { return from_ != nullptr; }
+    /// Shows the progress; its stop() ends the restoring.
+    SessionReader& reader() { return reader_; }
+    /// Tries again what could not be kept.
+    void keepAgain();
     /// Writes the state of the window now.
     void keepState();
     /// Waits until everything is on disk.
@@ -69,13 +63,18 @@ public:
 signals:
     /// Once in a session: its work is not kept any more, or not all of it.
     void failed(const QString& sentence);
+    void problemChanged();
+    /// `problems`: a sentence for each result that is not in the window.
+    void restored(const QString& what, const QStringList& problems, bool stopped);
 
 private:
     struct Stream; // of the run under way
 
     void connectRuns();
     void connectSolutions();
+    void connectStudies();
     void connectState();
+    void connectReader();
     void schedule();
     SessionState state() const;
     void onRunStarted(int number);
@@ -84,24 +83,52 @@ private:
     void onDelivered(const RunDelivery& delivery);
     void onRunEnded(int number, const Summary& summary);
     void onSolutionAdded(int number);
-    void onStudied(const StudyReport& report);
+    /// The report of a kind, also of a study under way.
+    void keepStudy(const std::string& kind);
+    void keepSeries();
     void removeFile(const QString& file);
     void keepWithinBudget();
-    QString restoreRun(const SessionFolder& from, const ListedState& entry);
-    QString restoreSolution(const SessionFolder& from, const ListedState& entry);
-    QString restoreOpened(const QString& file, const std::vector<ListedState>& entries);
-    QString restoreStudy(const SessionFolder& from, const QString& kind);
+    /// What was asked for when the session is to be restored.
+    std::vector<std::shared_ptr<LeftResult>> resultsOf(const SessionState& state);
+    void onRead(LeftResult& result);
+    QString takeRun(LeftResult& result);
+    QString takeSolutions(LeftResult& result);
+    QString takeStudy(LeftResult& result);
+    QString takeSeries(LeftResult& result);
+    void onRestored(bool stopped);
     void report(const QString& problem);
+    void setProblem(const QString& problem);
+    /// Whether the folder is still there; tries again what could not be kept.
+    void look();
+    /// Results that no file has, neither of the user nor of the session.
+    UnsavedWork notKept() const;
+    /// Whether a file gets all of the run under way.
+    bool recordsWholeRun() const;
+    static constexpr std::size_t mostPending = std::size_t(256) << 20; // that may wait for the disk [byte]
 
     SessionParts parts_;
+    QString problem_;                       // why not all is kept
     std::unique_ptr<SessionFolder> folder_; // none after close()
     std::shared_ptr<Stream> stream_;
     int fieldsKnownOf_ = -1; // number of the run under way, from its first delivery on
     QTimer soon_;            // writes the state
     QByteArray written_;     // the state that was written last, without its time
-    bool restoring_ = false; // results that are added are in the folder already
+    QTimer studySoon_, watch_;
+    bool studyGrew_ = false; // since its report was kept
+    bool adding_ = false;    // results that are added are in the folder already
+    bool seriesKept_ = false;
     bool overBudget_ = false;
     bool reported_ = false;
+    bool closed_ = false;
+    int failures_ = 0;
+    // While another session is restored:
+    std::unique_ptr<SessionFolder> from_;
+    SessionState arriving_; // the results that are not in the lists yet, with the numbers that they get
+    SessionState left_;     // what stays in its folder
+    QString what_;          // was in it
+    QStringList refused_;   // sentences
+    std::vector<std::shared_ptr<LeftResult>> waiting_;
+    SessionReader reader_{this};
     TaskQueue results_{this};
     TaskQueue states_{this}; // a large result does not hold up the state
 };

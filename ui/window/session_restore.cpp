@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Taking over the work of an earlier session.
+// Taking over the work of an earlier session, one result after the other. The state of this session names all of them,
+// with their notes, before the first file is moved. So a kill in between loses nothing: the next start moves the rest
+// (finishRestoring).
 #include "ui/window/session.h"
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include <QDir>
 #include <QFile>
 
-#include "core/studies/study/study_file_reader.h"
+#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
-#include "ui/film/solution_files.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_offer.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/whole_file.h"
 #include "ui/window/window_pages.h"
@@ -22,10 +28,12 @@ namespace touchdown {
 
 namespace {
 
-QString notMoved(const QString& file)
+/// Empty, or a sentence. Nothing is replaced, and no link is moved.
+QString moveFile(const QString& there, const QString& here)
 {
+    if (isOwnFile(there) && !QFileInfo(here).isSymbolicLink() && QFile::rename(there, here)) return {};
     return Session::tr("%1 could not be moved to the folder of this session and stays there.")
-        .arg(QDir::toNativeSeparators(file));
+        .arg(QDir::toNativeSeparators(there));
 }
 
 void annotate(SolutionsModel& solutions, int number, const ListedState& entry)
@@ -35,109 +43,204 @@ void annotate(SolutionsModel& solutions, int number, const ListedState& entry)
     if (!entry.shown) solutions.setData(index, Qt::Unchecked, Qt::CheckStateRole);
 }
 
+void forget(std::vector<ListedState>& list, const std::vector<int>& numbers)
+{
+    std::erase_if(list, [&](const ListedState& each) { return std::ranges::count(numbers, each.number) > 0; });
+}
+
 } // namespace
 
-QStringList Session::restore(std::unique_ptr<SessionFolder> from)
+void Session::connectReader()
 {
+    connect(&reader_, &SessionReader::read, this,
+            [this](const std::shared_ptr<LeftResult>& result) { onRead(*result); });
+    connect(&reader_, &SessionReader::finished, this, &Session::onRestored);
+}
+
+void Session::restore(std::unique_ptr<SessionFolder> from)
+{
+    if (!folder_ || from_) return;
+    finishRestoring(*from);
     const std::optional<SessionState> state = readSession(from->path());
-    if (!folder_ || !state) return {};
-    QStringList problems;
-    SessionState left; // what stays in its folder
-    left.written = state->written;
-    left.closed = state->closed;
-    restoring_ = true;
-    for (const ListedState& run : state->runs) {
-        problems << restoreRun(*from, run);
-        if (QFile::exists(from->runFile(run.number))) left.runs.push_back(run);
-    }
-    std::map<QString, std::vector<ListedState>> opened; // solutions of the same file
-    for (const ListedState& solution : state->solutions) {
-        if (!QFile::exists(from->solutionFile(solution.number))) {
-            opened[solution.file].push_back(solution);
-            continue;
-        }
-        problems << restoreSolution(*from, solution);
-        if (QFile::exists(from->solutionFile(solution.number))) left.solutions.push_back(solution);
-    }
-    for (const auto& [file, entries] : opened) problems << restoreOpened(file, entries);
-    for (const QString& kind : studiesIn(from->path())) problems << restoreStudy(*from, kind);
-    restoring_ = false;
+    if (!state) return;
+    refused_.clear();
+    if (!state->notUnderstood.isEmpty()) refused_ << setStateAside(*from, *state);
+    what_ = describe(*state, studiesIn(from->path()));
+    from_ = std::move(from);
+    left_ = {};
+    left_.written = state->written;
+    left_.closed = state->closed;
     if (!state->edited.savedText.isEmpty()) parts_.files.restore(state->edited);
-    parts_.pages.setPage(static_cast<WindowPages::Page>(std::clamp(state->page, 0, 2)));
+    StudyEditor& editor = *parts_.studies.editor();
+    for (const StudyDraft& draft : state->drafts)
+        if (!editor.restore(draft)) {
+            left_.drafts.push_back(draft);
+            refused_ << tr("The window has another edited text of the study %1; that of the earlier session stays in "
+                           "File, Sessions, Restore.")
+                            .arg(draft.kind);
+        }
+    editor.setKind(state->study);
+    if (ModesPage& page = *parts_.film.view()->modes(); state->modes && !page.controller().active())
+        page.restore(*state->modes);
+    arriving_ = {};
+    arriving_.page = std::clamp(state->page, 0, 2);
+    arriving_.restoring = QFileInfo(from_->path()).fileName();
+    waiting_ = resultsOf(*state);
     keepState();
-    wait();
-    if (left.empty() && studiesIn(from->path()).isEmpty())
-        SessionFolder::remove(std::move(from));
-    else
-        problems << writeWholeFile(from->stateFile(), toJson(left));
-    problems.removeAll(QString());
-    return problems;
+    wait(); // before the first file is moved
+    reader_.start(waiting_);
 }
 
-QString Session::restoreRun(const SessionFolder& from, const ListedState& entry)
+std::vector<std::shared_ptr<LeftResult>> Session::resultsOf(const SessionState& state)
 {
-    RunsModel& runs = parts_.runs.runs();
-    const int number = std::max(entry.number, runs.nextNumber());
-    const QString there = from.runFile(entry.number), kept = folder_->runFile(number);
-    const bool inFolder = QFile::exists(there);
-    QString problem;
-    std::unique_ptr<RunRecord> record = recordFromFile(number, inFolder ? there : entry.file, problem);
-    if (!record) return problem;
-    if (inFolder && !QFile::rename(there, kept)) return notMoved(there);
-    record->file = entry.file;
-    record->kept = inFolder ? kept : QString();
-    record->note = entry.note;
-    record->shown = entry.shown;
-    runs.add(std::move(record));
-    return {};
-}
-
-QString Session::restoreSolution(const SessionFolder& from, const ListedState& entry)
-{
-    SolutionsModel& solutions = parts_.film.solutions();
-    const QString there = from.solutionFile(entry.number), kept = folder_->solutionFile(solutions.nextNumber());
-    QString problem;
-    const std::vector<int> numbers = addSolutions(solutions, there, problem, std::vector<int>{0});
-    if (numbers.empty()) return problem;
-    const int number = numbers.front();
-    if (!QFile::rename(there, kept)) {
-        solutions.remove(solutions.rowOf(number));
-        return notMoved(there);
+    std::vector<std::shared_ptr<LeftResult>> results;
+    const auto add = [&results](LeftResult::Kind kind, const QString& file) -> LeftResult& {
+        results.push_back(std::make_shared<LeftResult>());
+        results.back()->kind = kind;
+        results.back()->file = file;
+        return *results.back();
+    };
+    const auto expect = [](LeftResult& result, const ListedState& entry, RecordList& list,
+                           std::vector<ListedState>& arriving) {
+        const int number = std::max(entry.number, list.nextNumber());
+        list.keepFree(number);
+        result.entries.push_back(entry);
+        result.numbers.push_back(number);
+        arriving.push_back(entry);
+        arriving.back().number = number;
+        arriving.back().from = result.inFolder ? entry.number : 0;
+    };
+    const auto there = [](const QString& file) { return QFileInfo::exists(file) || QFileInfo(file).isSymbolicLink(); };
+    for (const ListedState& entry : state.runs) {
+        const QString kept = from_->runFile(entry.number);
+        LeftResult& result = add(LeftResult::Kind::Run, there(kept) ? kept : entry.file);
+        result.inFolder = result.file == kept;
+        expect(result, entry, parts_.runs.runs(), arriving_.runs);
     }
-    solutions.setFile(number, entry.file);
-    solutions.setKept(number, kept);
-    annotate(solutions, number, entry);
+    std::map<QString, LeftResult*> opened; // solutions of the same file
+    for (const ListedState& entry : state.solutions) {
+        const QString kept = from_->solutionFile(entry.number);
+        LeftResult* result = nullptr;
+        if (there(kept)) {
+            result = &add(LeftResult::Kind::Solution, kept);
+        } else {
+            LeftResult*& same = opened[entry.file];
+            if (same == nullptr) {
+                same = &add(LeftResult::Kind::OpenedSolutions, entry.file);
+                same->inFolder = false;
+            }
+            result = same;
+        }
+        expect(*result, entry, parts_.film.solutions(), arriving_.solutions);
+    }
+    if (state.series) add(LeftResult::Kind::Series, from_->seriesFile());
+    for (const QString& kind : studiesIn(from_->path()))
+        add(LeftResult::Kind::Study, from_->studyFile(kind)).study = kind;
+    return results;
+}
+
+void Session::onRead(LeftResult& result)
+{
+    const WindowPages::Page page = parts_.pages.page();
+    adding_ = true;
+    QString problem = result.problem;
+    if (problem.isEmpty()) switch (result.kind) {
+        case LeftResult::Kind::Run: problem = takeRun(result); break;
+        case LeftResult::Kind::Solution:
+        case LeftResult::Kind::OpenedSolutions: problem = takeSolutions(result); break;
+        case LeftResult::Kind::Study: problem = takeStudy(result); break;
+        case LeftResult::Kind::Series: problem = takeSeries(result); break;
+        }
+    adding_ = false;
+    parts_.pages.setPage(page); // a run that is added shows its own
+    if (!problem.isEmpty()) {
+        refused_ << problem;
+        return;
+    }
+    std::erase_if(waiting_, [&](const auto& each) { return each.get() == &result; });
+    forget(result.kind == LeftResult::Kind::Run ? arriving_.runs : arriving_.solutions, result.numbers);
+}
+
+QString Session::takeRun(LeftResult& result)
+{
+    const ListedState& entry = result.entries.front();
+    const QString kept = folder_->runFile(result.numbers.front());
+    if (result.inFolder)
+        if (QString problem = moveFile(result.file, kept); !problem.isEmpty()) return problem;
+    RunRecord& record = *result.run;
+    // A file of the user that is another one by now does not have the run.
+    if (result.inFolder) record.identity = result.identity;
+    record.file = !result.inFolder || result.identity ? entry.file : QString();
+    record.kept = result.inFolder ? kept : QString();
+    record.note = entry.note;
+    record.shown = entry.shown;
+    parts_.runs.runs().add(std::move(result.run));
     return {};
 }
 
-QString Session::restoreOpened(const QString& file, const std::vector<ListedState>& entries)
+QString Session::takeSolutions(LeftResult& result)
 {
     SolutionsModel& solutions = parts_.film.solutions();
+    const auto count = static_cast<int>(result.solutions.states.size());
     std::vector<int> places;
-    for (const ListedState& entry : entries) places.push_back(entry.place);
-    QString problem;
-    const std::vector<int> numbers = addSolutions(solutions, file, problem, places);
-    if (numbers.size() == entries.size())
-        for (std::size_t i = 0; i < numbers.size(); ++i) annotate(solutions, numbers[i], entries[i]);
-    else if (problem.isEmpty())
-        problem = tr("%1 has fewer states than in the earlier session.").arg(QDir::toNativeSeparators(file));
-    return problem;
+    for (const ListedState& entry : result.entries) places.push_back(result.inFolder ? 0 : entry.place);
+    if (std::ranges::any_of(places, [count](int place) { return place >= count; }))
+        return tr("%1 has fewer states than in the earlier session.").arg(QDir::toNativeSeparators(result.file));
+    const QString kept = result.inFolder ? folder_->solutionFile(result.numbers.front()) : QString();
+    if (result.inFolder)
+        if (QString problem = moveFile(result.file, kept); !problem.isEmpty()) return problem;
+    addSolutions(solutions, result.solutions, places, result.numbers);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        annotate(solutions, result.numbers[i], result.entries[i]);
+        if (!result.inFolder) continue;
+        solutions.setFile(result.numbers[i], result.identity ? result.entries[i].file : QString());
+        solutions.setKept(result.numbers[i], kept);
+    }
+    return {};
 }
 
-QString Session::restoreStudy(const SessionFolder& from, const QString& kind)
+QString Session::takeStudy(LeftResult& result)
 {
-    const QString there = from.studyFile(kind), kept = folder_->studyFile(kind);
-    const StudyOutcome* outcome = parts_.studies.outcome(kind.toStdString());
-    if ((outcome && outcome->report) || QFile::exists(kept))
+    const QString kept = folder_->studyFile(result.study);
+    const StudyOutcome* outcome = parts_.studies.outcome(result.study.toStdString());
+    if (outcome || QFileInfo::exists(kept))
         return tr("The window has a report of the study %1; that of the earlier session stays in File, Sessions, "
-                  "Restore "
-                  "for a window without one.")
-            .arg(kind);
-    StoredStudy stored = readStudy(there.toStdString());
-    if (!stored.problem.empty()) return QString::fromStdString(stored.problem);
-    if (!QFile::rename(there, kept)) return notMoved(there);
-    parts_.studies.restore(std::move(stored));
+                  "Restore for a window without one.")
+            .arg(result.study);
+    if (QString problem = moveFile(result.file, kept); !problem.isEmpty()) return problem;
+    parts_.studies.restore(std::move(result.report));
     return {};
+}
+
+QString Session::takeSeries(LeftResult& result)
+{
+    SeriesPage& page = *parts_.film.view()->series();
+    if (!page.states().empty() || page.controller().active())
+        return tr("The window has a series of static states; that of the earlier session stays in File, Sessions, "
+                  "Restore for a window without one.");
+    if (QString problem = moveFile(result.file, folder_->seriesFile()); !problem.isEmpty()) return problem;
+    page.restore(result.series);
+    seriesKept_ = true;
+    return {};
+}
+
+void Session::onRestored(bool stopped)
+{
+    parts_.pages.setPage(static_cast<WindowPages::Page>(arriving_.page));
+    parts_.film.edit(parts_.edits.value()); // shows its solution, if that is among them
+    for (const std::shared_ptr<LeftResult>& result : std::exchange(waiting_, {}))
+        if (result->kind == LeftResult::Kind::Series)
+            left_.series = true;
+        else
+            for (const ListedState& entry : result->entries)
+                (result->kind == LeftResult::Kind::Run ? left_.runs : left_.solutions).push_back(entry);
+    arriving_ = {};
+    std::unique_ptr<SessionFolder> from = std::move(from_);
+    keepState();
+    wait(); // the results that were taken are in the state of this session
+    refused_ << leaveRest(std::move(from), left_);
+    refused_.removeAll(QString());
+    emit restored(what_, refused_, stopped);
 }
 
 } // namespace touchdown

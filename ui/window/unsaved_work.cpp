@@ -5,13 +5,18 @@
 
 #include <QFileInfo>
 
+#include "ui/case/case_files.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/changed_file_question.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -74,6 +79,9 @@ UnsavedWork unsavedWork(const SessionParts& parts)
     work.solutions = unsavedOf(parts.film.solutions());
     for (const auto& [kind, outcome] : parts.studies.outcomes())
         if (outcome.report && outcome.file.isEmpty() && !parts.studies.underWay(kind)) work.studies.push_back(kind);
+    work.series = parts.film.view()->series()->unsaved();
+    work.modes = parts.film.view()->modes()->unsaved();
+    work.drafts = parts.studies.editor()->unsaved();
     return work;
 }
 
@@ -90,9 +98,15 @@ QStringList linesOf(const UnsavedWork& work, const SessionParts& parts)
         namesIn(parts.runs.runs(), work.runs));
     add("1 static solution that is not saved: %1", "%1 static solutions that are not saved: %2", work.solutions.size(),
         namesIn(parts.film.solutions(), work.solutions));
+    if (work.series > 0) lines << tr("a series of %1 static states that is not saved").arg(work.series);
+    if (work.modes) lines << tr("modes that are not saved");
     QStringList titles;
     for (const std::string& kind : work.studies)
         titles << QStringLiteral("“%1”").arg(QString::fromStdString(parts.studies.outcome(kind)->report->title));
+    QStringList edited;
+    for (const StudyDraft& draft : work.drafts)
+        edited << QStringLiteral("“%1”").arg(parts.studies.editor()->titleOf(draft.kind));
+    add("the changes of the study %1", "the changes of %1 studies: %2", work.drafts.size(), names(edited));
     add("1 study report that is not saved: %1", "%1 study reports that are not saved: %2", work.studies.size(),
         names(titles));
     return lines;
@@ -126,10 +140,21 @@ QStringList saveWork(const UnsavedWork& work, const SessionParts& parts, const Q
         else
             problems << tr("Solution %1: %2").arg(number).arg(problem);
     }
+    if (work.series > 0)
+        problems << parts.film.view()->series()->save(
+            freeName(folder, QStringLiteral("series"), QStringLiteral(".csv")));
+    if (work.modes)
+        problems << parts.film.view()->modes()->save(freeName(folder, QStringLiteral("modes"), QStringLiteral(".csv")));
+    problems.removeAll(QString());
     for (const std::string& kind : work.studies) {
         const QString name = QString::fromStdString(kind);
         const QString problem = parts.studies.save(kind, freeName(folder, name, QStringLiteral(".h5")));
         if (!problem.isEmpty()) problems << tr("Study %1: %2").arg(name, problem);
+    }
+    for (const StudyDraft& draft : work.drafts) {
+        const QString file = draft.file.isEmpty() ? freeName(folder, draft.kind, QStringLiteral(".toml")) : draft.file;
+        const QString problem = parts.studies.editor()->save(draft.kind, file);
+        if (!problem.isEmpty()) problems << tr("Study %1: %2").arg(draft.kind, problem);
     }
     return problems;
 }

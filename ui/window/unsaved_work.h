@@ -9,25 +9,45 @@
 #include <QDir>
 #include <QStringList>
 
-#include "ui/window/session.h"
+#include "ui/studies/study_draft.h"
 
 namespace touchdown {
+
+class CaseEdits;
+class CaseFiles;
+class FilmWindow;
+class RunWindow;
+class StudyWindow;
+class WindowPages;
+
+/// The parts of a window whose work is kept; all must outlive the session.
+struct SessionParts {
+    CaseFiles& files;
+    CaseEdits& edits;
+    RunWindow& runs;
+    FilmWindow& film;
+    StudyWindow& studies;
+    WindowPages& pages;
+};
 
 struct UnsavedWork {
     QString editedCase;               // its name; empty: there is nothing to save of it
     QStringList underWay;             // calculations, as parts of a sentence
     std::vector<int> runs, solutions; // numbers
     std::vector<std::string> studies; // kinds
+    std::vector<StudyDraft> drafts;   // edited texts of studies
+    std::size_t series = 0;           // states of the series
+    bool modes = false;
 
-    bool empty() const { return editedCase.isEmpty() && underWay.isEmpty() && !anyResult(); }
-    bool anyResult() const { return !runs.empty() || !solutions.empty() || !studies.empty(); }
+    bool empty() const { return editedCase.isEmpty() && drafts.empty() && underWay.isEmpty() && !anyResult(); }
+    bool anyResult() const { return !runs.empty() || !solutions.empty() || !studies.empty() || series > 0 || modes; }
 };
 
 UnsavedWork unsavedWork(const SessionParts& parts);
 /// One line for each kind of work, with count and names.
 QStringList linesOf(const UnsavedWork& work, const SessionParts& parts);
-/// Writes all results, and a case without a file, into a folder; files there are not replaced. A case with a file is
-/// saved to it. Returns a sentence for each thing that was not saved.
+/// Writes all results, and a case and texts of studies without a file, into a folder; files there are not replaced. A
+/// case or a text with a file is saved to it. Returns a sentence for each thing that was not saved.
 QStringList saveWork(const UnsavedWork& work, const SessionParts& parts, const QDir& folder);
 
 } // namespace touchdown

@@ -44,7 +44,8 @@ WindowPages::WindowPages(const Parts& parts)
       parts_(parts),
       tabs_(new QTabBar(&parts.window)),
       pages_(new QStackedWidget(&parts.window)),
-      memory_(new QLabel(&parts.window))
+      memory_(new QLabel(&parts.window)),
+      notKept_(new QLabel(tr("⚠ Not kept"), &parts.window))
 {
     buildCentre();
     buildPanes();
@@ -54,6 +55,9 @@ WindowPages::WindowPages(const Parts& parts)
     parts_.window.statusBar()->addPermanentWidget(memory_);
     memory_->setObjectName(QStringLiteral("runMemory"));
     memory_->hide();
+    parts_.window.statusBar()->addPermanentWidget(notKept_);
+    notKept_->setObjectName(QStringLiteral("notKept"));
+    notKept_->hide();
     parts_.window.statusBar()->setSizeGripEnabled(false);
     parts_.window.statusBar()->setContentsMargins(0, 0, 8, 0); // its own layout takes no account of those of a label
     connect(&parts_.runs.memory(), &RunMemory::changed, memory_, [this] {

@@ -71,6 +71,8 @@ public:
     void limitSizes();
     /// What the runs of the list take of the memory; hidden without runs.
     QLabel* memory() const { return memory_; }
+    /// Says, while it is shown, that the work is not kept against a crash.
+    QLabel* notKept() const { return notKept_; }
 
     QStackedWidget* pages() const { return pages_; }
 
@@ -100,7 +102,7 @@ private:
     QTabBar* tabs_;
     QVBoxLayout* centre_ = nullptr;
     QStackedWidget* pages_;
-    QLabel* memory_;
+    QLabel *memory_, *notKept_;
     QDockWidget *about_ = nullptr, *runs_ = nullptr, *values_ = nullptr;
     struct Pane {
         QDockWidget* dock = nullptr;

@@ -3,6 +3,8 @@
 // The form of a study and its text are two views of one study.
 #include "ui/studies/study_editor.h"
 
+#include <algorithm>
+
 #include <QCheckBox>
 #include <QFile>
 #include <QLineEdit>
@@ -34,6 +36,51 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(editor_.get()));
     }
     void cleanup() { editor_.reset(); }
+    void asksBeforeItReplacesAnEditedText_data()
+    {
+        QTest::addColumn<QString>("by");
+        for (const char* by : {"a file", "a sample", "the defaults"})
+            QTest::addRow("%s", by) << QString::fromLatin1(by);
+    }
+    void asksBeforeItReplacesAnEditedText()
+    {
+        QFETCH(const QString, by);
+        const QTemporaryDir folder;
+        const QString other = folder.filePath(QStringLiteral("other.toml"));
+        const QString mine = folder.filePath(QStringLiteral("mine.toml"));
+        for (const QString& path : {other, mine}) {
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::WriteOnly));
+            file.write("kind = \"hysteresis\"\nsteps = 31\n");
+        }
+        const auto replace = [&] {
+            if (by == QLatin1String("a file")) QCOMPARE(editor_->open(other), QString());
+            if (by == QLatin1String("a sample"))
+                editor_->openSample(*std::ranges::find(sampleStudies(), std::string("hysteresis"), &SampleStudy::kind));
+            if (by == QLatin1String("the defaults"))
+                namedWidget<QAbstractButton>(*editor_, QStringLiteral("Use the defaults of this kind of study"))
+                    ->click();
+        };
+        const QString edited = QStringLiteral("kind = \"hysteresis\"\nsteps = 123\n");
+        QCOMPARE(editor_->open(mine), QString());
+        QVERIFY(!question(*editor_, "unsavedStudy")); // nobody had edited the text
+        editor_->setText(edited);
+        replace();
+        QCOMPARE(editor_->toText(), edited);
+        answer(*editor_, "unsavedStudy", QStringLiteral("Cancel"));
+        QCOMPARE(editor_->toText(), edited);
+        replace();
+        answer(*editor_, "unsavedStudy", QStringLiteral("Save"));
+        QFile file(mine);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(QString::fromUtf8(file.readAll()), edited);
+        QVERIFY(editor_->toText() != edited);
+        QVERIFY(editor_->unsaved().empty());
+        editor_->setText(edited);
+        replace();
+        answer(*editor_, "unsavedStudy", QStringLiteral("Discard"));
+        QVERIFY(editor_->toText() != edited);
+    }
     /// Another program, or another window, has written the file since.
     void aTextThatChangedOutsideIsNotWrittenOver_data()
     {

@@ -16,12 +16,16 @@
 #include "tests/ui/sample_study.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
+#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/film/solution_files.h"
 #include "ui/film/solutions_model.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
@@ -56,6 +60,8 @@ private slots:
     void asksForARunWhoseFileAnotherTook();
     void asksForAResultWhoseFileIsAnotherByNow_data();
     void asksForAResultWhoseFileIsAnotherByNow();
+    void savesTheTextsOfStudies();
+    void savesTheSeriesAndTheModes();
 
 private:
     void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
@@ -354,6 +360,59 @@ void TestClosingQuestion::asksForAResultWhoseFileIsAnotherByNow()
     chooseFolder(folder.path());
     QVERIFY(!window_->isVisible());
     QCOMPARE(QDir(folder.path()).entryList({QStringLiteral("*.h5")}, QDir::Files).size(), removed ? 2 : 4);
+}
+
+void TestClosingQuestion::savesTheTextsOfStudies()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "kind = \"hysteresis\"\nsteps = 400\n"), std::string());
+    StudyEditor& editor = *window_->studies().editor();
+    window_->openStudy(file);
+    window_->close();
+    QVERIFY(!window_->isVisible()); // it was only opened
+    window_->show();
+    editor.setText(QStringLiteral("kind = \"hysteresis\"\nsteps = 123\n"));
+    editor.setKind(QStringLiteral("cycles"));
+    editor.setText(QStringLiteral("kind = \"cycles\"\n"));
+    window_->close();
+    QVERIFY(window_->isVisible());
+    QVERIFY2(lost().contains(QStringLiteral("the changes of 2 studies")), qPrintable(lost()));
+    answer(*window_, "closing", saveAll);
+    chooseFolder(folder.path());
+    QVERIFY(!window_->isVisible());
+    QFile mine(file), other(folder.filePath(QStringLiteral("cycles.toml")));
+    QVERIFY(mine.open(QIODevice::ReadOnly) && other.open(QIODevice::ReadOnly));
+    QCOMPARE(mine.readAll(), QByteArray("kind = \"hysteresis\"\nsteps = 123\n"));
+    QCOMPARE(other.readAll(), QByteArray("kind = \"cycles\"\n"));
+}
+
+void TestClosingQuestion::savesTheSeriesAndTheModes()
+{
+    const QTemporaryDir folder;
+    const FilmView* view = window_->film().view();
+    Case listed = test::sampleFilmCase();
+    listed.steady.radii = {20e-3, 25e-3};
+    view->series()->restore({listed, {test::sampleSteady(), test::sampleSteady()}, {}});
+    FoundModes modes{test::sampleFilmCase(), {}};
+    modes.result.modes.resize(1);
+    modes.result.modes.front().frequency = 91.5e3;
+    view->modes()->restore(modes);
+    window_->close();
+    QVERIFY2(lost().contains(QStringLiteral("a series of 2 static states")), qPrintable(lost()));
+    QVERIFY2(lost().contains(QStringLiteral("modes that are not saved")), qPrintable(lost()));
+    answer(*window_, "closing", saveAll);
+    chooseFolder(folder.path());
+    QVERIFY(!window_->isVisible());
+    for (const auto& [name, bytes] :
+         {std::pair("series.csv", view->series()->csv()), std::pair("modes.csv", csvOf(modes.result))}) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QCOMPARE(file.readAll(), bytes);
+    }
+    window_->show();
+    window_->close(); // without a question
+    QVERIFY(!window_->isVisible());
 }
 
 TOUCHDOWN_TEST(TestClosingQuestion)

@@ -4,6 +4,10 @@
 // leaves its folder as a kill does.
 #include "ui/window/session.h"
 
+#include <chrono>
+#include <thread>
+
+#include <QLabel>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -17,12 +21,16 @@
 #include "tests/ui/sample_study.h"
 #include "tests/ui/window/window_session.h"
 #include "ui/case/case_edits.h"
+#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/modes_page.h"
+#include "ui/film/series_page.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/sessions/session_budget.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/window/main_window.h"
-#include "ui/window/session_budget.h"
 #include "ui/window/window_actions.h"
 
 using namespace touchdown;
@@ -43,6 +51,9 @@ private slots:
     void marksAnInterruptedRun();
     void restoresSolutions();
     void restoresAStudy();
+    void restoresTheSeriesAndTheModes();
+    void restoresTheTextsOfStudies();
+    void keepsWhatAStudyUnderWayHasFound();
     void asksAgainLater();
     void discards();
     void offersNothingWithoutWork();
@@ -56,6 +67,8 @@ private slots:
     void startsWithTheDefaultCaseIfWanted();
     void removesTheOldestClosedSessions();
     void goesOnInMemoryWhenTheDiskIsFull();
+    void saysAllTheTimeThatNothingIsKept();
+    void keepsAllAgainWhenItsFolderWasRemoved();
 
 private:
     void kill() { window_.reset(); }
@@ -214,6 +227,110 @@ void TestSession::restoresAStudy()
     QVERIFY(outcome->file.isEmpty());
 }
 
+void TestSession::restoresTheSeriesAndTheModes()
+{
+    start();
+    const FilmView* view = window_->film().view();
+    Case listed = test::sampleFilmCase();
+    listed.steady.radii = {20e-3, 25e-3};
+    view->series()->restore({listed, {test::sampleSteady()}, {}});
+    FoundModes modes{test::sampleFilmCase(), {}};
+    modes.result.modes.resize(1);
+    modes.result.modes.front().frequency = 91.5e3;
+    modes.result.modes.front().kind = "pitch";
+    view->modes()->restore(modes);
+    kill();
+    start();
+    QVERIFY2(offered().contains(QStringLiteral("1 series of static states, modes.")), qPrintable(offered()));
+    restore();
+    const SeriesPage& series = *window_->film().view()->series();
+    QCOMPARE(series.states().size(), std::size_t(1));
+    QCOMPARE(series.states().front().point.radius, 20e-3);
+    QCOMPARE(series.states().front().result.minimumSpacing, test::sampleSteady().minimumSpacing);
+    QCOMPARE(series.unsaved(), std::size_t(1));
+    const std::optional<FoundModes> found = window_->film().view()->modes()->known();
+    QVERIFY(found);
+    QCOMPARE(found->result.modes.front().frequency, 91.5e3);
+    // They are work of this window now.
+    kill();
+    start();
+    QVERIFY2(offered().contains(QStringLiteral("1 series of static states, modes.")), qPrintable(offered()));
+    // Another case has no series.
+    restore();
+    window_->files().leaveUnsaved();
+    window_->files().openNow(QStringLiteral("fig12a"));
+    kill();
+    start();
+    QVERIFY2(offered().isEmpty(), qPrintable(offered()));
+}
+
+void TestSession::restoresTheTextsOfStudies()
+{
+    const QString file = data_->filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 400\n"),
+             std::string());
+    start();
+    StudyEditor& editor = *window_->studies().editor();
+    window_->openStudy(file);
+    editor.setText(QStringLiteral("kind = \"hysteresis\"\nsteps = 123\n"));
+    editor.setKind(QStringLiteral("cycles"));
+    editor.setText(QStringLiteral("kind = \"cycles\"\ncase = \"fig12a\"\n"));
+    const QString folder = onlyFolder();
+    QTRY_COMPARE(readSession(folder).value_or(SessionState{}).drafts.size(), std::size_t(2));
+    kill();
+    start();
+    QVERIFY2(offered().contains(QStringLiteral("the edited texts of 2 studies")), qPrintable(offered()));
+    restore();
+    StudyEditor& again = *window_->studies().editor();
+    QCOMPARE(again.kind(), QStringLiteral("cycles"));
+    QCOMPARE(again.toText(), QStringLiteral("kind = \"cycles\"\ncase = \"fig12a\"\n"));
+    again.setKind(QStringLiteral("hysteresis"));
+    QCOMPARE(again.toText(), QStringLiteral("kind = \"hysteresis\"\nsteps = 123\n"));
+    QCOMPARE(again.unsaved().size(), std::size_t(2));
+    QCOMPARE(again.unsaved().back().file, file);
+    // A text that is as its file has it is nothing to restore.
+    QCOMPARE(again.save(file), QString());
+    QCOMPARE(again.unsaved().size(), std::size_t(1));
+}
+
+void TestSession::keepsWhatAStudyUnderWayHasFound()
+{
+    // A study that shows a part of its report and lasts until it is stopped.
+    StudyCatalogue catalogue = coreStudies();
+    catalogue.plan = [](const std::string& kind, const std::string& text, const std::string&,
+                        const std::filesystem::path&, const Case& c) {
+        StudyPlan plan;
+        plan.kind = kind;
+        plan.text = text;
+        plan.start.value = c;
+        plan.perform = [kind](int, const StudyCallback& callback) {
+            StudyReport part = sampleReport();
+            part.kind = kind;
+            callback({0.5, "half of it", &part});
+            while (callback({0.5, "half of it", nullptr})) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            part.status = StudyStatus::Cancelled;
+            return part;
+        };
+        return plan;
+    };
+    window_ = std::make_unique<MainWindow>(catalogue);
+    window_->files().openNow(QStringLiteral("fig10a"));
+    window_->beginSession(false);
+    window_->studies().editor()->setKind(QStringLiteral("hysteresis"));
+    window_->performStudy();
+    const QString file = onlyFolder() + QStringLiteral("/study-hysteresis.h5");
+    QTRY_VERIFY(QFileInfo::exists(file));
+    kill();
+    start();
+    QVERIFY2(offered().contains(QStringLiteral("1 study, interrupted")), qPrintable(offered()));
+    restore();
+    const StudyOutcome* outcome = window_->studies().outcome("hysteresis");
+    QVERIFY(outcome && outcome->report);
+    QCOMPARE(outcome->report->findings, sampleReport().findings);
+    QCOMPARE(outcome->report->status, StudyStatus::Cancelled);
+    QVERIFY(outcome->report->message.find("interrupted") != std::string::npos);
+}
+
 void TestSession::asksAgainLater()
 {
     start();
@@ -338,7 +455,8 @@ void TestSession::bringsBackWhatWasClosedWithoutSaving()
              qPrintable(menu->actions().front()->text()));
     run();
     menu->actions().front()->trigger();
-    QCOMPARE(window_->runs().count(), 2);
+    QTRY_COMPARE(window_->runs().count(), 2);
+    QTRY_VERIFY(!session().restoring());
     QCOMPARE(window_->runs().record(1).number, 2);
     QCOMPARE(SessionFolder::all().size(), 1);
 }
@@ -416,6 +534,53 @@ void TestSession::goesOnInMemoryWhenTheDiskIsFull()
     window_->close();
     const QString closing = question(*window_, "closing")->informativeText();
     QVERIFY2(!closing.contains(QStringLiteral("stays on this computer")), qPrintable(closing));
+}
+
+void TestSession::saysAllTheTimeThatNothingIsKept()
+{
+    const QString place = data_->filePath(QStringLiteral("touchdown"));
+    QFile inTheWay(place);
+    QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+    inTheWay.close();
+    start();
+    const QLabel& mark = *window_->findChild<QLabel*>(QStringLiteral("notKept"));
+    QVERIFY(mark.isVisible());
+    QVERIFY2(mark.toolTip().contains(place), qPrintable(mark.toolTip()));
+    run(); // its message takes the place of the first one
+    run();
+    window_->runs().remove(1);
+    window_->film().solutions().add(test::sampleFilmCase(), test::sampleSteady());
+    window_->film().solutions().remove(0);
+    QVERIFY(mark.isVisible());
+    QMenu* menu = window_->actions().sessions;
+    emit menu->aboutToShow();
+    QVERIFY2(menu->actions().front()->text().contains(place), qPrintable(menu->actions().front()->text()));
+    // What kept it from being written is gone.
+    QVERIFY(QFile::remove(place));
+    session().keepAgain();
+    QTRY_VERIFY(!mark.isVisible());
+    QCOMPARE(readResults((onlyFolder() + "/run1.h5").toStdString()).samples.size(),
+             window_->runs().record(0).sampleCount());
+    kill();
+    start();
+    QVERIFY2(offered().contains(QStringLiteral("1 run.")), qPrintable(offered()));
+}
+
+void TestSession::keepsAllAgainWhenItsFolderWasRemoved()
+{
+    start();
+    run();
+    edit("springs.flying_height", QStringLiteral("4"));
+    QTRY_VERIFY(!window_->runs().record(0).kept.isEmpty());
+    QVERIFY(QDir(onlyFolder()).removeRecursively());
+    // The window looks at its folder every two seconds.
+    QTRY_VERIFY(question(*window_, "notKept"));
+    answer(*window_, "notKept", QStringLiteral("OK"));
+    const QLabel& mark = *window_->findChild<QLabel*>(QStringLiteral("notKept"));
+    QTRY_VERIFY(!mark.isVisible());
+    kill();
+    start();
+    QVERIFY2(offered().contains(QStringLiteral("the case fig10a with its edits, 1 run.")), qPrintable(offered()));
 }
 
 TOUCHDOWN_TEST(TestSession)

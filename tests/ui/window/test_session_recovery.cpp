@@ -101,7 +101,8 @@ void TestSessionRecovery::offersTheRunAfterAKill()
     QVERIFY2(box->informativeText().contains(QStringLiteral("1 run, which was interrupted")),
              qPrintable(box->informativeText()));
     answer(window, "restoreSession", QStringLiteral("Restore"));
-    QCOMPARE(window.runs().count(), 1);
+    QTRY_COMPARE(window.runs().count(), 1);
+    QTRY_VERIFY(!window.findChild<Session*>()->restoring());
     QVERIFY(window.runs().record(0).interrupted);
     QCOMPARE(window.runs().record(0).sampleCount(), stored.samples.size());
     QVERIFY(stored.samples.size() > 0);

@@ -3,6 +3,8 @@
 // A window takes over what a killed one left: nothing is lost, doubled or replaced.
 #include "ui/window/session.h"
 
+#include <utility>
+
 #include <QDir>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -20,6 +22,7 @@
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
+#include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/window/main_window.h"
@@ -43,8 +46,32 @@ private slots:
     void leavesAReportWhoseKindIsTaken();
     void opensASeriesOnce();
     void withdrawsAQuestionAboutOutsideFiles();
+    void losesNothingWhenItIsStopped();
+    void losesNothingWhenItIsKilled();
+    void leavesAnEditedTextWhereTheWindowHasOne();
+    void keepsAnewRunOutOfTheNumbersOfOthers();
+    void tellsManyRefusalsInOneLine();
+    void opensNoFileThatHoldsAnotherRunByNow();
 
 private:
+    /// Runs with the notes "note 1", "note 2", ... and edits of the case; then the window is killed.
+    void leaveRuns(int count)
+    {
+        start();
+        window_->edits().enter(*findParameter("run.duration"), QStringLiteral("10 µs"));
+        for (int i = 0; i < count; ++i) {
+            run();
+            window_->runs().setData(window_->runs().index(i), QStringLiteral("note %1").arg(i + 1),
+                                    RecordList::NoteRole);
+        }
+        start();
+    }
+    QStringList notes() const
+    {
+        QStringList all;
+        for (int row = 0; row < window_->runs().count(); ++row) all << window_->runs().record(row).note;
+        return all;
+    }
     void addStudy(const StudyReport& report)
     {
         window_->studies().restore({report, "", "", ""});
@@ -105,7 +132,7 @@ void TestSessionRestore::leavesARunThatCannotBeMoved()
     run();
     const QString there = onlyFolder() + QStringLiteral("/run1.h5");
     start();
-    const QString taken = window_->findChild<Session*>()->folder().runFile(1);
+    const QString taken = session().folder()->runFile(1);
     write(taken, "in the way");
     restore();
     QCOMPARE(window_->runs().count(), 0);
@@ -196,6 +223,114 @@ void TestSessionRestore::withdrawsAQuestionAboutOutsideFiles()
     restore();
     QVERIFY(!question(*window_, "outsideFiles"));
     QVERIFY(window_->edits().value() == edited);
+}
+
+void TestSessionRestore::losesNothingWhenItIsStopped()
+{
+    leaveRuns(5);
+    connect(&window_->runs(), &RecordList::added, &session().reader(), &SessionReader::stop);
+    restore();
+    QCOMPARE(notes(), QStringList{QStringLiteral("note 1")});
+    QVERIFY2(message().contains(QStringLiteral("File, Sessions")), qPrintable(message()));
+    QVERIFY(window_->files().modified());
+    window_->runs().disconnect(&session().reader());
+    QMenu* menu = window_->actions().sessions;
+    emit menu->aboutToShow();
+    QVERIFY2(menu->actions().front()->text().endsWith(QStringLiteral(": 4 runs")),
+             qPrintable(menu->actions().front()->text()));
+    window_->files().leaveUnsaved();
+    menu->actions().front()->trigger();
+    QTRY_COMPARE(window_->runs().count(), 5);
+    QTRY_VERIFY(!session().restoring());
+    QCOMPARE(notes().join(u' '), QStringLiteral("note 1 note 2 note 3 note 4 note 5"));
+    QCOMPARE(SessionFolder::all().size(), 1);
+}
+
+/// The state of the window names all results before the first one is moved.
+void TestSessionRestore::losesNothingWhenItIsKilled()
+{
+    leaveRuns(5);
+    const auto lastOne = [this] { session().reader().blockSignals(true); };
+    connect(&window_->runs(), &RecordList::added, this, lastOne);
+    answer(*window_, "restoreSession", QStringLiteral("Restore"));
+    QTRY_COMPARE(window_->runs().count(), 1);
+    QCOMPARE(SessionFolder::all().size(), 2);
+    start();
+    QVERIFY2(question(*window_, "restoreSession")
+                 ->informativeText()
+                 .contains(QStringLiteral("the case fig10a with its edits, 5 runs.")),
+             qPrintable(question(*window_, "restoreSession")->informativeText()));
+    restore();
+    QCOMPARE(notes().join(u' '), QStringLiteral("note 1 note 2 note 3 note 4 note 5"));
+    QVERIFY(window_->files().modified());
+    QCOMPARE(SessionFolder::all().size(), 1);
+}
+
+void TestSessionRestore::leavesAnEditedTextWhereTheWindowHasOne()
+{
+    start();
+    window_->studies().editor()->setText(QStringLiteral("# of the earlier session\n"));
+    start();
+    window_->studies().editor()->setText(QStringLiteral("# of this one\n"));
+    restore();
+    QCOMPARE(window_->studies().editor()->toText(), QStringLiteral("# of this one\n"));
+    QVERIFY2(message().contains(QStringLiteral("another edited text")), qPrintable(message()));
+    QMenu* menu = window_->actions().sessions;
+    emit menu->aboutToShow();
+    QVERIFY2(menu->actions().front()->text().endsWith(QStringLiteral("the edited text of 1 study")),
+             qPrintable(menu->actions().front()->text()));
+}
+
+void TestSessionRestore::keepsAnewRunOutOfTheNumbersOfOthers()
+{
+    leaveRuns(3);
+    bool asked = false;
+    connect(&window_->runs(), &RecordList::added, this, [&] {
+        if (!std::exchange(asked, true)) window_->startRun();
+    });
+    restore();
+    QTRY_VERIFY(!window_->controller().active());
+    QCOMPARE(window_->runs().count(), 4);
+    QVERIFY(window_->runs().find(4)->note.isEmpty());
+    for (int number = 1; number <= 3; ++number)
+        QCOMPARE(window_->runs().find(number)->note, QStringLiteral("note %1").arg(number));
+}
+
+void TestSessionRestore::tellsManyRefusalsInOneLine()
+{
+    leaveRuns(1);
+    const QString folder = SessionFolder::ended().value(0);
+    QVERIFY(folder.isEmpty()); // the offer holds it
+    const QString held = SessionFolder::all().back();
+    for (int number = 2; number <= 30; ++number) write(held + QStringLiteral("/run%1.h5").arg(number), "no results");
+    restore();
+    QCOMPARE(window_->runs().count(), 1);
+    QVERIFY2(!message().contains(u'\n'), qPrintable(message()));
+    const QMessageBox* box = question(*window_, "notRestored");
+    QVERIFY(box);
+    QCOMPARE(box->detailedText().count(u'\n'), 28);
+    QVERIFY(QFileInfo::exists(held + QStringLiteral("/run30.h5")));
+}
+
+/// The session knows what the user's file was. Run 1 is only in that file, run 2 in the folder of the session, too.
+void TestSessionRestore::opensNoFileThatHoldsAnotherRunByNow()
+{
+    leaveRuns(2);
+    restore();
+    const QString file = data_->filePath(QStringLiteral("mine.h5")),
+                  other = data_->filePath(QStringLiteral("other.h5"));
+    for (const QString& path : {file, other}) QCOMPARE(saveHdf5(window_->runs().record(1), path), QString());
+    window_->runs().setFile(2, other);
+    window_->openResults(file);
+    QCOMPARE(window_->runs().count(), 3);
+    window_->runs().setData(window_->runs().index(2), QStringLiteral("opened"), RecordList::NoteRole);
+    for (const QString& path : {file, other})
+        QCOMPARE(saveHdf5(window_->runs().record(0), path), QString()); // another run, under the same names
+    start();
+    restore();
+    QCOMPARE(notes(), QStringList({QStringLiteral("note 1"), QStringLiteral("note 2")}));
+    QVERIFY2(message().contains(file) && message().contains(QStringLiteral("opened")), qPrintable(message()));
+    QVERIFY(window_->runs().record(1).file.isEmpty()); // it is not saved any more
 }
 
 TOUCHDOWN_TEST(TestSessionRestore)

@@ -49,7 +49,13 @@ protected:
         window_->beginSession(offer);
         return *window_;
     }
-    void restore() { answer(*window_, "restoreSession", QStringLiteral("Restore")); }
+    Session& session() const { return *window_->findChild<Session*>(); }
+    /// Until all that can be restored is in the window.
+    void restore()
+    {
+        answer(*window_, "restoreSession", QStringLiteral("Restore"));
+        QTRY_VERIFY(!session().restoring());
+    }
     void run()
     {
         window_->startRun();

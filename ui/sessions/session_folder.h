@@ -8,7 +8,11 @@
 //   session.json         the case with its edits and what is in the lists (session_state.h), replaced as a whole
 //   run<number>.h5       each run (core/results/results_writer.h), written while it lasts
 //   solution<number>.h5  each static solution (core/results/steady_writer.h)
+//   series.h5            the series of static states (ui/film/series_file.h)
 //   study-<kind>.h5      the last report of each kind of study (core/studies/study/study_file.h)
+//
+// Only files of these names, and the parts of those that were being written, are ever removed: not what else lies in
+// the folder, and nothing through a symbolic link.
 #pragma once
 
 #include <memory>
@@ -24,7 +28,7 @@ public:
     static std::unique_ptr<SessionFolder> create(QString& problem);
     /// The folder of a session that has ended. nullptr while a window uses it.
     static std::unique_ptr<SessionFolder> take(const QString& path);
-    /// Folders that no window uses, the newest first.
+    /// Folders that no window uses, the newest first. A symbolic link is no session.
     static QStringList ended();
     /// All folders.
     static QStringList all();
@@ -38,18 +42,27 @@ public:
     QString stateFile() const { return file(QStringLiteral("session.json")); }
     QString runFile(int number) const { return file(QStringLiteral("run%1.h5").arg(number)); }
     QString solutionFile(int number) const { return file(QStringLiteral("solution%1.h5").arg(number)); }
+    QString seriesFile() const { return file(QStringLiteral("series.h5")); }
     QString studyFile(const QString& kind) const { return file(QStringLiteral("study-%1.h5").arg(kind)); }
-    /// Removes the folder with all that is in it, and releases it.
+    /// Whether the folder is still at its path.
+    bool stands() const;
+    /// Renames a session.json that is not understood, so that it stays. Returns its new path; "" if that failed.
+    QString setStateAside() const;
+    /// Removes the files of the session, then the folder if it is empty, and releases it.
     static void remove(std::unique_ptr<SessionFolder> folder);
 
 private:
-    SessionFolder(QString path, int lock) : path_(std::move(path)), lock_(lock) {}
+    SessionFolder(QString path, int folder, int lock) : path_(std::move(path)), folder_(folder), lock_(lock) {}
 
     QString path_;
-    int lock_; // descriptor
+    int folder_, lock_; // descriptors
 };
 
-/// Bytes of all files in a folder.
+/// Whether a path is a regular file, and no link, with a name that a session writes.
+bool isOwnFile(const QString& path);
+/// The names of such files in a folder.
+QStringList ownFiles(const QString& folder);
+/// Their bytes.
 qint64 bytesIn(const QString& folder);
 
 } // namespace touchdown

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/session_budget.h"
+#include "ui/sessions/session_budget.h"
 
-#include "ui/window/session_folder.h"
-#include "ui/window/session_state.h"
+#include "ui/sessions/session_folder.h"
+#include "ui/sessions/session_state.h"
 
 namespace touchdown {
 
@@ -14,6 +14,7 @@ qint64 keepSessionsWithin(qint64 budget)
     QStringList closed, brokenOff; // the newest first
     for (const QString& path : SessionFolder::ended()) {
         const std::optional<SessionState> state = readSession(path);
+        if (state && !state->notUnderstood.isEmpty()) continue; // nobody knows what it is
         (state && !state->closed ? brokenOff : closed) << path;
     }
     if (!brokenOff.isEmpty()) brokenOff.removeFirst();

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/sessions/session_offer.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include <QAbstractButton>
+#include <QDir>
+#include <QFile>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "ui/sessions/session_state.h"
+#include "ui/style/translate.h"
+#include "ui/style/whole_file.h"
+
+namespace touchdown {
+
+QString setStateAside(const SessionFolder& folder, const SessionState& state)
+{
+    const QString kept = folder.setStateAside();
+    return tr("The state of a session could not be read: %1. The file is kept: %2")
+        .arg(state.notUnderstood, QDir::toNativeSeparators(kept.isEmpty() ? folder.stateFile() : kept));
+}
+
+QString leaveRest(std::unique_ptr<SessionFolder> folder, const SessionState& rest)
+{
+    const bool nothing = rest.empty() && studiesIn(folder->path()).isEmpty();
+    if (!nothing) return writeWholeFile(folder->stateFile(), toJson(rest));
+    SessionFolder::remove(std::move(folder));
+    return {};
+}
+
+void finishRestoring(const SessionFolder& folder)
+{
+    std::optional<SessionState> state = readSession(folder.path());
+    if (!state || state->restoring.isEmpty()) return;
+    const QString path = earlierFolder(folder.path(), state->restoring);
+    if (std::unique_ptr<SessionFolder> from = SessionFolder::take(path)) {
+        const auto move = [](const QString& there, const QString& here) {
+            if (isOwnFile(there)) QFile::rename(there, here); // which replaces nothing
+        };
+        for (const ListedState& run : state->runs)
+            if (run.from > 0) move(from->runFile(run.from), folder.runFile(run.number));
+        for (const ListedState& solution : state->solutions)
+            if (solution.from > 0) move(from->solutionFile(solution.from), folder.solutionFile(solution.number));
+        if (!isOwnFile(folder.seriesFile())) move(from->seriesFile(), folder.seriesFile());
+        for (const QString& kind : studiesIn(path)) move(from->studyFile(kind), folder.studyFile(kind));
+        SessionState rest = readSession(path).value_or(SessionState{});
+        rest.edited = {}; // this session has the case and the modes
+        rest.modes.reset();
+        std::erase_if(rest.runs, [&](const ListedState& run) { return !isOwnFile(from->runFile(run.number)); });
+        std::erase_if(rest.solutions,
+                      [&](const ListedState& each) { return !isOwnFile(from->solutionFile(each.number)); });
+        std::erase_if(rest.drafts, [&](const StudyDraft& draft) {
+            return std::ranges::find(state->drafts, draft.text, &StudyDraft::text) != state->drafts.end();
+        });
+        if (rest.notUnderstood.isEmpty()) leaveRest(std::move(from), rest);
+    }
+    state->restoring.clear();
+    for (std::vector<ListedState>* list : {&state->runs, &state->solutions})
+        for (ListedState& each : *list) each.from = 0;
+    // If it cannot be written, the next start does the same again.
+    std::ignore = writeWholeFile(folder.stateFile(), toJson(*state));
+}
+
+std::unique_ptr<SessionFolder> newestBrokenOff(QStringList& remarks)
+{
+    for (const QString& path : SessionFolder::ended()) {
+        std::unique_ptr<SessionFolder> folder = SessionFolder::take(path);
+        if (!folder) continue;
+        finishRestoring(*folder);
+        std::optional<SessionState> state = readSession(path);
+        if (state && state->closed) continue;
+        if (state && !state->notUnderstood.isEmpty()) {
+            remarks << setStateAside(*folder, *state);
+            state = readSession(path);
+            if (state && !state->notUnderstood.isEmpty()) continue; // it could not be renamed
+        }
+        if ((state && !state->empty()) || !studiesIn(path).isEmpty()) return folder;
+        SessionFolder::remove(std::move(folder));
+    }
+    return nullptr;
+}
+
+void offerSession(QWidget& window, std::unique_ptr<SessionFolder> folder, const QStringList& remarks,
+                  const std::function<void(std::unique_ptr<SessionFolder>)>& restore)
+{
+    const SessionState state = readSession(folder->path()).value_or(SessionState{});
+    auto* box = new QMessageBox(QMessageBox::Question, tr("The last session"),
+                                tr("The last session ended without being closed."), QMessageBox::NoButton, &window);
+    box->setObjectName(QStringLiteral("restoreSession"));
+    QStringList lines{tr("It left: %1.").arg(describe(state, studiesIn(folder->path()))),
+                      tr("Last kept: %1.").arg(QLocale().toString(state.written.toLocalTime(), QLocale::ShortFormat))};
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText((lines + remarks).join(QLatin1Char('\n')));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QAbstractButton* take = box->addButton(tr("&Restore"), QMessageBox::AcceptRole);
+    QAbstractButton* discard = box->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    QPushButton* later = box->addButton(tr("&Later"), QMessageBox::RejectRole);
+    take->setToolTip(tr("Bring back the case and the results"));
+    discard->setToolTip(tr("Delete what the session left"));
+    later->setToolTip(tr("Leave it on the disk; the next start asks again, and File > Sessions has it"));
+    box->setDefaultButton(qobject_cast<QPushButton*>(take));
+    box->setEscapeButton(later);
+    auto held = std::make_shared<std::unique_ptr<SessionFolder>>(std::move(folder));
+    QObject::connect(box, &QMessageBox::buttonClicked, &window, [=](QAbstractButton* chosen) {
+        if (chosen == take) restore(std::exchange(*held, nullptr));
+        if (chosen == discard) SessionFolder::remove(std::exchange(*held, nullptr));
+        held->reset();
+    });
+    box->open();
+}
+
+} // namespace touchdown

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The texts of studies from files and samples and to files, and the question before an edited one is replaced.
+#include "ui/studies/study_editor.h"
+
+#include <algorithm>
+#include <variant>
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+
+#include "core/formats/text_file.h"
+#include "core/formats/toml_document.h"
+#include "core/studies/study/study_head.h"
+#include "ui/case/parameter_text.h"
+#include "ui/studies/changed_study.h"
+#include "ui/style/save_dialog.h"
+#include "ui/style/whole_file.h"
+
+namespace touchdown {
+
+namespace {
+
+/// The kind that the study's text names; empty if it names none.
+QString kindIn(const QString& text)
+{
+    const TomlDocument toml = readToml(text.toStdString());
+    const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
+    const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
+    return kind == nullptr ? QString() : QString::fromStdString(*kind);
+}
+
+} // namespace
+
+std::vector<StudyDraft> StudyEditor::unsaved()
+{
+    form_->commitTyped();
+    std::vector<StudyDraft> all;
+    for (const auto& [kind, draft] : drafts_)
+        if (draft.modified()) all.emplace_back(draft).kind = kind;
+    return all;
+}
+
+void StudyEditor::openSample(const SampleStudy& sample)
+{
+    whenSettled(QString::fromStdString(sample.kind), [this, sample] {
+        setKind(QString::fromStdString(sample.kind));
+        drafts_[kind()].file.clear();
+        replaceText(withoutLicence(sample.text));
+        drafts_[kind()].saved = toText();
+        replan();
+        tabs_->setCurrentWidget(form_);
+    });
+}
+
+void StudyEditor::takeDefaults()
+{
+    whenSettled(kind(), [this] {
+        drafts_[kind()] = {};
+        replan();
+    });
+}
+
+bool StudyEditor::restore(const StudyDraft& draft)
+{
+    if (kinds_->findData(draft.kind) < 0 || drafts_[draft.kind].modified()) return false;
+    static_cast<StudyDraft&>(drafts_[draft.kind]) = draft;
+    if (draft.kind != kind()) return true;
+    setText(draft.text);
+    replan();
+    return true;
+}
+
+QString StudyEditor::open(const QString& path)
+{
+    const auto content = readTextFile(path.toStdString(), maximumStudyFileSize, FileContent::Text);
+    if (const auto* problem = std::get_if<FileProblem>(&content))
+        return QStringLiteral("%1: %2.").arg(QDir::toNativeSeparators(path), QString::fromStdString(problem->message));
+    const std::string& bytes = std::get<std::string>(content);
+    const QString text = QString::fromStdString(bytes);
+    const QString named = kindIn(text);
+    // A text without a kind, or with a wrong one, is of the chosen kind.
+    const QString opened = kinds_->findData(named) < 0 ? kind() : named;
+    whenSettled(opened, [this, opened, text, path, identity = identityOfBytes(bytes)] {
+        setKind(opened);
+        drafts_[opened].file = path;
+        drafts_[opened].identity = identity;
+        setText(text);
+        drafts_[opened].saved = toText();
+        replan();
+        emit fileOpened(path);
+    });
+    return {};
+}
+
+bool StudyEditor::changedOutside(const StudyDraft& draft, const QString& file)
+{
+    if (draft.file.isEmpty() || QFileInfo(draft.file) != QFileInfo(file)) return false;
+    const FileNow now = fileNow(file.toStdString(), draft.identity);
+    return now == FileNow::Other || now == FileNow::Unreadable;
+}
+
+QString StudyEditor::save(const QString& kind, const QString& path)
+{
+    StudyDraft& draft = drafts_[kind];
+    if (changedOutside(draft, path))
+        return tr("%1 was changed by another program. It was not written over; save the study by itself.")
+            .arg(QDir::toNativeSeparators(path));
+    const QByteArray bytes = draft.text.toUtf8();
+    if (QString problem = writeWholeFile(path, bytes); !problem.isEmpty()) return problem;
+    draft.file = path;
+    draft.identity = identityOfBytes(bytes.toStdString());
+    draft.saved = draft.text;
+    stale_ = true;
+    replan();
+    emit edited();
+    return {};
+}
+
+void StudyEditor::whenSettled(const QString& kind, const std::function<void()>& next)
+{
+    form_->commitTyped();
+    const StudyDraft& draft = drafts_[kind];
+    if (!draft.modified()) return next();
+    auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
+                                tr("The study \"%1\" has changed.").arg(titleOf(kind)),
+                                QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window());
+    box->setObjectName(QStringLiteral("unsavedStudy"));
+    box->setTextFormat(Qt::PlainText);
+    box->setInformativeText(tr("Do you want to save its text?"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setDefaultButton(QMessageBox::Save);
+    connect(box, &QMessageBox::buttonClicked, this, [this, box, kind, next](QAbstractButton* button) {
+        const auto chosen = box->standardButton(button);
+        if (chosen == QMessageBox::Discard) next();
+        if (chosen != QMessageBox::Save) return;
+        if (const QString file = drafts_[kind].file; file.isEmpty())
+            chooseSave(kind, next);
+        else
+            saveTo(kind, file, next);
+    });
+    box->open();
+}
+
+void StudyEditor::chooseSave(const QString& kind, const std::function<void()>& next)
+{
+    askAndSave(this, tr("Save the study"), {tr("Study (*.toml)")}, kind + QStringLiteral(".toml"),
+               [this, kind, next](const QString& file) {
+                   saveTo(kind, file, next);
+                   return QString();
+               });
+}
+
+void StudyEditor::saveTo(const QString& kind, const QString& file, const std::function<void()>& next)
+{
+    const StudyDraft& draft = drafts_[kind];
+    if (changedOutside(draft, file)) {
+        ChangedStudyAnswers answers;
+        answers.writeOver = [this, kind, file, next](const std::string& shown) {
+            drafts_[kind].identity = identityOfBytes(shown); // it may change once more
+            saveTo(kind, file, next);
+        };
+        answers.reload = [this, kind, file] {
+            drafts_[kind].saved = drafts_[kind].text; // the person gives it up
+            if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
+        };
+        answers.saveAs = [this, kind, next] { chooseSave(kind, next); };
+        askAboutStudy(*window(), file, draft.identity, draft.text, answers);
+        return;
+    }
+    if (const QString problem = save(kind, file); !problem.isEmpty()) {
+        emit failed(problem);
+        return;
+    }
+    emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
+    if (next) next();
+}
+
+void StudyEditor::chooseOpen()
+{
+    auto* dialog = new QFileDialog(this, tr("Open a study"), {}, tr("Studies (*.toml);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+        if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
+    });
+    dialog->open();
+}
+
+QString StudyEditor::titleOf(const QString& kind) const { return kinds_->itemText(kinds_->findData(kind)); }
+
+} // namespace touchdown
