@@ -16,7 +16,6 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
-#include "ui/style/changed_file_question.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {

@@ -17,6 +17,7 @@
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/hdf5_file.h"
 #include "core/results/results_writer.h"
@@ -314,7 +315,7 @@ void TestForeignFiles::aCase()
     QVERIFY(question(*window_, "unsavedChanges"));
     window_->close();
     QVERIFY(question(*window_, "closing"));
-    askToApply(*window_, window_->edits().value(), sampleFilmCase(), QString::fromStdString(foreign), [] {});
+    askToApply(*window_, window_->edits().value(), sampleFilmCase(), true, QString::fromStdString(foreign), [] {});
     QVERIFY(question(*window_, "applyQuestion"));
     LOOK();
 }
