@@ -38,7 +38,7 @@ private slots:
             folder_->touchdown({"study", "design", "a.toml", "--set", "film.nodes=33, 33", "--progress"});
         QCOMPARE(text.code, 0);
         QVERIFY2(text.out.contains("wanted 8.6676 gf within 0.00102 gf"), text.out);
-        QVERIFY2(text.err.contains("static states"), text.err);
+        QVERIFY2(text.err.contains("100 %"), text.err);
     }
     void outOfReach()
     {

@@ -93,7 +93,7 @@ void MainWindow::showWhatIsKept()
 {
     QLabel* mark = pages_->notKept();
     mark->setVisible(!session_->problem().isEmpty());
-    mark->setToolTip(session_->problem().toHtmlEscaped());
+    mark->setToolTip(plainTip(session_->problem()));
     mark->setAccessibleDescription(session_->problem());
 }
 
