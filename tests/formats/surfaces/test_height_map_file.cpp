@@ -290,6 +290,16 @@ private slots:
                  std::string("zeros.txt: holds bytes that no text holds; it may be a binary file"));
         QVERIFY2(memory() - before < 20'000, qPrintable(QString::number(memory() - before)));
     }
+
+    // The distance of the points has its unit; no other unit along the track is needed.
+    void heightsAloneNeedNoLateralUnit()
+    {
+        const HeightMapDocument document =
+            readHeightMapText("# Spacing: 0.5 um\n# height_unit: nm\n1\n3\n2\n5\n4\n", "heights.txt");
+        QVERIFY2(document.valid(), document.valid() ? "" : document.problems[0].text().c_str());
+        QCOMPARE(document.map.nx, 5);
+        QVERIFY(std::abs(document.map.dx - 0.5e-6) < 1e-18 && std::abs(document.map.heights[3] - 5e-9) < 1e-20);
+    }
 };
 
 TOUCHDOWN_TEST(TestHeightMapFile)
