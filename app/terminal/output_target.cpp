@@ -18,8 +18,8 @@ bool sameFile(const std::string& a, const std::string& b)
 {
     std::error_code none;
     if (fs::equivalent(a, b, none)) return true;
-    const fs::path path = fs::weakly_canonical(fs::absolute(a, none), none);
-    return !path.empty() && path == fs::weakly_canonical(fs::absolute(b, none), none);
+    const fs::path path = linkTarget(fs::absolute(a, none));
+    return !path.empty() && path == linkTarget(fs::absolute(b, none));
 }
 
 /// Why this file cannot be written; "" if it can.

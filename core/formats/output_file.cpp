@@ -2,11 +2,8 @@
 #include "core/formats/output_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -19,12 +16,8 @@
 #include <vector>
 
 #include <fcntl.h>
-#include <linux/magic.h>
 #include <sys/file.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
-#include <sys/un.h>
-#include <sys/vfs.h>
 #include <unistd.h>
 
 namespace touchdown {
@@ -53,9 +46,14 @@ std::string checkOutputFile(const fs::path& file)
 
 fs::path linkTarget(const fs::path& file)
 {
+    constexpr int mostLinks = 40; // as the system follows
+    fs::path target = file;
     std::error_code error;
-    const fs::path target = fs::weakly_canonical(file, error);
-    return error ? file : target;
+    // One by one: the last of them may lead to a file that is not there yet.
+    for (int links = 0; links < mostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++links)
+        target = target.parent_path() / fs::read_symlink(target, error); // an absolute path replaces the folder
+    const fs::path canonical = fs::weakly_canonical(target, error);
+    return error ? file : canonical;
 }
 
 namespace {
@@ -87,9 +85,10 @@ fs::path parentOf(const fs::path& file) { return file.has_parent_path() ? file.p
 /// The marked beginning of a name that a killed program may have left; "" of any other name.
 std::string markOf(const fs::directory_entry& entry)
 {
+    const std::string name = entry.path().filename().string();
     std::error_code none;
-    if (entry.symlink_status(none).type() != fs::file_type::regular) return {};
-    std::string name = entry.path().filename().string();
+    if (name.find(ownMark) == std::string::npos || entry.symlink_status(none).type() != fs::file_type::regular)
+        return {};
     const auto cut = [&](std::string_view ending, std::size_t digits) {
         if (name.size() <= ending.size() + digits || !name.ends_with(ending)) return std::string();
         const std::size_t length = name.size() - ending.size() - digits;
@@ -99,32 +98,6 @@ std::string markOf(const fs::directory_entry& entry)
     };
     if (std::string mark = cut(partEnding, idLength); !mark.empty()) return mark;
     return entry.file_size(none) == 0 ? cut(lockEnding, 0) : std::string();
-}
-
-/// A file system of this computer alone, whose names are all different: a name of the system can stand for a file.
-bool isLocal(const fs::path& folder)
-{
-    // Those that <linux/magic.h> does not name, too.
-    constexpr long zfs = 0x2fc12fc1, bcachefs = 0xca451a4e;
-    constexpr std::array local{long{EXT4_SUPER_MAGIC},
-                               long{XFS_SUPER_MAGIC},
-                               long{BTRFS_SUPER_MAGIC},
-                               long{TMPFS_MAGIC},
-                               long{RAMFS_MAGIC},
-                               long{F2FS_SUPER_MAGIC},
-                               long{OVERLAYFS_SUPER_MAGIC},
-                               zfs,
-                               bcachefs};
-    struct statfs status {};
-    return ::statfs(folder.c_str(), &status) == 0 && std::ranges::find(local, long{status.f_type}) != local.end();
-}
-
-/// Fowler, Noll & Vo 1991, variant 1a.
-std::uint64_t hashOf(const std::string& text)
-{
-    std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-    return hash;
 }
 
 /// Asks again for a short time. Throws where the answer stays "no".
@@ -138,15 +111,15 @@ void takeSoon(std::chrono::milliseconds wait, Take&& take)
     }
 }
 
-/// Opens a lock, never through a symbolic link; `create`: where there is none. -1 and errno if that failed.
-int openLock(const fs::path& lock, bool create)
+/// Opens a lock, or creates it; never through a symbolic link. -1 and errno if that failed.
+int openLock(const fs::path& lock)
 {
     while (true) {
         // Writable: some network file systems lock no other files.
         int descriptor = ::open(lock.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
         if (descriptor < 0 && errno == EACCES)
             descriptor = ::open(lock.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-        if (descriptor >= 0 || errno != ENOENT || !create) return descriptor;
+        if (descriptor >= 0 || errno != ENOENT) return descriptor;
         descriptor = ::open(lock.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (descriptor >= 0 || errno != EEXIST) return descriptor;
     }
@@ -160,25 +133,18 @@ bool standsAt(const struct stat& held, const fs::path& path)
 
 } // namespace
 
-OutputLock::OutputLock(fs::path target, std::string mark, Means means, std::chrono::milliseconds wait)
+OutputLock::OutputLock(fs::path target, std::string mark, std::chrono::milliseconds wait)
     : target_(std::move(target)), lock_(parentOf(target_) / (mark + std::string(lockEnding))), mark_(std::move(mark))
 {
-    const bool named = means == Means::Name && isLocal(parentOf(target_)) && takeName(wait);
-    try {
-        takeFile(!named, wait);
-    } catch (...) {
-        if (named) ::close(name_);
-        throw;
-    }
+    takeSoon(wait, [this] { return take(); });
 }
 
-OutputLock::OutputLock(const fs::path& file, Means means)
-    : OutputLock(linkTarget(file), markedName(linkTarget(file)), means, patience)
+OutputLock::OutputLock(const fs::path& file) : OutputLock(linkTarget(file), markedName(linkTarget(file)), patience)
 {
-    if (held()) removeLeftovers(means);
+    if (held()) removeLeftovers();
 }
 
-void OutputLock::removeLeftovers(Means means) const
+void OutputLock::removeLeftovers() const
 {
     const fs::path folder = parentOf(target_);
     std::map<std::string, std::vector<fs::path>> left; // parts, by mark
@@ -192,7 +158,7 @@ void OutputLock::removeLeftovers(Means means) const
     for (const auto& [mark, parts] : left) {
         try {
             const std::unique_ptr<OutputLock> lock(
-                mark == mark_ ? nullptr : new OutputLock(folder / mark, mark, means, std::chrono::milliseconds(0)));
+                mark == mark_ ? nullptr : new OutputLock(folder / mark, mark, std::chrono::milliseconds(0)));
             if (lock && !lock->held()) continue;
             for (const fs::path& part : parts) fs::remove(part, error);
         } catch (const std::exception&) { // another program is at work on it
@@ -201,74 +167,31 @@ void OutputLock::removeLeftovers(Means means) const
     }
 }
 
-bool OutputLock::takeName(std::chrono::milliseconds wait)
+bool OutputLock::take()
 {
-    struct stat folder {};
-    if (::stat(parentOf(target_).c_str(), &folder) != 0) throw std::system_error(errno, std::generic_category());
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    // A name that begins with a zero is one of the system, and no file.
-    const int length =
-        std::snprintf(address.sun_path + 1, sizeof address.sun_path - 1, "touchdown-output-%llx-%llx-%llx",
-                      static_cast<unsigned long long>(folder.st_dev), static_cast<unsigned long long>(folder.st_ino),
-                      static_cast<unsigned long long>(hashOf(mark_)));
-    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + static_cast<std::size_t>(length));
-    const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (descriptor < 0) return false;
-    bool taken = false;
-    try {
-        takeSoon(wait, [&] {
-            taken = ::bind(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0;
-            return taken || errno != EADDRINUSE;
-        });
-    } catch (...) {
-        ::close(descriptor);
-        throw;
-    }
-    if (taken)
-        name_ = descriptor;
-    else
-        ::close(descriptor);
-    return taken;
-}
-
-void OutputLock::takeFile(bool create, std::chrono::milliseconds wait)
-{
-    takeSoon(wait, [&] {
-        const int descriptor = openLock(lock_, create);
-        if (descriptor < 0 && errno != ELOOP && errno != EISDIR) {
-            if (!create) return true;
-            throw std::system_error(errno, std::generic_category());
-        }
-        struct stat status {};
-        const bool isLock =
-            descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size == 0;
-        const int failure = isLock && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 ? errno : 0;
-        // The writer before may have removed it meanwhile.
-        if (isLock && failure == 0 && standsAt(status, lock_)) {
-            if (!create) ::unlink(lock_.c_str()); // of a killed program
-            if (create)
-                file_ = descriptor;
-            else
-                ::close(descriptor);
-            return true;
-        }
-        if (descriptor >= 0) ::close(descriptor);
-        if (!isLock && create) throw std::runtime_error(lock_.string() + " is in the way: remove it or rename it");
-        if (!isLock) return true;
-        if (failure == EWOULDBLOCK || failure == 0) return false;
-        if (create) ::unlink(lock_.c_str()); // a file system without locks
+    const int descriptor = openLock(lock_);
+    if (descriptor < 0 && errno != ELOOP && errno != EISDIR) throw std::system_error(errno, std::generic_category());
+    struct stat status {};
+    const bool isLock =
+        descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode) && status.st_size == 0;
+    const int failure = isLock && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 ? errno : 0;
+    // The writer before may have removed it meanwhile.
+    if (isLock && failure == 0 && standsAt(status, lock_)) {
+        file_ = descriptor;
         return true;
-    });
+    }
+    if (descriptor >= 0) ::close(descriptor);
+    if (!isLock) throw std::runtime_error(lock_.string() + " is in the way: remove it or rename it");
+    if (failure == EWOULDBLOCK || failure == 0) return false;
+    ::unlink(lock_.c_str()); // a file system without locks
+    return true;
 }
 
 OutputLock::~OutputLock()
 {
-    if (file_ >= 0) {
-        ::unlink(lock_.c_str()); // before it is unlocked, so that no other writer loses its own
-        ::close(file_);
-    }
-    if (name_ >= 0) ::close(name_);
+    if (file_ < 0) return;
+    ::unlink(lock_.c_str()); // before it is unlocked, so that no other writer loses its own
+    ::close(file_);
 }
 
 PartFile::PartFile(const fs::path& file, PartName name) : lock_(std::in_place, file), target_(lock_->target())

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A file that appears whole or not at all, and that one program writes at a time. A program that is killed leaves
-// nothing where the file system has files without a name; what it leaves elsewhere, and beside a file that is brought
-// up to date during a run, is removed by the next program that writes into the folder.
+// A file that appears whole or not at all, and that one program writes at a time. What a killed program leaves beside
+// it, an empty lock and perhaps a part, is removed by the next program that writes into the folder.
 #pragma once
 
 #include <chrono>
@@ -21,34 +20,32 @@ std::string checkOutputFile(const std::filesystem::path& file);
 std::filesystem::path linkTarget(const std::filesystem::path& file);
 
 /// Keeps a file for one writer: while one lives, another for the same file is refused, in this program and in others.
-/// On a local file system it is a name of the system, of an abstract socket, which ends with the program, however it
-/// ends. Elsewhere, other computers have to see it: there NAME.touchdown.lock stands for it, which the system unlocks.
-/// Removes what killed programs have left in the folder.
+/// NAME.touchdown.lock stands for it, which the system unlocks when the program ends, however it ends: also programs of
+/// other containers and computers see it. Removes what killed programs have left in the folder.
 class OutputLock {
 public:
-    enum class Means : bool { Name, File }; // File: as on a file system of a network
     /// Throws std::exception with the reason: "another run writes to it".
-    explicit OutputLock(const std::filesystem::path& file, Means means = Means::Name);
-    ~OutputLock();
+    explicit OutputLock(const std::filesystem::path& file);
+    ~OutputLock(); // removes the lock
     OutputLock(const OutputLock&) = delete;
     OutputLock& operator=(const OutputLock&) = delete;
 
     /// The file itself, or what a symbolic link of that name leads to.
     const std::filesystem::path& target() const { return target_; }
     /// False on a file system without locks.
-    bool held() const { return name_ >= 0 || file_ >= 0; }
+    bool held() const { return file_ >= 0; }
 
 private:
-    OutputLock(std::filesystem::path target, std::string mark, Means means, std::chrono::milliseconds wait);
+    /// Waits for another that holds the lock, then throws.
+    OutputLock(std::filesystem::path target, std::string mark, std::chrono::milliseconds wait);
+    /// False while another holds it. Throws what the constructor throws.
+    bool take();
     /// Of killed programs: parts and locks that no program holds.
-    void removeLeftovers(Means means) const;
-    /// Both wait for another that holds the lock, then throw. False where the system has no such names.
-    bool takeName(std::chrono::milliseconds wait);
-    void takeFile(bool create, std::chrono::milliseconds wait);
+    void removeLeftovers() const;
 
     std::filesystem::path target_, lock_;
-    std::string mark_;          // the beginning of the names beside the file: "run.h5.touchdown."
-    int name_ = -1, file_ = -1; // descriptors
+    std::string mark_; // the beginning of the names beside the file: "run.h5.touchdown."
+    int file_ = -1;    // descriptor of the lock
 };
 
 /// Whether a new file has a name before it takes the place of another one. HDF5 opens files by a name only.

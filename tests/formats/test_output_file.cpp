@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -163,16 +165,8 @@ private slots:
     }
 
     /// Of all files in the folder; only names that the program gives, and no links.
-    void leftoversOfKilledProgramsAreRemoved_data()
-    {
-        QTest::addColumn<bool>("byFile");
-        QTest::newRow("local") << false;
-        QTest::newRow("network") << true;
-    }
     void leftoversOfKilledProgramsAreRemoved()
     {
-        QFETCH(const bool, byFile);
-        const auto means = byFile ? OutputLock::Means::File : OutputLock::Means::Name;
         for (const char* name : {"a.touchdown.0123abcd.part", "b.h5.touchdown.0123abcd.part"})
             write(path(name), "half");
         for (const char* name : {"a.touchdown.lock", "c.touchdown.lock"}) write(path(name), "");
@@ -182,10 +176,10 @@ private slots:
         fs::create_symlink("precious", path("a.touchdown.89abcdef.part"));
         fs::create_symlink("precious", path("e.touchdown.lock"));
         {
-            const OutputLock atWork(path("x"), means);
+            const OutputLock atWork(path("x"));
             write(path("x.touchdown.0123abcd.part"), "half");
-            static_cast<void>(OutputLock(path("a"), means));
-            QVERIFY_EXCEPTION_THROWN(OutputLock(path("x"), means), std::runtime_error);
+            static_cast<void>(OutputLock(path("a")));
+            QVERIFY_EXCEPTION_THROWN(OutputLock(path("x")), std::runtime_error);
         }
         QStringList left =
             others + QStringList{"a.touchdown.89abcdef.part", "e.touchdown.lock", "x.touchdown.0123abcd.part"};
@@ -193,11 +187,23 @@ private slots:
         QCOMPARE(files(), left);
         for (const QString& other : others) QCOMPARE(read(path(qPrintable(other))), std::string("mine"));
     }
-    /// As programs do that lock by a file, too: other versions, and those of other computers.
-    void aLockByFileCountsEverywhere()
+    /// By the file system, which programs of other containers and computers see, too.
+    void aLockIsSeenByOtherPrograms()
     {
-        const OutputLock first(path("a"), OutputLock::Means::File);
-        QVERIFY_EXCEPTION_THROWN(OutputLock(path("a")), std::runtime_error);
+        const OutputLock first(path("a"));
+        const int other = ::open(path("a.touchdown.lock").c_str(), O_RDONLY | O_CLOEXEC);
+        QVERIFY(other >= 0);
+        QVERIFY(::flock(other, LOCK_EX | LOCK_NB) != 0);
+        ::close(other);
+    }
+
+    /// Also one whose file is not there yet.
+    void aLinkStaysOne()
+    {
+        fs::create_symlink("later", path("link"));
+        QCOMPARE(linkTarget(path("link")), fs::weakly_canonical(path("later")));
+        const OutputLock lock(path("later"));
+        QVERIFY_EXCEPTION_THROWN(OutputLock(path("link")), std::runtime_error);
     }
 
     void whatIsNoLockStays_data()
@@ -214,7 +220,7 @@ private slots:
             fs::create_symlink("mine", path("a.touchdown.lock"));
         else
             write(path("a.touchdown.lock"), "mine");
-        QVERIFY_EXCEPTION_THROWN(OutputLock(path("a"), OutputLock::Means::File), std::runtime_error);
+        QVERIFY_EXCEPTION_THROWN(OutputLock(path("a")), std::runtime_error);
         QCOMPARE(read(path("a.touchdown.lock")), std::string("mine"));
         QCOMPARE(fs::is_symlink(path("a.touchdown.lock")), link);
     }

@@ -16,6 +16,7 @@
 #include "core/case_files/cml_case.h"
 #include "core/formats/quotation.h"
 #include "core/studies/study_plan.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -105,7 +106,8 @@ std::optional<CaseDocument> CaseFiles::read(const QString& fileOrSample, const s
         return std::nullopt;
     }
     if (!document.valid()) {
-        showProblems(tr("%1 could not be opened.").arg(QFileInfo(fileOrSample).fileName()), textsOf(document.problems));
+        showProblems(tr("%1 could not be opened.").arg(inOneLine(QFileInfo(fileOrSample).fileName())),
+                     textsOf(document.problems));
         return std::nullopt;
     }
     return document;
@@ -226,6 +228,7 @@ void CaseFiles::chooseExport()
 
 void CaseFiles::exportTo(const QString& path)
 {
+    emit aboutToUse();
     const QString what = tr("The case was not exported.");
     if (const QString reason = edits_.reasonNotToRun(); !reason.isEmpty()) {
         showProblems(what, {reason});
@@ -244,12 +247,13 @@ void CaseFiles::exportTo(const QString& path)
 
 void CaseFiles::whenSettled(const std::function<void()>& next)
 {
+    emit aboutToUse();
     if (!modified()) {
         next();
         return;
     }
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
-                                tr("The case \"%1\" has changed.").arg(shortName()),
+                                tr("The case \"%1\" has changed.").arg(inOneLine(shortName())),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
     box->setObjectName(QStringLiteral("unsavedChanges"));
     box->setInformativeText(tr("Do you want to save the changes?"));
@@ -298,27 +302,34 @@ CaseState CaseFiles::state() const
     return state;
 }
 
-void CaseFiles::restore(const CaseState& state)
+QString CaseFiles::restore(const CaseState& state)
 {
+    const auto read = [&state](const QString& text) {
+        // What it read was asked for in the session that it comes from.
+        return parseCase(text.toStdString(), state.name.toStdString(), pathOf(state.folder), OutsidePaths::Allowed);
+    };
+    if (state.savedText.isEmpty() || (state.modified && state.text.isEmpty())) return tr("its text is missing");
+    const CaseDocument saved = read(state.savedText), edited = state.modified ? read(state.text) : saved;
+    for (const CaseDocument* document : {&saved, &edited})
+        for (const InputProblem& problem : document->problems)
+            // A case with values that contradict each other, or without its measured surface, was edited as well.
+            if (problem.kind != ProblemKind::Combination && problem.kind != ProblemKind::MeasuredDisk)
+                return QString::fromStdString(problem.text());
     delete outside_; // yes would replace what is restored
     file_ = state.file;
     sample_ = state.sample;
     imported_ = state.import;
     folder_ = pathOf(state.folder);
     text_ = state.savedText.toStdString();
-    // What it read was asked for in the session that it comes from.
-    const CaseDocument saved = parseCase(text_, state.name.toStdString(), folder_, OutsidePaths::Allowed);
     saved_ = saved.value;
     watch(saved);
     edits_.open(saved_);
     emit opened();
-    if (!state.modified) return;
-    // A case with values that contradict each other was edited as well.
-    const Case edited =
-        parseCase(state.text.toStdString(), state.name.toStdString(), folder_, OutsidePaths::Allowed).value;
-    if (edited != saved_) edits_.setAll(edited, tr("restore the edits"));
+    if (!state.modified) return {};
+    if (edited.value != saved_) edits_.setAll(edited.value, tr("restore the edits"));
     for (const auto& [key, text] : state.entries)
         if (const Parameter* parameter = findParameter(key.toStdString())) edits_.enter(*parameter, text);
+    return {};
 }
 
 QStringList CaseFiles::recent() const { return QSettings().value(recentKey).toStringList(); }

@@ -85,8 +85,8 @@ public:
 
     CaseState state() const;
     /// A case from another window, with its edits as one step of undo. An open question about files outside the folder
-    /// of a case is withdrawn.
-    void restore(const CaseState& state);
+    /// of a case is withdrawn. A text that cannot be read changes nothing: returns why, or "".
+    QString restore(const CaseState& state);
 
     /// Asks about unsaved changes, if there are any; calls `next` unless the user cancels.
     void whenSettled(const std::function<void()>& next);
@@ -111,6 +111,8 @@ public:
     static bool isStudyFile(const QString& file);
 
 signals:
+    /// The case is about to be saved or left: who holds text that was typed and not taken yet takes it now.
+    void aboutToUse();
     void opened();
     void saved();
     /// The warnings are as those of warned().

@@ -31,6 +31,7 @@ bool isOneFile(const QString& one, const QString& other)
 
 void CaseFiles::save()
 {
+    emit aboutToUse();
     if (file_.isEmpty())
         saveAs();
     else
@@ -45,6 +46,7 @@ void CaseFiles::saveThen(const std::function<void()>& next)
 
 void CaseFiles::saveAs()
 {
+    emit aboutToUse();
     const QFileDialog* dialog =
         openSaveDialog(&window_, tr("Save the case"), {tr("Case files (*.toml)")},
                        file_.isEmpty() ? QFileInfo(shortName()).completeBaseName() + QStringLiteral(".toml") : file_);

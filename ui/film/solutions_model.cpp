@@ -79,7 +79,7 @@ QString SolutionsModel::nameOf(const Case& solved) const
     const int number = listed(from).number;
     if (changes.isEmpty()) return tr("as solution %1").arg(number);
     const QString text = changes.join(QStringLiteral(", "));
-    return from == count() - 1 ? text : tr("%1, from solution %2").arg(text).arg(number);
+    return from == count() - 1 ? text : tr("%1, from solution %2").arg(text, QString::number(number));
 }
 
 bool SolutionsModel::setData(const QModelIndex& index, const QVariant& value, int role)

@@ -134,7 +134,7 @@ void LivePlots::updateTitle(std::size_t s)
         title = model_ == ModelKind::Springs ? tr("%1 above the disk").arg(title)
                                              : tr("%1 above the mean plane of the disk").arg(title);
     if (runs_.baseline() >= 0 && !spec.across) {
-        title = tr("%1 minus run %2").arg(title).arg(runs_.baseline());
+        title = tr("%1 minus run %2").arg(title, QString::number(runs_.baseline()));
         title += missingDifference(s);
     }
     if (!spec.spectrogram && plot->title() != title) plot->setTitle(title);

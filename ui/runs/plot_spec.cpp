@@ -203,7 +203,8 @@ void nameApart(std::vector<PlotSpec>& specs)
             });
         };
         spec.title = title;
-        for (int number = 2; isTaken(spec.title); ++number) spec.title = tr("%1 (%2)").arg(title).arg(number);
+        for (int number = 2; isTaken(spec.title); ++number)
+            spec.title = tr("%1 (%2)").arg(title, QString::number(number));
     }
 }
 

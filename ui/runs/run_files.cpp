@@ -68,7 +68,13 @@ void RunFiles::openRun(const QString& file)
         emit failed(problem);
         return;
     }
+    const QString caseProblem = record->caseProblem;
     const int number = runs_.add(std::move(record)).number;
+    if (!caseProblem.isEmpty()) {
+        emit failed(tr("Run %1 was read, but not its case, so its parameters are not known: %2")
+                        .arg(QString::number(number), caseProblem));
+        return;
+    }
     emit succeeded(tr("Run %1 was read from %2.").arg(number).arg(QDir::toNativeSeparators(file)));
 }
 

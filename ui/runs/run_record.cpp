@@ -120,7 +120,7 @@ std::optional<EndHeight> endHeight(const RunRecord& run)
     const char* name = run.value.model == ModelKind::Film ? "minimum_spacing" : "flying_height";
     const int index = findQuantity(run.quantities, name);
     const std::optional<double> value = run.last(name);
-    if (!value || run.value.model == ModelKind::Contact) return std::nullopt;
+    if (!value || !run.caseProblem.isEmpty() || run.value.model == ModelKind::Contact) return std::nullopt;
     return EndHeight{&run.quantities[static_cast<std::size_t>(index)], *value};
 }
 
@@ -252,6 +252,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     const CaseDocument document = parseCase(stored.caseText, file.toStdString());
     auto record =
         std::make_unique<RunRecord>(number, document.value, stored.caseText, stored.quantities, stored.recorded);
+    if (!document.valid()) record->caseProblem = QString::fromStdString(document.problems.front().text());
     record->name = QString::fromStdString(stored.title);
     record->file = file;
     record->identity = identity;

@@ -83,6 +83,7 @@ struct RunRecord : ListedRecord {
     std::optional<Summary> summary;
     bool fromFile = false;    // it holds only a part of what its file did: no events, no figures
     bool ofGuide = false;     // of the lesson or of a demonstration: by a button or a slider
+    QString caseProblem;      // why the case in its file cannot be read: `value` is not its case; empty: it was read
     bool interrupted = false; // read from a file whose writer was killed
 };
 

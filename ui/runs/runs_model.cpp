@@ -83,7 +83,8 @@ QString RunsModel::labelOf(const RunRecord& run) const
         return changes.isEmpty() ? own : readable(tr("%1, %2").arg(own, firstOf(changes)).toStdString());
     }
     const QStringList changes = shortDifference(base->value, run.value);
-    if (changes.isEmpty()) return run.value.title.empty() ? own : tr("%1, run %2").arg(own).arg(run.number);
+    if (changes.isEmpty())
+        return run.value.title.empty() ? own : tr("%1, run %2").arg(own, QString::number(run.number));
     return readable(firstOf(changes).toStdString());
 }
 

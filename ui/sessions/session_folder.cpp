@@ -115,7 +115,7 @@ std::unique_ptr<SessionFolder> SessionFolder::take(const QString& path)
 {
     const int folder = openFolder(path);
     if (folder < 0) return nullptr;
-    if (const int lock = lockFolder(folder, 0); lock >= 0)
+    if (const int lock = lockFolder(folder, O_CREAT); lock >= 0)
         return std::unique_ptr<SessionFolder>(new SessionFolder(path, folder, lock));
     ::close(folder);
     return nullptr;

@@ -49,8 +49,8 @@ void finishRestoring(const SessionFolder& folder)
         if (!isOwnFile(folder.seriesFile())) move(from->seriesFile(), folder.seriesFile());
         for (const QString& kind : studiesIn(path)) move(from->studyFile(kind), folder.studyFile(kind));
         SessionState rest = readSession(path).value_or(SessionState{});
-        rest.edited = {}; // this session has the case and the modes
-        rest.modes.reset();
+        if (rest.edited.text == state->edited.text) rest.edited = {};
+        rest.modes.reset(); // this session has them
         std::erase_if(rest.runs, [&](const ListedState& run) { return !isOwnFile(from->runFile(run.number)); });
         std::erase_if(rest.solutions,
                       [&](const ListedState& each) { return !isOwnFile(from->solutionFile(each.number)); });
@@ -74,6 +74,11 @@ std::unique_ptr<SessionFolder> newestBrokenOff(QStringList& remarks)
         finishRestoring(*folder);
         std::optional<SessionState> state = readSession(path);
         if (state && state->closed) continue;
+        if (state && state->newer) {
+            remarks << tr("A session of a newer version of the program is left to that version: %1")
+                           .arg(QDir::toNativeSeparators(path));
+            continue;
+        }
         if (state && !state->notUnderstood.isEmpty()) {
             remarks << setStateAside(*folder, *state);
             state = readSession(path);

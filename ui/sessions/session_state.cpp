@@ -15,6 +15,7 @@
 #include "core/formats/text_file.h"
 #include "ui/lists/record_list.h"
 #include "ui/sessions/session_folder.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -152,8 +153,11 @@ SessionState stateFromJson(const QByteArray& bytes)
     const JsonFields json(document.object(), problem);
     for (const char* key : {"case", "runs", "solutions"})
         if (!json.has(key)) problem = tr("“%1” is missing in it").arg(QLatin1String(key));
-    if (json.number("version", 1, mostNumber) > version)
-        return notUnderstood(tr("it is of a newer version of the program"));
+    if (json.number("version", 1, mostNumber) > version) {
+        state.newer = true;
+        state.notUnderstood = tr("it is of a newer version of the program");
+        return state;
+    }
     state.written = QDateTime::fromString(json.text("written"), Qt::ISODate);
     state.closed = json.truth("closed");
     state.edited = caseFromJson(json.fields("case"));
@@ -190,7 +194,8 @@ void matchFiles(std::vector<ListedState>& list, const QString& folder, const QSt
     };
     std::erase_if(list, [&](const ListedState& each) {
         const bool arrives = !earlier.isEmpty() && each.from > 0 && kept(earlier, each.from);
-        return !arrives && !kept(folder, each.number) && !QFileInfo::exists(each.file);
+        const bool noted = !each.file.isEmpty() && !each.note.isEmpty(); // its note is nowhere else
+        return !arrives && !noted && !kept(folder, each.number) && !QFileInfo::exists(each.file);
     });
     const QRegularExpression pattern(QStringLiteral("^%1([1-9]\\d{0,8})\\.h5$").arg(kind));
     for (const QString& name : ownFiles(folder)) {
@@ -273,7 +278,7 @@ QStringList studiesIn(const QString& folder)
 QString describe(const SessionState& state, const QStringList& studies)
 {
     QStringList parts;
-    if (state.edited.modified) parts << tr("the case %1 with its edits").arg(state.edited.name);
+    if (state.edited.modified) parts << tr("the case %1 with its edits").arg(inOneLine(state.edited.name));
     const auto count = std::ssize(state.runs);
     const auto interrupted = std::ranges::count(state.runs, true, &ListedState::underWay);
     if (count == 1) parts << (interrupted == 1 ? tr("1 run, which was interrupted") : tr("1 run"));

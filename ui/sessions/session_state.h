@@ -37,6 +37,7 @@ struct ListedState {
 
 struct SessionState {
     QString notUnderstood; // why its file cannot be read; empty: it was read, or there is none
+    bool newer = false;    // of a newer version of the program, which alone may take it
     QDateTime written;
     bool closed = false; // by the user, who left the work behind
     CaseState edited;

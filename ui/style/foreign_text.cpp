@@ -2,6 +2,7 @@
 #include "ui/style/foreign_text.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QApplication>
 #include <QEvent>
@@ -36,7 +37,23 @@ public:
 };
 
 constexpr qsizetype lineOfTip = 80; // [characters]
-constexpr qsizetype mostOfTip = 2000;
+constexpr qsizetype mostOfTip = 2000, mostLinesOfTip = 40;
+
+/// A mark that turns the direction of writing would turn the program's own words behind it, too.
+QString withoutTurns(QString text)
+{
+    static const QRegularExpression marks(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]"));
+    return text.replace(marks, QString(QChar::ReplacementCharacter));
+}
+
+/// The beginning of a long text.
+QString beginningOf(const QString& text)
+{
+    qsizetype end = 0;
+    for (int line = 0; line < mostLinesOfTip && end >= 0; ++line) end = text.indexOf(u'\n', end + (line > 0 ? 1 : 0));
+    const qsizetype most = end < 0 ? mostOfTip : std::min(end, mostOfTip);
+    return text.size() <= most ? text : text.left(most) + QChar(0x2026);
+}
 
 QVariant noPicture()
 {
@@ -58,26 +75,36 @@ void showForeignTextPlainly()
     for (QWidget* widget : QApplication::allWidgets()) makePlain(widget);
 }
 
-QString escaped(const QString& text) { return text.toHtmlEscaped().replace(u'\n', QLatin1String("<br>")); }
+QString escaped(const QString& text)
+{
+    return withoutTurns(text).toHtmlEscaped().replace(u'\n', QLatin1String("<br>"));
+}
 
 QString escapedForTip(const QString& text)
 {
     static const QRegularExpression longWord(QStringLiteral("(\\S{40})(?=\\S)"));
-    QString broken = text.size() <= mostOfTip ? text : text.left(mostOfTip) + QChar(0x2026);
-    return escaped(broken.replace(longWord, QStringLiteral("\\1\u200B")));
+    return escaped(beginningOf(text).replace(longWord, QStringLiteral("\\1\u200B")));
 }
 
-QString plainTip(const QString& text)
+QString plainTip(const QString& whole)
 {
+    const QString text = withoutTurns(beginningOf(whole));
     const auto tooLong = [](QStringView line) { return line.size() > lineOfTip; };
-    const bool wrapped = text.size() > mostOfTip || std::ranges::any_of(QStringView(text).split(u'\n'), tooLong);
+    const bool wrapped = std::ranges::any_of(QStringView(text).split(u'\n'), tooLong);
     if (wrapped) return QStringLiteral("<p style='margin:0; white-space:pre-wrap'>%1</p>").arg(escapedForTip(text));
     // Qt breaks the lines of all HTML, also short ones.
     return Qt::mightBeRichText(text) ? QStringLiteral("<p style='margin:0; white-space:pre'>%1</p>").arg(escaped(text))
                                      : text;
 }
 
-QString onButton(QString text) { return text.replace(u'&', QLatin1String("&&")); }
+QString onButton(QString text) { return withoutTurns(std::move(text)).replace(u'&', QLatin1String("&&")); }
+
+QString inOneLine(const QString& name)
+{
+    constexpr qsizetype most = 80; // [characters]
+    const QString line = withoutTurns(name.left(2 * most)).simplified();
+    return line.size() <= most ? line : line.left(most) + QChar(0x2026);
+}
 
 QVariant OwnDocument::loadResource(int, const QUrl&) { return noPicture(); }
 

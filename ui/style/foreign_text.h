@@ -32,6 +32,9 @@ QString plainTip(const QString& text);
 /// `text` for a menu, a tab or a button, which take & for the mark of a key.
 QString onButton(QString text);
 
+/// A name for a sentence: its beginning, in one line.
+QString inOneLine(const QString& name);
+
 /// HTML with no other pictures and style sheets than those that the program added to it: no file is ever read.
 class OwnDocument : public QTextDocument {
 public:

@@ -5,6 +5,7 @@
 #include <QPushButton>
 
 #include "ui/case/parameter_text.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -41,6 +42,22 @@ void askToApply(QWidget& window, const Case& open, const Case& found, bool isOth
     QPushButton* yes = box->addButton(isOther ? tr("Replace") : tr("Apply"), QMessageBox::AcceptRole);
     box->setDefaultButton(isOther ? qobject_cast<QPushButton*>(box->button(QMessageBox::Cancel)) : yes);
     QObject::connect(yes, &QPushButton::clicked, &window, apply);
+    box->open();
+}
+
+void askToReplaceReport(QWidget& window, const QString& title, const std::function<void()>& replace)
+{
+    auto* box =
+        new QMessageBox(QMessageBox::Question, tr("Open a report"),
+                        tr("The report “%1” is not saved.").arg(inOneLine(title)), QMessageBox::Cancel, &window);
+    box->setObjectName(QStringLiteral("unsavedReport"));
+    box->setInformativeText(tr("There is one report of each kind of study: the opened one would take its place."));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* yes = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    QObject::connect(box, &QMessageBox::buttonClicked, &window, [yes, replace](const QAbstractButton* chosen) {
+        if (chosen == yes) replace();
+    });
     box->open();
 }
 

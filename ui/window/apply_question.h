@@ -16,4 +16,7 @@ namespace touchdown {
 void askToApply(QWidget& window, const Case& open, const Case& found, bool isOther, const QString& title,
                 const std::function<void()>& apply);
 
+/// Asks whether an opened report takes the place of one that is not saved.
+void askToReplaceReport(QWidget& window, const QString& title, const std::function<void()>& replace);
+
 } // namespace touchdown

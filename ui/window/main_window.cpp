@@ -12,7 +12,9 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLayout>
+#include <QLineEdit>
 #include <QMimeData>
+#include <QPointer>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -123,13 +125,17 @@ RunController& MainWindow::controller() { return runs_->controller(); }
 
 RunView& MainWindow::runView() { return *runs_->view(); }
 
+void MainWindow::takeTyped()
+{
+    const QPointer<QWidget> focused = focusWidget();
+    if (!focused || !(qobject_cast<QLineEdit*>(focused) || casePanel_->isAncestorOf(focused))) return;
+    focused->clearFocus();
+    if (focused && focused->isVisible()) focused->setFocus(); // the editor of a cell is closed
+}
+
 bool MainWindow::readyToRun()
 {
-    // Takes typed text that was not confirmed yet.
-    if (QWidget* focused = focusWidget(); focused && casePanel_->isAncestorOf(focused)) {
-        focused->clearFocus();
-        focused->setFocus();
-    }
+    takeTyped();
     if (edits_->reasonNotToRun().isEmpty()) return true;
     casePanel_->showFirstProblem();
     return false;
@@ -228,7 +234,8 @@ void MainWindow::updateRunActions()
 
 void MainWindow::updateTitle()
 {
-    setWindowTitle(tr("%1[*] – Touchdown").arg(files_->shortName()));
+    setWindowTitle(
+        tr("%1[*] – Touchdown").arg(files_->shortName().replace(QStringLiteral("[*]"), QStringLiteral("[*][*]"))));
     setWindowModified(files_->modified());
 }
 
@@ -244,7 +251,12 @@ void MainWindow::updateRecentMenu()
 void MainWindow::useParametersOf(int number)
 {
     const RunRecord* run = runs().find(number);
-    if (run) files_->use(run->value, tr("run %1").arg(number), tr("use the parameters of run %1").arg(number));
+    if (run && !run->caseProblem.isEmpty())
+        messages_->show(
+            MessageStrip::Kind::Failure,
+            tr("The parameters of run %1 are not known: %2").arg(QString::number(number), run->caseProblem));
+    else if (run)
+        files_->use(run->value, tr("run %1").arg(number), tr("use the parameters of run %1").arg(number));
 }
 
 void MainWindow::useSolution(int number)

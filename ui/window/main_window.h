@@ -120,6 +120,8 @@ private:
     void connectHelp();
     void connectSession();
 
+    /// Takes text that was typed into a field or a cell and not confirmed yet.
+    void takeTyped();
     bool readyToRun();
     void onCaseOpened();
     void onImported(const QString& path, const QStringList& warnings);

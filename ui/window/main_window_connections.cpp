@@ -95,6 +95,7 @@ void MainWindow::connectFiles()
         updateTitle();
         messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
     });
+    connect(files_, &CaseFiles::aboutToUse, this, &MainWindow::takeTyped);
     connect(files_, &CaseFiles::reloaded, this, [this](const QStringList& warnings) {
         aboutCase_->setWarnings(warnings);
         film_->view()->shape()->editor()->setGhost(edits_->value().surface);
@@ -278,11 +279,16 @@ void MainWindow::openStudy(const QString& file)
         problem = QString::fromStdString(stored.problem);
         if (problem.isEmpty() && studies_->underWay(stored.report.kind))
             problem = tr("A study of this kind is being performed. Stop it before a report is opened.");
-        if (problem.isEmpty()) {
+        const StudyOutcome* there = studies_->outcome(stored.report.kind);
+        const auto show = [this, file, stored] {
             studies_->editor()->setKind(QString::fromStdString(stored.report.kind));
-            studies_->restore(std::move(stored), file);
+            studies_->restore(stored, file);
             onStudyOpened(file);
-        }
+        };
+        if (problem.isEmpty() && there && there->report && there->file.isEmpty())
+            askToReplaceReport(*this, QString::fromStdString(there->report->title), show);
+        else if (problem.isEmpty())
+            show();
     } else {
         problem = studies_->editor()->open(file);
     }

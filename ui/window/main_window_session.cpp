@@ -122,6 +122,7 @@ void MainWindow::listSessions()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+    takeTyped();
     if (guides_->onlyTried()) files_->leaveUnsaved();
     if (session_) session_->reader().stopAndWait();
     studies_->editor()->plan(); // takes what was typed in its form

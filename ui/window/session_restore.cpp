@@ -21,6 +21,7 @@
 #include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/whole_file.h"
 #include "ui/window/window_pages.h"
 
@@ -70,7 +71,12 @@ void Session::restore(std::unique_ptr<SessionFolder> from)
     left_ = {};
     left_.written = state->written;
     left_.closed = state->closed;
-    if (!state->edited.savedText.isEmpty()) parts_.files.restore(state->edited);
+    if (const CaseState& edited = state->edited; edited.modified || !edited.savedText.isEmpty())
+        if (const QString problem = parts_.files.restore(edited); !problem.isEmpty() && edited.modified) {
+            left_.edited = edited;
+            refused_ << tr("The edited case %1 cannot be read again and stays in File, Sessions, Restore: %2")
+                            .arg(inOneLine(edited.name), problem);
+        }
     StudyEditor& editor = *parts_.studies.editor();
     for (const StudyDraft& draft : state->drafts)
         if (!editor.restore(draft)) {

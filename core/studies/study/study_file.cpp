@@ -178,11 +178,8 @@ std::string StudyWriter::open(const std::filesystem::path& file, StudySubject su
     }
     subject_ = std::move(subject);
     begin_ = Clock::now();
-    pending_.emplace();
     written_ = begin_ - interval_;
-    std::string problem = update(nullptr);
-    if (!problem.empty()) lock_.reset();
-    return problem;
+    return {};
 }
 
 std::string StudyWriter::update(const StudyReport* soFar)
@@ -193,6 +190,7 @@ std::string StudyWriter::update(const StudyReport* soFar)
     if (!pending_ || now - written_ < interval_) return {};
     StudyReport report = std::move(*pending_);
     pending_.reset();
+    report.findings.clear(); // of a part of the values they could be wrong
     report.status = StudyStatus::Interrupted;
     report.message = "the study was interrupted; what it had not found yet is missing";
     report.kind = subject_.kind;

@@ -47,15 +47,15 @@ struct StudySubject {
     std::string studyText; // empty where the study took its defaults
 };
 
-/// Keeps the file of a study that is under way: what was found so far can be read, with the status "interrupted", after
-/// the program was killed. Every call returns "" or the problem in one sentence; after a problem, the file holds what
-/// it held before.
+/// Keeps the file of a study that is under way: the tables and charts so far can be read, with the status
+/// "interrupted", after the program was killed. Every call returns "" or the problem in one sentence; after a problem,
+/// the file holds what it held before.
 class StudyWriter {
 public:
     /// `interval`: from one state of the file to the next.
     explicit StudyWriter(std::chrono::milliseconds interval = std::chrono::seconds(2)) : interval_(interval) {}
 
-    /// Locks the file and writes it without findings, in place of an existing one.
+    /// Locks the file. What it holds stays until something is found.
     std::string open(const std::filesystem::path& file, StudySubject subject);
     /// To be called with each progress of the study (StudyCallback), on its thread; keeps a report until it is written.
     std::string update(const StudyReport* soFar);

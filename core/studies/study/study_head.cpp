@@ -20,10 +20,17 @@ constexpr const char* neededCase = "the file of a case, or the name of a sample 
 /// Gives problems of settings their place in the study's table `set`.
 void placeInStudy(const StudyReader& reader, std::vector<InputProblem>& problems)
 {
+    const auto lineOf = [&reader](const std::string& key) {
+        return std::max(reader.lineOf("set." + key), reader.lineOf("set.\"" + key + '"'));
+    };
+    constexpr std::string_view names = "; --set names"; // inside of the file of a measured surface
     for (InputProblem& problem : problems) {
-        if (problem.file != "--set") continue;
+        if (const auto at = problem.message.find(names); at != std::string::npos)
+            problem.message.replace(
+                at, names.size(), "; " + reader.name() + ':' + std::to_string(lineOf("disk.surface.file")) + " names");
+        if (problem.file != "--set" || problem.kind == ProblemKind::NotFound) continue;
         problem.file = reader.name();
-        problem.line = std::max(reader.lineOf("set." + problem.key), reader.lineOf("set.\"" + problem.key + '"'));
+        problem.line = lineOf(problem.key);
         problem.key = "set." + problem.key;
     }
 }

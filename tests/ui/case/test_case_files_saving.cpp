@@ -314,6 +314,21 @@ private slots:
         QVERIFY(window.asks());
     }
 
+    /// Not with the defaults in its place.
+    void aTextThatCannotBeReadChangesNothing()
+    {
+        CaseState state = Window(file_).files->state();
+        state.modified = true;
+        for (const char* text :
+             {"", "[springs]\nflying_hight = \"9 nm\"\n", "[slider]\nmass = \"6.5 stone\"\n", "[sli"}) {
+            state.text = QString::fromLatin1(text);
+            Window window(QStringLiteral("fig10a"));
+            QVERIFY(!window.files->restore(state).isEmpty());
+            QCOMPARE(window.files->sample(), QStringLiteral("fig10a"));
+            QVERIFY(!window.files->modified());
+        }
+    }
+
     /// Their values are in the case since it was opened.
     void aNamedFileIsWatched_data()
     {

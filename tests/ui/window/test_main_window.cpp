@@ -80,6 +80,7 @@ private slots:
     void opensWithTheDefaultCase();
     void disablesRunForABadParameter();
     void takesWhatWasTypedWhenRunning();
+    void takesWhatWasTypedWhenSavingAndClosing();
     void overlaysASecondRun();
     void hidesEarlierRunsWithoutOverlay();
     void keepsTheLastStateOfAFailedRun();
@@ -186,6 +187,30 @@ void TestMainWindow::takesWhatWasTypedWhenRunning()
     QTest::keyClicks(line, QStringLiteral("0.0065 um"));
     f.runToEnd();
     QCOMPARE(f.window.runs().record(0).value.springs.flyingHeight, 6.5e-9);
+}
+
+/// Without Return or Tab, as after it.
+void TestMainWindow::takesWhatWasTypedWhenSavingAndClosing()
+{
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(writeCaseFile(file.toStdString(), "title = \"mine\"\n"), std::string());
+    Fixture f;
+    f.window.openFile(file);
+    QApplication::setActiveWindow(&f.window);
+    const auto type = [&f](const char* text) {
+        QLineEdit* line = f.line("springs.flying_height");
+        line->setFocus();
+        line->selectAll();
+        QTest::keyClicks(line, QString::fromLatin1(text));
+    };
+    type("6.5 nm");
+    f.window.actions().save->trigger();
+    QCOMPARE(readCaseFile(file.toStdString()).value.springs.flyingHeight, 6.5e-9);
+    type("6 nm");
+    f.window.close();
+    QVERIFY(f.window.isVisible());
+    QVERIFY(f.box("closing") != nullptr);
 }
 
 void TestMainWindow::overlaysASecondRun()

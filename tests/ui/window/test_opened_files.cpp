@@ -10,6 +10,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
 #include "core/studies/study/study_file.h"
+#include "core/studies/study/study_file_reader.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "tests/ui/sample_study.h"
@@ -77,6 +78,24 @@ private slots:
         QCOMPARE(window_->studies().editor()->kind(), QStringLiteral("hysteresis"));
         QVERIFY(window_->studies().editor()->toText().contains(QStringLiteral("steps = 3")));
         QVERIFY(question(*window_, "problems") == nullptr);
+    }
+    /// There is one report of each kind.
+    void aReportInThePlaceOfAnUnsavedOne()
+    {
+        const QString file = folder_.filePath(QStringLiteral("other.h5"));
+        StudyReport report = sampleReport();
+        report.title = "the opened one";
+        QCOMPARE(writeStudy(file.toStdString(), report, Case{}, "", ""), std::string());
+        const StudyReport unsaved = sampleReport();
+        window_->studies().restore({unsaved, "", "", ""});
+        const auto title = [this, &report] { return window_->studies().outcome(report.kind)->report->title; };
+        window_->openResults(file);
+        auto* box = question(*window_, "unsavedReport");
+        QVERIFY(box != nullptr);
+        QCOMPARE(title(), sampleReport().title);
+        for (QAbstractButton* button : box->buttons())
+            if (box->buttonRole(button) == QMessageBox::DestructiveRole) button->click();
+        QCOMPARE(title(), report.title);
     }
     void theReportOfAStudy()
     {
