@@ -16,7 +16,8 @@ enum class ProblemKind : std::uint8_t {
     Setting,      // a value set by --set or by a study
 };
 
-/// Its text() is one printable sentence, whatever the file held: "fig10.toml:7: springs.cutof: unknown key; did you mean springs.cutoff?"
+/// Its text() is one printable sentence, whatever the file held: "fig10.toml:7: springs.cutof: unknown key; did you
+/// mean springs.cutoff?"
 struct InputProblem {
     std::string file;
     int line = 0; // 0: the whole file
