@@ -107,7 +107,7 @@ void MainWindow::listSessions()
     QStringList paths = ready ? SessionFolder::ended() : QStringList();
     for (const QString& path : paths.mid(0, mostSessions)) {
         const std::optional<SessionState> state = readSession(path);
-        const QString left = state ? describe(*state, studiesIn(path)) : QString();
+        const QString left = state && !state->newer ? describe(*state, studiesIn(path)) : QString();
         if (left.isEmpty()) continue;
         menu->addAction(QStringLiteral("%1: %2").arg(
                             QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
@@ -135,7 +135,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     controller().stopAndWait();
     film_->controller().stopAndWait();
     studies_->controller().stopAndWait();
-    if (session_) session_->close(!unsavedWork(sessionParts()).empty());
+    if (session_) session_->close(!unsavedWork(sessionParts()).empty() || hasNotesOnFiles(sessionParts()));
     saveArrangement();
     event->accept();
 }

@@ -61,6 +61,16 @@ QString freeName(const QDir& folder, const QString& base, const QString& ending)
 
 } // namespace
 
+bool hasNotesOnFiles(const SessionParts& parts)
+{
+    const auto noted = [](const RecordList& list) {
+        for (int row = 0; row < list.count(); ++row)
+            if (const ListedRecord& each = list.listed(row); !each.note.isEmpty() && each.isInFile()) return true;
+        return false;
+    };
+    return noted(parts.runs.runs()) || noted(parts.film.solutions());
+}
+
 UnsavedWork unsavedWork(const SessionParts& parts)
 {
     UnsavedWork work;

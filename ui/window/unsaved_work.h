@@ -44,6 +44,8 @@ struct UnsavedWork {
 };
 
 UnsavedWork unsavedWork(const SessionParts& parts);
+/// Whether a result that lies in a file of the user has a note: only a session keeps notes.
+bool hasNotesOnFiles(const SessionParts& parts);
 /// One line for each kind of work, with count and names.
 QStringList linesOf(const UnsavedWork& work, const SessionParts& parts);
 /// Writes all results, and a case and texts of studies without a file, into a folder; files there are not replaced. A

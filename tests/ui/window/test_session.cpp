@@ -63,6 +63,7 @@ private slots:
     void keepsARunWhoseOwnFileFails();
     void keepsARunWhoseOwnFileFailsLater();
     void endsWithoutATraceWhenAllIsSaved();
+    void keepsTheNoteOfASavedRun();
     void bringsBackWhatWasClosedWithoutSaving();
     void startsWithTheDefaultCaseIfWanted();
     void removesTheOldestClosedSessions();
@@ -436,6 +437,27 @@ void TestSession::endsWithoutATraceWhenAllIsSaved()
     window_->close();
     QVERIFY(!window_->isVisible());
     QVERIFY(SessionFolder::all().isEmpty());
+}
+
+/// A results file has no place for it.
+void TestSession::keepsTheNoteOfASavedRun()
+{
+    start();
+    run();
+    const QString file = data_->filePath(QStringLiteral("mine.h5"));
+    RunsModel& runs = window_->runs();
+    QCOMPARE(saveHdf5(runs.record(0), file), QString());
+    runs.setFile(1, file);
+    runs.setData(runs.index(0), QStringLiteral("the best"), RecordList::NoteRole);
+    window_->close();
+    QVERIFY(!window_->isVisible()); // without a question
+    QCOMPARE(SessionFolder::all().size(), 1);
+    start();
+    QMenu* menu = window_->actions().sessions;
+    emit menu->aboutToShow();
+    menu->actions().front()->trigger();
+    QTRY_COMPARE(window_->runs().count(), 1);
+    QCOMPARE(window_->runs().record(0).note, QStringLiteral("the best"));
 }
 
 void TestSession::bringsBackWhatWasClosedWithoutSaving()
