@@ -261,6 +261,22 @@ private slots:
         QVERIFY(problem.find("x = 100") != std::string::npos &&
                 problem.find("elastic.patch_pitch") != std::string::npos);
     }
+    /// Neither side is a whole number of cells of 0.7 um, so the patch ends before the slider's far edges.
+    void modelsAPadAtACornerOfTheSlider()
+    {
+        for (const bool leading : {true, false})
+            for (const bool inner : {true, false}) {
+                Case c = withPad();
+                const double x = leading ? 0.0 : length - 12e-6, y = inner ? 0.0 : width - 8e-6;
+                c.surface.rails = {rail(x, x + 12e-6, y, y + 8e-6)};
+                c.elastic.cell = 0.7e-6;
+                c.elastic.patchPitch = leading ? -pitch : pitch;
+                const Scene scene(c);
+                Attitude attitude{0.0, c.elastic.patchPitch, inner ? -1e-6 : 1e-6};
+                attitude.height = -1e-9 - scene.spacing.at(attitude).spacing;
+                QCOMPARE(scene.contact.problemAt(attitude), std::string());
+            }
+    }
     /// A wave of 20 um at 13.006 m/s changes by as much as its RMS height over 20 um/(2 pi) = 3.183 um; twice that
     /// takes 489.5 ns.
     void followsAMovingSurface()
