@@ -24,6 +24,7 @@ namespace {
 
 constexpr int version = 1; // of the file; a higher one is not understood
 constexpr int mostNumber = 999'999'999;
+constexpr qsizetype mostEntries = 10'000; // of a list; each is compared with all others
 
 QJsonObject caseToJson(const CaseState& state)
 {
@@ -53,7 +54,12 @@ public:
     std::vector<JsonFields> list(const char* key) const
     {
         std::vector<JsonFields> all;
-        for (const QJsonValue& each : of(key, QJsonValue::Array).toArray()) {
+        const QJsonArray array = of(key, QJsonValue::Array).toArray();
+        if (array.size() > mostEntries) {
+            refuse(key);
+            return all;
+        }
+        for (const QJsonValue& each : array) {
             if (!each.isObject()) refuse(key);
             all.emplace_back(each.toObject(), problem_);
         }
