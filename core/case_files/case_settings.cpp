@@ -6,6 +6,7 @@
 #include "core/case/model_defaults.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
+#include "core/case_files/cml_case.h"
 #include "core/case_files/outside_path.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
@@ -69,9 +70,10 @@ std::optional<InputProblem> applySetting(Case& target, std::string_view setting,
     return problem(key, std::move(outside));
 }
 
-/// The line of a key in the text of the case; 0 where it has none.
+/// The line of a key in the file of the case; 0 where it has none, as in files of the established program.
 int lineOf(const CaseDocument& document, std::string_view key)
 {
+    if (isCmlPath(document.name)) return 0;
     for (const TomlEntry& entry : readToml(document.text).entries)
         if (entry.key == key) return entry.line;
     return 0;

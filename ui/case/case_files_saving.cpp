@@ -129,16 +129,18 @@ void CaseFiles::tellChange()
         if (!valid) sentence += tr(" It cannot be opened now: %1").arg(textsOf(document.problems).front());
     }
     for (const std::unique_ptr<WatchedFile>& named : named_) {
-        if (!sentence.isEmpty() || named->now() == FileNow::Same) continue;
-        const QString name = QFileInfo(named->path()).fileName();
+        const FileNow then = named->now();
+        if (!sentence.isEmpty() || then == FileNow::Same) continue;
         const bool surface =
             placeOf(named->path()).filename() == placeOf(QString::fromStdString(saved_.diskSurface.file)).filename();
-        sentence = surface
-                       ? tr("%1, which %2 names, was changed by another program. The next run reads it as it is now.")
-                             .arg(name, shortName())
-                       : tr("%1, which %2 names, was changed by another program. Runs use it as it was read, until the "
-                            "case is reloaded.")
-                             .arg(name, shortName());
+        valid = then == FileNow::Other;
+        const QString what = valid                   ? tr("was changed by another program")
+                             : then == FileNow::Gone ? tr("was deleted or renamed by another program")
+                                                     : tr("can no longer be read");
+        const QString next = surface ? valid ? tr("The next run reads it as it is now.") : tr("Runs need it.")
+                             : valid ? tr("Runs use it as it was read, until the case is reloaded.")
+                                     : tr("Runs use it as it was read.");
+        sentence = tr("%1, which %2 names, %3. %4").arg(QFileInfo(named->path()).fileName(), shortName(), what, next);
     }
     emit fileChanged(sentence, valid);
 }

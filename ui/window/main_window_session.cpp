@@ -101,7 +101,7 @@ void MainWindow::listSessions()
 {
     QMenu* menu = actions_->sessions;
     menu->clear();
-    if (session_ && !session_->problem().isEmpty()) menu->addAction(session_->problem())->setEnabled(false);
+    if (session_ && !session_->problem().isEmpty()) menu->addAction(onButton(session_->problem()))->setEnabled(false);
     if (session_ && session_->restoring()) menu->addAction(tr("A session is being restored"))->setEnabled(false);
     const bool ready = session_ && session_->folder() && !session_->restoring();
     QStringList paths = ready ? SessionFolder::ended() : QStringList();

@@ -181,11 +181,7 @@ void Session::keepStudy(const std::string& kind)
 {
     const StudyOutcome* outcome = parts_.studies.outcome(kind);
     if (!folder_ || !outcome || !outcome->report) return;
-    StudyReport kept = *outcome->report;
-    if (parts_.studies.underWay(kind)) {
-        kept.status = StudyStatus::Cancelled;
-        kept.message = tr("The program that performed this study was interrupted.").toStdString();
-    }
+    StudyReport kept = parts_.studies.underWay(kind) ? interruptedReport(*outcome->report) : *outcome->report;
     results_.post(
         [file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
          c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {

@@ -166,6 +166,14 @@ constexpr const char* what = "the study"; // that cannot be written
 
 } // namespace
 
+StudyReport interruptedReport(StudyReport soFar)
+{
+    soFar.findings.clear();
+    soFar.status = StudyStatus::Interrupted;
+    soFar.message = "the study was interrupted; what it had not found yet is missing";
+    return soFar;
+}
+
 std::string StudyWriter::open(const std::filesystem::path& file, StudySubject subject)
 {
     lock_.reset();
@@ -188,11 +196,8 @@ std::string StudyWriter::update(const StudyReport* soFar)
     if (soFar != nullptr) pending_ = *soFar;
     const Clock::time_point now = Clock::now();
     if (!pending_ || now - written_ < interval_) return {};
-    StudyReport report = std::move(*pending_);
+    StudyReport report = interruptedReport(std::move(*pending_));
     pending_.reset();
-    report.findings.clear(); // of a part of the values they could be wrong
-    report.status = StudyStatus::Interrupted;
-    report.message = "the study was interrupted; what it had not found yet is missing";
     report.kind = subject_.kind;
     if (report.title.empty()) report.title = subject_.title;
     report.wallSeconds = std::chrono::duration<double>(now - begin_).count();

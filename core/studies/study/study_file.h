@@ -36,7 +36,7 @@ namespace touchdown {
 
 inline constexpr const char* studyFormat = "touchdown-study";
 inline constexpr int studyFormatMajor = 1;
-inline constexpr int studyFormatMinor = 0;
+inline constexpr int studyFormatMinor = 1;
 
 /// What the file of a study holds besides its report.
 struct StudySubject {
@@ -46,6 +46,9 @@ struct StudySubject {
     std::string caseText;  // with the contents of the files that it names
     std::string studyText; // empty where the study took its defaults
 };
+
+/// What a study has found so far, as it stands on disk until the study ends: its findings could be wrong.
+StudyReport interruptedReport(StudyReport soFar);
 
 /// Keeps the file of a study that is under way: the tables and charts so far can be read, with the status
 /// "interrupted", after the program was killed. Every call returns "" or the problem in one sentence; after a problem,

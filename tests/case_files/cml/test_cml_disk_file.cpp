@@ -8,6 +8,7 @@
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml_case.h"
 #include "tests/support/cml_sample.h"
@@ -136,10 +137,14 @@ private slots:
     void trackProfileThatCannotBeRead()
     {
         put("WAVE.DEF", "0 0 x\n");
-        const CaseDocument document = readCmlCase(path("dynamics.def"));
+        CaseDocument document = readCmlCase(path("dynamics.def"));
         QCOMPARE(document.problems.size(), std::size_t{1});
         QVERIFY2(document.problems.front().text().find("WAVE.DEF:1: ") != std::string::npos,
                  document.problems.front().text().c_str());
+        // With a setting it is read again; a line of the text that is made of the case would be nobody's.
+        applySettings(document, {"run.duration = 1 us"});
+        QCOMPARE(document.problems.size(), std::size_t{1});
+        QVERIFY2(joined(document.problems).endsWith("dynamics.def names this file"), joined(document.problems));
     }
     void trackProfileThatIsNotThere()
     {

@@ -364,6 +364,10 @@ private slots:
         namedWidget<QAbstractButton>(*window.shown, QStringLiteral("Reload"))->click();
         QCOMPARE(window.notice(), QString());
         QVERIFY(!window.files->modified());
+        QVERIFY(QFile::remove(named));
+        QTRY_VERIFY(window.notice().contains(QStringLiteral("was deleted or renamed")));
+        const auto* button = namedWidget<QAbstractButton>(*window.shown, QStringLiteral("Reload"));
+        QVERIFY(!button || !button->isVisible());
     }
 
     void noTextIsLostInAnyOrder_data()
