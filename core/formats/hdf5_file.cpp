@@ -2,7 +2,6 @@
 #include "core/formats/hdf5_file.h"
 
 #include <exception>
-#include <system_error>
 
 #include "core/formats/output_file.h"
 
@@ -19,11 +18,6 @@ Hdf5Handle fileAccess()
     checkHdf5(H5Pset_fclose_degree(list, H5F_CLOSE_STRONG));
     checkHdf5(H5Pset_file_locking(list, true, true));
     return list;
-}
-
-std::string refusalOf(const std::string& what, const fs::path& file, const std::string& reason)
-{
-    return "cannot write " + what + " to " + file.string() + ": " + reason;
 }
 
 } // namespace
@@ -52,21 +46,9 @@ std::string writeHdf5File(const OutputLock& lock, const std::string& what,
         root.close();
         part.show();
     } catch (const std::exception& failure) {
-        return refusalOf(what, lock.target(), failure.what());
+        return "cannot write " + what + " to " + lock.target().string() + ": " + failure.what();
     }
     return {};
-}
-
-std::string writeHdf5File(const fs::path& file, const std::string& what,
-                          const std::function<void(const Hdf5Group&)>& fill)
-{
-    std::error_code none;
-    if (fs::is_directory(file, none)) return refusalOf(what, file, "it is a directory");
-    try {
-        return writeHdf5File(OutputLock(file), what, fill);
-    } catch (const std::exception& failure) {
-        return refusalOf(what, file, failure.what());
-    }
 }
 
 } // namespace touchdown

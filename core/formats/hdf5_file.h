@@ -20,9 +20,6 @@ Hdf5Group openHdf5File(const std::filesystem::path& file, unsigned flags = H5F_A
 
 /// Lets `fill` write a file that appears whole or not at all (core/formats/output_file.h). Returns "" or the problem in
 /// one sentence that begins "cannot write WHAT to NAME: ".
-std::string writeHdf5File(const std::filesystem::path& file, const std::string& what,
-                          const std::function<void(const Hdf5Group&)>& fill);
-/// The same for a file that the caller has locked.
 std::string writeHdf5File(const OutputLock& lock, const std::string& what,
                           const std::function<void(const Hdf5Group&)>& fill);
 

@@ -15,6 +15,7 @@
 
 #include "core/formats/cml_text.h"
 #include "core/formats/hdf5_file.h"
+#include "core/formats/output_file.h"
 #include "core/formats/surfaces/height_map_hdf5.h"
 #include "core/results/results_reader.h"
 #include "core/results/steady_reader.h"
@@ -290,7 +291,7 @@ bool finite(const std::vector<double>& numbers)
 
 std::string writeSurface(const fs::path& path)
 {
-    return writeHdf5File(path, "a surface", [](const Hdf5Group& file) {
+    return writeHdf5File(OutputLock(path), "a surface", [](const Hdf5Group& file) {
         file.put("x", std::vector<double>{0.0, 1.0, 2.0, 3.0}).set("unit", "um");
         file.put("y", std::vector<double>{0.0, 1.0, 2.0}).set("unit", "um");
         const std::array<double, 12> heights{1, 2, 3, 4, 2, 3, 4, 5, 3, 4, 5, 6};

@@ -162,8 +162,6 @@ void writeReport(const Hdf5Group& file, const StudyReport& report, const Case& c
         file.create("found").put("text", formatCase(*report.found), "1", "The case that the study advises");
 }
 
-constexpr const char* what = "the study"; // that cannot be written
-
 } // namespace
 
 StudyReport interruptedReport(StudyReport soFar)
@@ -216,7 +214,7 @@ std::string StudyWriter::finish(const StudyReport& report)
 
 std::string StudyWriter::write(const StudyReport& report)
 {
-    return writeHdf5File(*lock_, what, [&](const Hdf5Group& file) {
+    return writeHdf5File(*lock_, "the study", [&](const Hdf5Group& file) {
         writeReport(file, report, subject_.value, subject_.caseText, subject_.studyText);
     });
 }
@@ -224,7 +222,9 @@ std::string StudyWriter::write(const StudyReport& report)
 std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c,
                        const std::string& caseText, const std::string& studyText)
 {
-    return writeHdf5File(path, what, [&](const Hdf5Group& file) { writeReport(file, report, c, caseText, studyText); });
+    StudyWriter writer;
+    std::string problem = writer.open(path, {report.kind, report.title, c, caseText, studyText});
+    return problem.empty() ? writer.finish(report) : problem;
 }
 
 std::string writeStudyCsv(const std::filesystem::path& path, const StudyReport& report)

@@ -185,7 +185,7 @@ private slots:
         QDir folder(folder_.path());
         for (const char* target : {"no/such.h5", "."}) {
             const std::string problem = writeStudy(path(target), someReport(), Case{}, "", "");
-            QVERIFY2(problem.starts_with("cannot write the study to "), problem.c_str());
+            QVERIFY2(problem.starts_with("cannot write to "), problem.c_str());
         }
         QVERIFY(!writeStudyCsv(path("no/such.csv"), someReport()).empty());
         QVERIFY(writeStudyCsv(path("b.csv"), StudyReport{}).ends_with("the study has no table to write"));
