@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/disk_setup.h"
-#include "core/formats/quotation.h"
 
 #include <filesystem>
 #include <memory>
@@ -9,10 +8,11 @@
 #include <stdexcept>
 #include <string>
 
-#include <sys/stat.h>
 #include <time.h>
 
 #include "core/case/parameters.h"
+#include "core/formats/file_identity.h"
+#include "core/formats/quotation.h"
 #include "core/formats/surfaces/height_map_file.h"
 #include "core/physics/disk/disk_surface_check.h"
 
@@ -22,37 +22,13 @@ namespace {
 
 bool readsFile(const Case& c) { return findParameter("disk.surface.file")->used(c) && hasFile(c.diskSurface); }
 
-/// What tells a file from another one, and from itself before a change.
-struct FileMark {
-    dev_t device{};
-    ino_t number{};
-    off_t size{};
-    timespec changed{}, renewed{}; // its content; its content, name or rights
-
-    bool operator==(const FileMark& other) const
-    {
-        const auto same = [](const timespec& a, const timespec& b) {
-            return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec;
-        };
-        return device == other.device && number == other.number && size == other.size && same(changed, other.changed) &&
-               same(renewed, other.renewed);
-    }
-};
-
-std::optional<FileMark> markOf(const std::filesystem::path& file)
-{
-    struct stat status {};
-    if (::stat(file.c_str(), &status) != 0) return {};
-    return FileMark{status.st_dev, status.st_ino, status.st_size, status.st_mtim, status.st_ctim};
-}
-
 /// Whether a later change of the file gets another time. File times advance with this clock, in steps of some
 /// milliseconds; two changes within one step have the same time.
-bool isPast(const timespec& time)
+bool isPast(std::int64_t time)
 {
     timespec now{};
     ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
-    return time.tv_sec < now.tv_sec || (time.tv_sec == now.tv_sec && time.tv_nsec < now.tv_nsec);
+    return time < std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
 }
 
 using ReadMap = std::shared_ptr<const HeightMapDocument>;
@@ -64,7 +40,7 @@ ReadMap readMap(const Case& c)
     struct Kept {
         std::filesystem::path file;
         std::string name, unit;
-        FileMark mark;
+        FileIdentity mark; // without the hash
         ReadMap map;
     };
     static std::mutex busy; // who waits needs the same file as a rule
@@ -72,14 +48,14 @@ ReadMap readMap(const Case& c)
     const std::lock_guard lock(busy);
 
     const std::filesystem::path file = c.folder / c.diskSurface.file;
-    const std::optional<FileMark> mark = markOf(file);
+    const std::optional<FileIdentity> mark = marksOf(file);
     if (kept && mark && kept->file == file && kept->name == c.diskSurface.file && kept->unit == c.diskSurface.unit &&
         kept->mark == *mark)
         return kept->map;
     kept.reset();
     const bool settled = mark && isPast(mark->changed);
     auto map = std::make_shared<const HeightMapDocument>(readHeightMap(file, c.diskSurface.file, c.diskSurface.unit));
-    if (settled && markOf(file) == mark) kept = Kept{file, c.diskSurface.file, c.diskSurface.unit, *mark, map};
+    if (settled && marksOf(file) == mark) kept = Kept{file, c.diskSurface.file, c.diskSurface.unit, *mark, map};
     return map;
 }
 

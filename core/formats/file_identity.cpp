@@ -54,19 +54,6 @@ std::optional<std::uint64_t> hashOf(const std::filesystem::path& file)
     return in.eof() ? std::optional(hash.value()) : std::nullopt;
 }
 
-/// Without the hash. Nothing where there is no regular file.
-std::optional<FileIdentity> marksOf(const std::filesystem::path& file)
-{
-    struct stat status {};
-    if (!notRegularFile(file).empty() || ::stat(file.c_str(), &status) != 0) return std::nullopt;
-    FileIdentity marks;
-    marks.device = status.st_dev;
-    marks.inode = status.st_ino;
-    marks.size = static_cast<std::uint64_t>(status.st_size);
-    marks.changed = std::int64_t{status.st_ctim.tv_sec} * 1'000'000'000 + status.st_ctim.tv_nsec;
-    return marks;
-}
-
 FileNow nothingToRead(const std::filesystem::path& file)
 {
     std::error_code error;
@@ -93,6 +80,18 @@ std::optional<FileIdentity> identityFromText(std::string_view text)
         return std::nullopt;
     identity.changed = static_cast<std::int64_t>(changed);
     return identity.text() == text ? std::optional(identity) : std::nullopt;
+}
+
+std::optional<FileIdentity> marksOf(const std::filesystem::path& file)
+{
+    struct stat status {};
+    if (!notRegularFile(file).empty() || ::stat(file.c_str(), &status) != 0) return std::nullopt;
+    FileIdentity marks;
+    marks.device = status.st_dev;
+    marks.inode = status.st_ino;
+    marks.size = static_cast<std::uint64_t>(status.st_size);
+    marks.changed = std::int64_t{status.st_ctim.tv_sec} * 1'000'000'000 + status.st_ctim.tv_nsec;
+    return marks;
 }
 
 std::optional<FileIdentity> identityOf(const std::filesystem::path& file)

@@ -2,9 +2,12 @@
 #include "core/case/disk_setup.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <utility>
+
+#include <sys/stat.h>
+#include <time.h>
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -234,11 +237,17 @@ private:
         QVERIFY(file.open(QIODevice::WriteOnly));
         QCOMPARE(file.write(text), text.size());
     }
-    /// A file that was not written just now.
+    /// Waits until a change of the file would get another time than its last one.
     void makeOlder(const char* name) const
     {
-        std::filesystem::last_write_time(path(name),
-                                         std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+        struct stat status {};
+        QCOMPARE(::stat(path(name).c_str(), &status), 0);
+        const auto isLater = [&status] {
+            timespec now{};
+            ::clock_gettime(CLOCK_REALTIME_COARSE, &now);
+            return std::pair(now.tv_sec, now.tv_nsec) > std::pair(status.st_ctim.tv_sec, status.st_ctim.tv_nsec);
+        };
+        QTRY_VERIFY(isLater());
     }
     std::unique_ptr<QTemporaryDir> folder_;
 };
