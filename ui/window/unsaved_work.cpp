@@ -29,7 +29,7 @@ std::vector<int> unsavedOf(const RecordList& list)
 {
     std::vector<int> numbers;
     for (int row = 0; row < list.count(); ++row)
-        if (!list.listed(row).isInFile()) numbers.push_back(list.listed(row).number);
+        if (list.isUnsaved(row)) numbers.push_back(list.listed(row).number);
     return numbers;
 }
 
@@ -81,13 +81,10 @@ UnsavedWork unsavedWork(const SessionParts& parts)
     if (parts.film.view()->busy()) work.underWay << tr("a series or modes, which are under way");
     if (parts.studies.controller().active()) work.underWay << tr("a study, which is under way");
     work.runs = unsavedOf(parts.runs.runs());
-    std::erase_if(work.runs, [&](int number) {
-        const RunRecord& run = *parts.runs.runs().find(number);
-        return &run == underWay || (run.ofGuide && run.note.isEmpty()) || run.sampleCount() == 0;
-    });
+    if (underWay) std::erase(work.runs, underWay->number);
     work.solutions = unsavedOf(parts.film.solutions());
     for (const auto& [kind, outcome] : parts.studies.outcomes())
-        if (outcome.report && outcome.file.isEmpty() && !parts.studies.underWay(kind)) work.studies.push_back(kind);
+        if (parts.studies.unsaved(kind) && !parts.studies.underWay(kind)) work.studies.push_back(kind);
     work.series = parts.film.view()->series()->unsaved();
     work.modes = parts.film.view()->modes()->unsaved();
     work.drafts = parts.studies.editor()->unsaved();
