@@ -248,10 +248,8 @@ void CaseFiles::exportTo(const QString& path)
 void CaseFiles::whenSettled(const std::function<void()>& next)
 {
     emit aboutToUse();
-    if (!modified()) {
-        next();
-        return;
-    }
+    if (askAboutResults_ && askAboutResults_(next)) return;
+    if (!modified()) return next();
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
                                 tr("The case \"%1\" has changed.").arg(inOneLine(shortName())),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);

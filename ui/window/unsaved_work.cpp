@@ -59,6 +59,14 @@ QString freeName(const QDir& folder, const QString& base, const QString& ending)
     return folder.filePath(name);
 }
 
+QStringList filmUnderWay(const SessionParts& parts)
+{
+    QStringList list;
+    if (parts.film.controller().active()) list << tr("a static solution, which is under way");
+    if (parts.film.view()->busy()) list << tr("a series or modes, which are under way");
+    return list;
+}
+
 } // namespace
 
 bool hasNotesOnFiles(const SessionParts& parts)
@@ -77,8 +85,7 @@ UnsavedWork unsavedWork(const SessionParts& parts)
     if (parts.files.modified()) work.editedCase = parts.files.shortName();
     const RunRecord* underWay = parts.runs.runUnderWay();
     if (underWay) work.underWay << tr("run %1, which is under way").arg(underWay->number);
-    if (parts.film.controller().active()) work.underWay << tr("a static solution, which is under way");
-    if (parts.film.view()->busy()) work.underWay << tr("a series or modes, which are under way");
+    work.underWay << filmUnderWay(parts);
     if (parts.studies.controller().active()) work.underWay << tr("a study, which is under way");
     work.runs = unsavedOf(parts.runs.runs());
     if (underWay) std::erase(work.runs, underWay->number);
@@ -88,6 +95,17 @@ UnsavedWork unsavedWork(const SessionParts& parts)
     work.series = parts.film.view()->series()->unsaved();
     work.modes = parts.film.view()->modes()->unsaved();
     work.drafts = parts.studies.editor()->unsaved();
+    return work;
+}
+
+UnsavedWork workOfCase(const SessionParts& parts)
+{
+    const UnsavedWork all = unsavedWork(parts);
+    UnsavedWork work;
+    work.editedCase = all.editedCase;
+    work.underWay = filmUnderWay(parts);
+    work.series = all.series;
+    work.modes = all.modes;
     return work;
 }
 
