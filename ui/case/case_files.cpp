@@ -295,8 +295,9 @@ CaseState CaseFiles::state() const
     state.folder = QString::fromStdString(folder_.string());
     state.savedText = QString::fromStdString(text_);
     state.text = QString::fromStdString(text());
-    state.modified = modified();
+    state.modified = modified() || !edits_.typed().empty();
     for (const auto& [key, entry] : edits_.badEntries()) state.entries[QString::fromStdString(key)] = entry.text;
+    for (const auto& [key, text] : edits_.typed()) state.entries[QString::fromStdString(key)] = text;
     return state;
 }
 

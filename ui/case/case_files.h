@@ -35,7 +35,7 @@ struct CaseState {
     QString savedText;            // as opened or saved
     QString text;                 // with its edits
     bool modified = false;
-    std::map<QString, QString> entries; // typed for parameters and not taken, by key
+    std::map<QString, QString> entries; // typed for parameters and not taken, or not entered yet, by key
 };
 
 class CaseFiles : public QObject {
