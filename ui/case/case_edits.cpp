@@ -63,6 +63,15 @@ void CaseEdits::enter(const Parameter& parameter, const QString& typed)
     pushChange(parameter, tr("change %1").arg(QString::fromStdString(parameter.label)), std::move(after));
 }
 
+void CaseEdits::setTyped(const Parameter& parameter, const QString& text)
+{
+    Case entered = state_.value;
+    const bool read = !setFromText(entered, parameter, entryText(text, parameter));
+    std::map<std::string, QString> now;
+    if (read && (badEntry(parameter) || entered != state_.value)) now[parameter.key] = text;
+    if (std::exchange(typed_, now) != now) emit typedChanged();
+}
+
 void CaseEdits::reset(const Parameter& parameter)
 {
     State after = state_;
@@ -131,6 +140,7 @@ void CaseEdits::pushChange(const Parameter& parameter, const QString& text, Stat
 void CaseEdits::apply(const State& state)
 {
     state_ = state;
+    typed_.clear();
     problems_ = checkCombinations(state_.value);
     warnings_ = caseWarnings(state_.value);
     emit edited();

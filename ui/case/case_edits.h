@@ -42,6 +42,8 @@ public:
 
     /// Takes what was typed, or keeps it with the reason why not.
     void enter(const Parameter& parameter, const QString& typed);
+    /// Text that stands in the field of a parameter and is not entered yet.
+    void setTyped(const Parameter& parameter, const QString& text);
     void reset(const Parameter& parameter);
     void resetAll();
     /// All values at once, as one edit. Edits in a row with the same `merge` other than 0 are one for undo.
@@ -58,6 +60,8 @@ public:
     bool anyBadEntry() const { return !state_.bad.empty(); }
     /// By the key of the parameter.
     const std::map<std::string, BadEntry>& badEntries() const { return state_.bad; }
+    /// What would be a change if it were entered, by the key of its parameter; at most one. An edit ends it.
+    const std::map<std::string, QString>& typed() const { return typed_; }
     /// Problems of the accepted values; each names its keys.
     const std::vector<CaseProblem>& combinationProblems() const { return problems_; }
     const std::vector<CaseProblem>& warnings() const { return warnings_; }
@@ -66,6 +70,7 @@ public:
 
 signals:
     void edited();
+    void typedChanged();
     /// Another model was entered, and values that were defaults are those of the new model: "Contact Ono & Yamane →
     /// none".
     void modelFollowed(const QStringList& changes);
@@ -84,6 +89,7 @@ private:
 
     Case opened_;
     State state_;
+    std::map<std::string, QString> typed_;
     std::vector<CaseProblem> problems_;
     std::vector<CaseProblem> warnings_;
     QUndoStack undo_;

@@ -248,10 +248,8 @@ void CaseFiles::exportTo(const QString& path)
 void CaseFiles::whenSettled(const std::function<void()>& next)
 {
     emit aboutToUse();
-    if (!modified()) {
-        next();
-        return;
-    }
+    if (askAboutResults_ && askAboutResults_(next)) return;
+    if (!modified()) return next();
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
                                 tr("The case \"%1\" has changed.").arg(inOneLine(shortName())),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
@@ -297,8 +295,9 @@ CaseState CaseFiles::state() const
     state.folder = QString::fromStdString(folder_.string());
     state.savedText = QString::fromStdString(text_);
     state.text = QString::fromStdString(text());
-    state.modified = modified();
+    state.modified = modified() || !edits_.typed().empty();
     for (const auto& [key, entry] : edits_.badEntries()) state.entries[QString::fromStdString(key)] = entry.text;
+    for (const auto& [key, text] : edits_.typed()) state.entries[QString::fromStdString(key)] = text;
     return state;
 }
 

@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <QPointer>
 #include <QSet>
@@ -34,7 +35,7 @@ struct CaseState {
     QString savedText;            // as opened or saved
     QString text;                 // with its edits
     bool modified = false;
-    std::map<QString, QString> entries; // typed for parameters and not taken, by key
+    std::map<QString, QString> entries; // typed for parameters and not taken, or not entered yet, by key
 };
 
 class CaseFiles : public QObject {
@@ -90,6 +91,10 @@ public:
 
     /// Asks about unsaved changes, if there are any; calls `next` unless the user cancels.
     void whenSettled(const std::function<void()>& next);
+    /// Asks instead where another case would also take results away: about these and the changes. Returns false, and
+    /// asks nothing, where there are no such results.
+    using ResultsQuestion = std::function<bool(const std::function<void()>& next)>;
+    void setResultsQuestion(ResultsQuestion question) { askAboutResults_ = std::move(question); }
 
     bool modified() const;
     /// The changes so far are nothing to ask about.
@@ -165,6 +170,7 @@ private:
     WatchedFile* watched_;         // file_, which holds text_ as far as this window knows
     std::vector<std::unique_ptr<WatchedFile>> named_; // by the case: rails, a measured surface
     std::function<void()> afterSave_;
+    ResultsQuestion askAboutResults_;
     QPointer<QMessageBox> outside_; // the question about files outside a folder
     QSet<QString> allowed_;         // see permission()
 };

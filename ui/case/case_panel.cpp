@@ -146,6 +146,8 @@ void CasePanel::buildGroups(QWidget* page)
         auto* editor = new ParameterEditor(parameter, group->body);
         connect(editor, &ParameterEditor::entered, this,
                 [this, &parameter](const QString& text) { edits_.enter(parameter, text); });
+        connect(editor, &ParameterEditor::typed, this,
+                [this, &parameter](const QString& text) { edits_.setTyped(parameter, text); });
         connect(editor, &ParameterEditor::resetRequested, this, [this, &parameter] { edits_.reset(parameter); });
         group->body->layout()->addWidget(editor);
         editors_.push_back(editor);

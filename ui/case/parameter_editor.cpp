@@ -146,6 +146,7 @@ void ParameterEditor::buildInput()
             line_->setFixedWidth(inputWidth());
         }
         connect(line_, &QLineEdit::editingFinished, this, &ParameterEditor::commitLine);
+        connect(line_, &QLineEdit::textEdited, this, &ParameterEditor::typed);
     }
     input()->installEventFilter(this);
     input()->setAccessibleName(QString::fromStdString(parameter_.label));
@@ -251,6 +252,7 @@ bool ParameterEditor::eventFilter(QObject* watched, QEvent* event)
     if (line_ && line_->isModified() && event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape) {
         line_->setText(shown_);
         line_->setModified(false);
+        emit typed(shown_);
         return true;
     }
     return QWidget::eventFilter(watched, event);

@@ -46,6 +46,8 @@ public:
 
 signals:
     void entered(const QString& text);
+    /// Stands in its line and is not entered yet.
+    void typed(const QString& text);
     void resetRequested();
 
 protected:

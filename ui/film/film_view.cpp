@@ -289,6 +289,12 @@ void FilmView::stop()
     series_->controller().stop();
 }
 
+void FilmView::stopAndWait()
+{
+    modes_->controller().stopAndWait();
+    series_->controller().stopAndWait();
+}
+
 void FilmView::setPage(Page page) { tabs_->setCurrentIndex(static_cast<int>(page)); }
 
 void FilmView::fit()

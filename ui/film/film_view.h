@@ -56,6 +56,7 @@ public:
     bool busy() const;
     /// Ends them.
     void stop();
+    void stopAndWait();
 
     void setPage(Page page);
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }

@@ -23,6 +23,7 @@
 #include "ui/film/same_film.h"
 #include "ui/film/series_setup.h"
 #include "ui/style/foreign_text.h"
+#include "ui/style/loss_question.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
@@ -210,8 +211,16 @@ void SeriesPage::startOrStop()
         problem = sentence("the case contradicts itself: " + problems.front().key + " " + problems.front().message);
     showProblem(problem);
     if (!problem.isEmpty()) return;
-    begin(case_, setup_->points());
-    controller_.start(solved_, points_);
+    const auto start = [this] {
+        begin(case_, setup_->points());
+        controller_.start(solved_, points_);
+    };
+    if (unsaved() == 0) return start();
+    askBeforeLoss(*window(),
+                  {QStringLiteral("unsavedSeries"), tr("Replace the series"),
+                   tr("The series of %1 static states is not saved.").arg(unsaved()),
+                   tr("There is one series: the new one would take its place."), tr("&Replace")},
+                  start);
 }
 
 void SeriesPage::begin(const Case& c, std::vector<SteadySeriesPoint> points)
@@ -266,6 +275,7 @@ void SeriesPage::append(std::size_t index, const SteadyResult& result)
     numbers.gap = {};
     numbers.recess = {};
     states_.push_back({points_[index], std::move(numbers)});
+    saved_ = false;
     addRow(states_.back());
     pages_->setCurrentIndex(1);
     plots_->setStates(points_, states_);

@@ -71,6 +71,9 @@ public:
     int count() const { return static_cast<int>(records_.size()); }
     const ListedRecord& listed(int row) const { return *records_[static_cast<std::size_t>(row)]; }
     int rowOf(int number) const; // -1 if it is gone
+    /// Whether it is work that no file of the user has.
+    virtual bool isUnsaved(int row) const { return !listed(row).isInFile(); }
+    virtual QString kind() const = 0; // "Run"
     /// How its curves look where a plot has one curve for each record.
     static CurveStyle style(const ListedRecord& record);
 
@@ -94,7 +97,6 @@ protected:
     virtual bool failed(int row) const = 0;
     /// Lines of the tool tip after the changes.
     virtual QStringList details(int row) const = 0;
-    virtual QString kind() const = 0; // "Run"
     virtual QString shownName(int row) const { return listed(row).name; }
     virtual CurveStyle shownStyle(int row) const { return style(listed(row)); }
     /// A record has been removed: the others may have new names.

@@ -10,6 +10,7 @@
 #include "ui/lists/record_delegate.h"
 #include "ui/lists/record_list.h"
 #include "ui/style/foreign_text.h"
+#include "ui/style/loss_question.h"
 
 namespace touchdown {
 
@@ -194,8 +195,17 @@ void RecordPanel::editNote()
 
 void RecordPanel::removeChosen()
 {
-    const int row = model_.rowOf(chosen());
-    if (row >= 0 && chosen() != active_) model_.remove(row);
+    const int number = chosen(), row = model_.rowOf(number);
+    if (row < 0 || number == active_) return;
+    if (!model_.isUnsaved(row)) return model_.remove(row);
+    askBeforeLoss(
+        *window(),
+        {QStringLiteral("unsavedRecord"), tr("Delete"),
+         tr("%1 %2 “%3” is not saved.").arg(model_.kind(), QString::number(number), inOneLine(model_.listed(row).name)),
+         tr("Nothing brings it back after it is deleted."), tr("&Delete")},
+        [this, number] {
+            if (const int now = model_.rowOf(number); now >= 0) model_.remove(now);
+        });
 }
 
 void RecordPanel::toggleBaseline() { model_.setBaseline(model_.baseline() == chosen() ? -1 : chosen()); }

@@ -64,6 +64,12 @@ RunRecord& RunsModel::add(std::unique_ptr<RunRecord> record)
     return static_cast<RunRecord&>(addRecord(std::move(record)));
 }
 
+bool RunsModel::isUnsaved(int row) const
+{
+    const RunRecord& run = record(row);
+    return RecordList::isUnsaved(row) && run.sampleCount() > 0 && (!run.ofGuide || !run.note.isEmpty());
+}
+
 QString RunsModel::labelOf(const RunRecord& run) const
 {
     const RunRecord* base = nullptr;

@@ -37,6 +37,10 @@ public:
     /// Another name of a run, until names are made anew.
     void rename(int number, const QString& name);
 
+    /// A run without samples, or of a guide that nobody wrote a note on, is no work.
+    bool isUnsaved(int row) const override;
+    QString kind() const override { return tr("Run"); }
+
     /// The newest run that is shown; nullptr: none is.
     const RunRecord* newestShown() const;
     /// Number of the run that speaks; -1: none is shown.
@@ -54,7 +58,6 @@ protected:
     QString result(int row) const override;
     bool failed(int row) const override;
     QStringList details(int row) const override;
-    QString kind() const override { return tr("Run"); }
     QString shownName(int row) const override;
     CurveStyle shownStyle(int row) const override;
     void onRemoved() override { relabel(); }

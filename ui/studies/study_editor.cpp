@@ -68,6 +68,7 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
         emit edited();
     });
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
+    connect(form_, &StudyFormView::typedChanged, this, &StudyEditor::edited);
     connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
     connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
     connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) { openSample(sample); });
@@ -238,15 +239,20 @@ void StudyEditor::showForm()
 
 void StudyEditor::enter(const QString& key, const QString& value)
 {
+    replaceText(textWith(key.toStdString(), value.toStdString()));
+    replan();
+}
+
+QString StudyEditor::textWith(const std::string& key, const std::string& value) const
+{
     const std::string text = toText().toStdString();
     const TomlDocument toml = readToml(text);
     TomlEditor editor(text, toml);
-    if (value.isEmpty())
-        editor.remove(key.toStdString());
+    if (value.empty())
+        editor.remove(key);
     else
-        editor.put(key.toStdString(), value.toStdString());
-    replaceText(QString::fromStdString(editor.result()));
-    replan();
+        editor.put(key, value);
+    return QString::fromStdString(editor.result());
 }
 
 /// So that the text's own undo takes it back.

@@ -61,8 +61,8 @@ public:
     QString save(const QString& file) { return save(kind(), file); }
     /// As save(), and says so; asks first if another program has changed the file since it was opened or saved.
     void saveTo(const QString& file) { saveTo(kind(), file, {}); }
-    /// The texts that were edited since they were opened or saved.
-    std::vector<StudyDraft> unsaved();
+    /// The texts that were edited since they were opened or saved, with what is typed in the form and not taken yet.
+    std::vector<StudyDraft> unsaved() const;
     /// A text from another window; false where an edited one would be replaced, or there is no such kind.
     bool restore(const StudyDraft& draft);
     /// Of a kind, as the list shows it.
@@ -90,7 +90,7 @@ signals:
     void succeeded(const QString& message);
     void failed(const QString& problem);
     void fileOpened(const QString& file);
-    /// A text has changed, or its file.
+    /// A text has changed, or its file, or what is typed in the form.
     void edited();
     /// Another plan, another kind.
     void planned();
@@ -118,6 +118,8 @@ private:
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);
+    /// The text of the chosen kind with another value of a key.
+    QString textWith(const std::string& key, const std::string& value) const;
     void replaceText(const QString& text);
     void takeDefaults();
     void replan();

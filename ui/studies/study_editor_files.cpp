@@ -34,12 +34,16 @@ QString kindIn(const QString& text)
 
 } // namespace
 
-std::vector<StudyDraft> StudyEditor::unsaved()
+std::vector<StudyDraft> StudyEditor::unsaved() const
 {
-    form_->commitTyped();
     std::vector<StudyDraft> all;
-    for (const auto& [kind, draft] : drafts_)
-        if (draft.modified()) all.emplace_back(draft).kind = kind;
+    for (const auto& [kind, draft] : drafts_) {
+        StudyDraft now = draft;
+        now.kind = kind;
+        if (const auto typed = form_->typed(); typed && kind == this->kind())
+            now.text = textWith(typed->first, typed->second);
+        if (now.modified()) all.push_back(now);
+    }
     return all;
 }
 

@@ -248,6 +248,7 @@ QWidget* StudyFormView::makeInput(const StudyKey& key)
         line->setCompleter(keyCompleter(line));
     line->setPlaceholderText(readable(defaultText(key)));
     connect(line, &QLineEdit::editingFinished, this, commitKey);
+    connect(line, &QLineEdit::textEdited, this, &StudyFormView::typedChanged);
     return line;
 }
 
@@ -303,21 +304,36 @@ void StudyFormView::commit(const std::string& key)
     }
     auto* line = qobject_cast<QLineEdit*>(row.input);
     if (line->text() == row.shown) return; // Enter, and then the loss of the focus
-    const std::string before = row.shown.toStdString();
+    const std::string value = valueIn(row);
     row.shown = line->text();
     line->setModified(false);
-    if (row.shown.trimmed().isEmpty()) return emitValue("");
+    emitValue(value);
+}
+
+std::string StudyFormView::valueIn(const Row& row)
+{
+    const QString text = qobject_cast<QLineEdit*>(row.input)->text();
+    if (text.trimmed().isEmpty()) return {};
     switch (row.key.kind) {
     case StudyKeyKind::Number: {
         // A bare number has the unit that stood there, which may be none (SI).
-        std::string unit = unitOf(entryText(QString::fromStdString(before), typedAs(ParameterKind::Number, "")));
+        std::string unit = unitOf(entryText(row.shown, typedAs(ParameterKind::Number, "")));
         if (unit.empty() && !row.isBare) unit = row.key.displayUnit;
-        return emitValue(asToml(entryText(row.shown, typedAs(ParameterKind::Number, unit))));
+        return asToml(entryText(text, typedAs(ParameterKind::Number, unit)));
     }
-    case StudyKeyKind::List: return emitValue(listAsToml(entryText(row.shown, typedAs(ParameterKind::List, ""))));
-    case StudyKeyKind::Integer: return emitValue(asToml(row.shown.trimmed().toStdString()));
-    default: return emitValue(tomlString(row.shown.trimmed().toStdString()));
+    case StudyKeyKind::List: return listAsToml(entryText(text, typedAs(ParameterKind::List, "")));
+    case StudyKeyKind::Integer: return asToml(text.trimmed().toStdString());
+    default: return tomlString(text.trimmed().toStdString());
     }
+}
+
+std::optional<std::pair<std::string, std::string>> StudyFormView::typed() const
+{
+    for (const Row& row : rows_)
+        if (const auto* line = qobject_cast<QLineEdit*>(row.input);
+            line && line->isModified() && line->text() != row.shown)
+            return std::pair(std::string(row.key.key), valueIn(row));
+    return std::nullopt;
 }
 
 void StudyFormView::mark(const std::vector<InputProblem>& problems, const std::string& name)

@@ -4,7 +4,9 @@
 // an entry changes the text. Lists of tables, such as [[method]], are only counted.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <QLabel>
@@ -32,6 +34,8 @@ public:
     void mark(const std::vector<InputProblem>& problems, const std::string& name);
     /// Takes what is typed in a line and was not confirmed yet.
     void commitTyped();
+    /// What it would enter, key and value as in entered(); nothing where nothing is typed.
+    std::optional<std::pair<std::string, std::string>> typed() const;
     /// nullptr if the key has no field: a QLineEdit, QCheckBox or QComboBox.
     QWidget* field(const std::string& key) const;
     /// The problem with the value of a key; "" if there is none.
@@ -40,6 +44,7 @@ public:
 signals:
     /// The value as TOML; empty: the key is to be left out.
     void entered(const QString& key, const QString& value);
+    void typedChanged();
     void undoRequested();
     void redoRequested();
 
@@ -61,6 +66,8 @@ private:
     void fill(Row& row, const TomlDocument& toml, const QString& givenTitle);
     void fillCases(QComboBox* cases, const std::string& chosen, const QString& givenTitle);
     void commit(const std::string& key);
+    /// Of the text in a line, as TOML.
+    static std::string valueIn(const Row& row);
     void colour();
 
     std::vector<StudyKey> keys_; // that have fields

@@ -33,6 +33,11 @@ bool alike(const StudyPlan& a, const StudyPlan& b)
     return a.kind == b.kind && a.text == b.text && caseDifference(a.start.value, b.start.value).isEmpty();
 }
 
+bool showsNothing(const StudyReport& report)
+{
+    return report.charts.empty() && report.tables.empty() && report.findings.empty();
+}
+
 QString writeOutcome(const StudyOutcome& outcome, const QString& file)
 {
     const StudyPlan& plan = outcome.plan;
@@ -101,8 +106,7 @@ void StudyWindow::onFinished(const StudyReport& report)
 {
     progress_->conclude(name(report.status),
                         tr("%1 · %2").arg(QString::fromStdString(report.title), timeText(report.wallSeconds)));
-    const bool nothing = report.charts.empty() && report.tables.empty() && report.findings.empty();
-    if (report.status == StudyStatus::Cancelled && nothing)
+    if (report.status == StudyStatus::Cancelled && showsNothing(report))
         outcomes_.erase(performing_);
     else
         outcomes_[performing_].report = report;
@@ -173,6 +177,13 @@ const StudyOutcome* StudyWindow::outcome(const std::string& kind) const
 {
     const auto found = outcomes_.find(kind);
     return found == outcomes_.end() ? nullptr : &found->second;
+}
+
+const StudyReport* StudyWindow::unsaved(const std::string& kind) const
+{
+    const StudyOutcome* latest = outcome(kind);
+    const bool lost = latest && latest->report && latest->file.isEmpty() && !showsNothing(*latest->report);
+    return lost ? &*latest->report : nullptr;
 }
 
 void StudyWindow::restore(StoredStudy stored, const QString& file)

@@ -55,6 +55,9 @@ public:
     const std::map<std::string, StudyOutcome>& outcomes() const { return outcomes_; }
     /// nullptr: there is none.
     const StudyOutcome* outcome(const std::string& kind) const;
+    /// The report of a kind, also of a study under way, that no file of the user has; nullptr: there is none, or it has
+    /// nothing to show.
+    const StudyReport* unsaved(const std::string& kind) const;
     /// Saves the report of a kind that has one. Returns "" or the problem in a sentence.
     QString save(const std::string& kind, const QString& file);
     /// A report that was read from a file, as if it had been performed here. `file`: of the user; empty: none.

@@ -4,8 +4,10 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "core/studies/study/study.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/foreign_text.h"
+#include "ui/style/loss_question.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -45,20 +47,14 @@ void askToApply(QWidget& window, const Case& open, const Case& found, bool isOth
     box->open();
 }
 
-void askToReplaceReport(QWidget& window, const QString& title, const std::function<void()>& replace)
+void askToReplaceReport(QWidget& window, const StudyReport& report, const std::function<void()>& replace)
 {
-    auto* box =
-        new QMessageBox(QMessageBox::Question, tr("Open a report"),
-                        tr("The report “%1” is not saved.").arg(inOneLine(title)), QMessageBox::Cancel, &window);
-    box->setObjectName(QStringLiteral("unsavedReport"));
-    box->setInformativeText(tr("There is one report of each kind of study: the opened one would take its place."));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* yes = box->addButton(tr("&Replace"), QMessageBox::DestructiveRole);
-    box->setDefaultButton(QMessageBox::Cancel);
-    QObject::connect(box, &QMessageBox::buttonClicked, &window, [yes, replace](const QAbstractButton* chosen) {
-        if (chosen == yes) replace();
-    });
-    box->open();
+    const QString title = inOneLine(QString::fromStdString(report.title));
+    askBeforeLoss(window,
+                  {QStringLiteral("unsavedReport"), tr("Replace a report"),
+                   tr("The report “%1” is not saved.").arg(title),
+                   tr("There is one report of each kind of study: the new one would take its place."), tr("&Replace")},
+                  replace);
 }
 
 } // namespace touchdown

@@ -9,6 +9,7 @@
 #include <QStandardPaths>
 
 #include "ui/case/case_files.h"
+#include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_window.h"
@@ -33,31 +34,47 @@ bool ClosingQuestion::nothingLost(bool kept)
         asking_->raise();
         asking_->activateWindow();
     } else {
+        closes_ = true;
+        leave_ = [this] { emit answered(); };
         ask(work, kept);
     }
     return false;
 }
 
+bool ClosingQuestion::asksBeforeAnotherCase(const std::function<void()>& next)
+{
+    const UnsavedWork work = workOfCase(parts_);
+    if (!work.anyResult() && work.underWay.isEmpty()) return false;
+    closes_ = false;
+    leave_ = next;
+    ask(work, false);
+    return true;
+}
+
+UnsavedWork ClosingQuestion::work() const { return closes_ ? unsavedWork(parts_) : workOfCase(parts_); }
+
 void ClosingQuestion::ask(const UnsavedWork& work, bool kept)
 {
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Close Touchdown"), tr("Not everything is saved."),
-                                QMessageBox::NoButton, &window_);
-    box->setObjectName(QStringLiteral("closing"));
-    QStringList text{tr("Closing would stop or leave behind:")};
+    auto* box = new QMessageBox(QMessageBox::Question, closes_ ? tr("Close Touchdown") : tr("Open another case"),
+                                tr("Not everything is saved."), QMessageBox::NoButton, &window_);
+    box->setObjectName(closes_ ? QStringLiteral("closing") : QStringLiteral("anotherCase"));
+    QStringList text{closes_ ? tr("Closing would stop or leave behind:") : tr("Another case would stop or remove:")};
     for (const QString& line : linesOf(work, parts_)) text += QStringLiteral("• ") + line;
     if (kept)
         text += QLatin1Char('\n') +
                 tr("Without saving, it stays on this computer for a while: File, Sessions brings it back.");
     box->setInformativeText(text.join(QLatin1Char('\n')));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    QPushButton* save = box->addButton(tr("&Save all and close"), QMessageBox::AcceptRole);
-    const QPushButton* leave = box->addButton(tr("&Close without saving"), QMessageBox::DestructiveRole);
+    QPushButton* save =
+        box->addButton(closes_ ? tr("&Save all and close") : tr("&Save all and open"), QMessageBox::AcceptRole);
+    const QPushButton* leave = box->addButton(closes_ ? tr("&Close without saving") : tr("&Open without saving"),
+                                              QMessageBox::DestructiveRole);
     QPushButton* stay = box->addButton(tr("&Go on working"), QMessageBox::RejectRole);
     box->setDefaultButton(save);
     box->setEscapeButton(stay);
     connect(box, &QMessageBox::buttonClicked, this, [=, this](const QAbstractButton* chosen) {
         if (chosen == save) saveAll();
-        if (chosen == leave) emit answered();
+        if (chosen == leave) leave_();
     });
     asking_ = box;
     box->open();
@@ -66,18 +83,21 @@ void ClosingQuestion::ask(const UnsavedWork& work, bool kept)
 void ClosingQuestion::saveAll()
 {
     // What is under way ends with what it has.
-    parts_.runs.controller().stopAndWait();
+    if (closes_) {
+        parts_.runs.controller().stopAndWait();
+        parts_.studies.controller().stopAndWait();
+    }
     parts_.film.controller().stopAndWait();
-    parts_.studies.controller().stopAndWait();
-    const UnsavedWork work = unsavedWork(parts_);
+    parts_.film.view()->stopAndWait();
+    const UnsavedWork left = work();
     // What is in the file is asked for before the folder of the results.
-    if (!work.editedCase.isEmpty() && parts_.files.changedOutside())
+    if (!left.editedCase.isEmpty() && parts_.files.changedOutside())
         return parts_.files.saveThen([this] { saveAll(); });
-    if (!work.anyResult() && work.drafts.empty()) {
-        if (work.editedCase.isEmpty())
-            emit answered();
+    if (!left.anyResult() && left.drafts.empty()) {
+        if (left.editedCase.isEmpty())
+            leave_();
         else
-            parts_.files.saveThen([this] { emit answered(); });
+            parts_.files.saveThen(leave_);
         return;
     }
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
@@ -96,13 +116,12 @@ void ClosingQuestion::saveAll()
 void ClosingQuestion::saveInto(const QString& folder)
 {
     QSettings().setValue(folderKey, folder);
-    const QStringList problems = saveWork(unsavedWork(parts_), parts_, QDir(folder));
-    if (problems.isEmpty()) {
-        emit answered();
-        return;
-    }
-    auto* box = new QMessageBox(QMessageBox::Warning, tr("Close Touchdown"),
-                                tr("Not all could be saved, so the window stays open."), QMessageBox::Close, &window_);
+    const QStringList problems = saveWork(work(), parts_, QDir(folder));
+    if (problems.isEmpty()) return leave_();
+    auto* box = new QMessageBox(QMessageBox::Warning, closes_ ? tr("Close Touchdown") : tr("Open another case"),
+                                closes_ ? tr("Not all could be saved, so the window stays open.")
+                                        : tr("Not all could be saved, so the case stays open."),
+                                QMessageBox::Close, &window_);
     box->setObjectName(QStringLiteral("notSaved"));
     box->setInformativeText(problems.mid(0, 8).join(QLatin1Char('\n')));
     if (problems.size() > 8) box->setDetailedText(problems.join(QLatin1Char('\n')));

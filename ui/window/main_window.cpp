@@ -39,6 +39,7 @@
 #include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
+#include "ui/window/apply_question.h"
 #include "ui/window/closing_question.h"
 #include "ui/window/guides.h"
 #include "ui/window/presenter.h"
@@ -162,11 +163,17 @@ void MainWindow::performStudy()
 {
     setPage(Page::Studies);
     if (!readyToRun()) return;
-    if (studies_->perform())
-        messages_->clear(); // also that the one before it was stopped
+    const StudyPlan& plan = studies_->editor()->plan();
+    if (!plan.valid() || !plan.perform)
+        return messages_->show(MessageStrip::Kind::Failure,
+                               tr("The study cannot be performed: its errors are listed below its text."));
+    const auto perform = [this] {
+        if (studies_->perform()) messages_->clear(); // also that the one before it was stopped
+    };
+    if (const StudyReport* former = studies_->unsaved(plan.kind))
+        askToReplaceReport(*this, *former, perform);
     else
-        messages_->show(MessageStrip::Kind::Failure,
-                        tr("The study cannot be performed: its errors are listed below its text."));
+        perform();
 }
 
 void MainWindow::onCaseOpened()

@@ -279,14 +279,14 @@ void MainWindow::openStudy(const QString& file)
         problem = QString::fromStdString(stored.problem);
         if (problem.isEmpty() && studies_->underWay(stored.report.kind))
             problem = tr("A study of this kind is being performed. Stop it before a report is opened.");
-        const StudyOutcome* there = studies_->outcome(stored.report.kind);
+        const StudyReport* there = studies_->unsaved(stored.report.kind);
         const auto show = [this, file, stored] {
             studies_->editor()->setKind(QString::fromStdString(stored.report.kind));
             studies_->restore(stored, file);
             onStudyOpened(file);
         };
-        if (problem.isEmpty() && there && there->report && there->file.isEmpty())
-            askToReplaceReport(*this, QString::fromStdString(there->report->title), show);
+        if (problem.isEmpty() && there)
+            askToReplaceReport(*this, *there, show);
         else if (problem.isEmpty())
             show();
     } else {

@@ -56,6 +56,8 @@ void MainWindow::connectSession()
         mayClose_ = true;
         close();
     });
+    files_->setResultsQuestion(
+        [this](const std::function<void()>& next) { return closing_->asksBeforeAnotherCase(next); });
     connect(actions_->sessions, &QMenu::aboutToShow, this, &MainWindow::listSessions);
     actions_->reopen->setChecked(QSettings().value(reopenKey, true).toBool());
     connect(actions_->reopen, &QAction::triggered, this, [](bool on) { QSettings().setValue(reopenKey, on); });

@@ -112,6 +112,7 @@ void Session::connectStudies()
 void Session::connectState()
 {
     connect(&parts_.edits, &CaseEdits::edited, this, &Session::schedule);
+    connect(&parts_.edits, &CaseEdits::typedChanged, this, &Session::schedule);
     connect(&parts_.files, &CaseFiles::saved, this, &Session::schedule);
     connect(&parts_.pages, &WindowPages::shown, this, &Session::schedule);
     for (const RecordList* list :

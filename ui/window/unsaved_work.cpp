@@ -29,7 +29,7 @@ std::vector<int> unsavedOf(const RecordList& list)
 {
     std::vector<int> numbers;
     for (int row = 0; row < list.count(); ++row)
-        if (!list.listed(row).isInFile()) numbers.push_back(list.listed(row).number);
+        if (list.isUnsaved(row)) numbers.push_back(list.listed(row).number);
     return numbers;
 }
 
@@ -59,6 +59,14 @@ QString freeName(const QDir& folder, const QString& base, const QString& ending)
     return folder.filePath(name);
 }
 
+QStringList filmUnderWay(const SessionParts& parts)
+{
+    QStringList list;
+    if (parts.film.controller().active()) list << tr("a static solution, which is under way");
+    if (parts.film.view()->busy()) list << tr("a series or modes, which are under way");
+    return list;
+}
+
 } // namespace
 
 bool hasNotesOnFiles(const SessionParts& parts)
@@ -77,20 +85,27 @@ UnsavedWork unsavedWork(const SessionParts& parts)
     if (parts.files.modified()) work.editedCase = parts.files.shortName();
     const RunRecord* underWay = parts.runs.runUnderWay();
     if (underWay) work.underWay << tr("run %1, which is under way").arg(underWay->number);
-    if (parts.film.controller().active()) work.underWay << tr("a static solution, which is under way");
-    if (parts.film.view()->busy()) work.underWay << tr("a series or modes, which are under way");
+    work.underWay << filmUnderWay(parts);
     if (parts.studies.controller().active()) work.underWay << tr("a study, which is under way");
     work.runs = unsavedOf(parts.runs.runs());
-    std::erase_if(work.runs, [&](int number) {
-        const RunRecord& run = *parts.runs.runs().find(number);
-        return &run == underWay || (run.ofGuide && run.note.isEmpty()) || run.sampleCount() == 0;
-    });
+    if (underWay) std::erase(work.runs, underWay->number);
     work.solutions = unsavedOf(parts.film.solutions());
     for (const auto& [kind, outcome] : parts.studies.outcomes())
-        if (outcome.report && outcome.file.isEmpty() && !parts.studies.underWay(kind)) work.studies.push_back(kind);
+        if (parts.studies.unsaved(kind) && !parts.studies.underWay(kind)) work.studies.push_back(kind);
     work.series = parts.film.view()->series()->unsaved();
     work.modes = parts.film.view()->modes()->unsaved();
     work.drafts = parts.studies.editor()->unsaved();
+    return work;
+}
+
+UnsavedWork workOfCase(const SessionParts& parts)
+{
+    const UnsavedWork all = unsavedWork(parts);
+    UnsavedWork work;
+    work.editedCase = all.editedCase;
+    work.underWay = filmUnderWay(parts);
+    work.series = all.series;
+    work.modes = all.modes;
     return work;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What closing the window would lose: edits, calculations under way, results in the lists that no file of the user has.
+// What closing the window, or opening another case, would lose: edits, calculations under way, results in the lists
+// that no file of the user has.
 #pragma once
 
 #include <string>
@@ -44,6 +45,8 @@ struct UnsavedWork {
 };
 
 UnsavedWork unsavedWork(const SessionParts& parts);
+/// The part of it that is lost when another case is opened: changes, series, modes, and what the film calculates.
+UnsavedWork workOfCase(const SessionParts& parts);
 /// Whether a result that lies in a file of the user has a note: only a session keeps notes.
 bool hasNotesOnFiles(const SessionParts& parts);
 /// One line for each kind of work, with count and names.

@@ -13,6 +13,7 @@
 #include "core/simulation/flight/coupled_step.h"
 #include "core/simulation/flight/damping_doubt.h"
 #include "core/simulation/flight/film_energy_balance.h"
+#include "core/simulation/flight/film_figures.h"
 #include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/flight/film_scene.h"
 #include "core/simulation/flight/law_switch.h"
@@ -24,15 +25,17 @@ namespace touchdown {
 
 namespace {
 
-constexpr double firstStep = 2e-9;       // [s]
-constexpr double shortestStep = 1e-14;   // [s]
-constexpr double jumpStep = 1e-11;       // so short a step whose error is too large leads over a jump of the forces [s]
-constexpr double longestShare = 0.01;    // of the run, for a step
-constexpr double positionShare = 5e-3;   // of a step's error, for the error of its iteration
-constexpr double filmShare = 0.1;        // and for the film's residual, as the displacement of a slider by its force
-constexpr double filmTimeShare = 0.3;    // of the film's own error in time [-]
-constexpr double typicalScale = 10e-9;   // over which a film's force changes by the load [m]
-constexpr double switchShare = 0.05;     // of a step's error, to which a switch's separation is located [-]
+constexpr double firstStep = 2e-9;     // [s]
+constexpr double shortestStep = 1e-14; // [s]
+constexpr double jumpStep = 1e-11;     // so short a step whose error is too large leads over a jump of the forces [s]
+constexpr double longestShare = 0.01;  // of the run, for a step
+constexpr double positionShare = 5e-3; // of a step's error, for the error of its iteration
+constexpr double filmShare = 0.1;      // and for the film's residual, as the displacement of a slider by its force
+constexpr double filmTimeShare = 0.3;  // of the film's own error in time [-]
+constexpr double typicalScale = 10e-9; // over which a film's force changes by the load [m]
+constexpr double switchShare = 0.05;   // of a step's error, to which a switch's separation is located [-]
+constexpr double mostToEnd = 4.0;      // equal steps at the end of the run
+constexpr double stretch = 0.999;      // of the way to the end that a step covers, which is lengthened to reach it [-]
 constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first one with a new law [-]
 constexpr double chatterSpan = 1e-7;     // within which many switches are chattering [s]
 constexpr int mostTries = 12;            // for one switch
@@ -89,7 +92,10 @@ public:
         if (contact_)
             for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
         if (contact_ && recorder_ && end_.status != RunStatus::Cancelled) addDoubts(summary);
-        if (recorder_) addCost(summary);
+        if (recorder_) {
+            addCost(summary, stepper_->cost());
+            addStepErrors(summary, worst_, recorder_->energyImbalance());
+        }
         run_.setTimes(summary);
         return summary;
     }
@@ -100,46 +106,7 @@ private:
         const SliderContact::Doubts doubts = contact_->doubts([this] { return goOn(); });
         std::ranges::move(warningsOf(case_, doubts.of, doubts.contact, doubts.adhesion),
                           std::back_inserter(summary.warnings));
-        if (!doubts.of.grid) return; // no contact
-        const bool known = doubts.of.grid->known && coversError(case_, doubts.of);
-        const auto error = [&](double value) { return known ? value : std::numeric_limits<double>::quiet_NaN(); };
-        summary.figures.push_back(
-            {{"contact_force_error", "N", "mN", "Error of the contact's grid at the largest contact force"},
-             error(doubts.of.grid->force)});
-        summary.figures.push_back({{"contact_area_error", "m^2", "um^2", "Error of its grid in the area of contact"},
-                                   error(doubts.of.grid->area)});
-    }
-
-    void addCost(Summary& summary) const
-    {
-        const CoupledCost& cost = stepper_->cost();
-        const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
-            summary.figures.push_back({{name, unit, unit, longName}, value, false, true});
-        };
-        const auto addCount = [&](const char* name, const char* longName, long long count) {
-            summary.figures.push_back({{name, "1", "1", longName}, static_cast<double>(count), true, true});
-        };
-        add("film_time", "s", "Wall time of the film's steps", cost.filmSeconds);
-        add("response_time", "s", "Wall time of the film's responses to the attitude", cost.responseSeconds);
-        add("force_time", "s", "Wall time of the film's forces", cost.forceSeconds);
-        add("contact_time", "s", "Wall time of the contact", cost.contactSeconds);
-        add("disk_time", "s", "Wall time of the disk's surface under the film", cost.diskSeconds);
-        addCount("film_solves", "Attitudes at which the film was solved", cost.filmSolves);
-        addCount("linearisations", "Linearisations of the film", cost.linearisations);
-        addCount("contact_solves", "Attitudes at which the contact was asked", cost.contactSolves);
-        addCount("contact_skipped", "Attitudes at which no contact was in reach", cost.contactSkipped);
-        const double perContact =
-            cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
-        add("contact_saved", "s", "Wall time that skipped contacts would have taken",
-            perContact * static_cast<double>(cost.contactSkipped));
-        addCount("jacobians_kept", "Attitudes at which the film needed no linearisation", cost.jacobiansKept);
-        add("force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load",
-            worstBalance_);
-        add("position_left", "m", "Largest distance from its solution at which a step was accepted", worstLeft_);
-        add("film_left", "1", "Largest error of the film's pressure that a step was accepted with, against ambient",
-            worstFilm_);
-        add("energy_balance", "1", "Energy imbalance, against the largest change of a part",
-            recorder_->energyImbalance());
+        if (doubts.of.grid) addGridError(summary, *doubts.of.grid, coversError(case_, doubts.of)); // else no contact
     }
 
     /// False when the run ends here.
@@ -212,10 +179,21 @@ private:
         return longest;
     }
 
+    /// The last step ends with the run, and so does its last map. The few before it are as long, so that they stay
+    /// fitted.
+    double towardsEnd(double dt) const
+    {
+        constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon(); // lest a sliver is left
+        const double left = (1.0 + rounding) * case_.run.duration - stepper_->time();
+        const double steps = std::ceil(stretch * left / dt);
+        return steps > (length_.fixed() ? 1.0 : mostToEnd) || left < jumpStep ? dt : left / steps;
+    }
+
     /// One accepted step, however many tries it takes. False when the run ends here.
     bool advanceOnce()
     {
-        double dt = length_.next(point_.dt, (switched_ ? shareAfterSwitch : 1.0) * longestStep(), switched_);
+        double dt =
+            towardsEnd(length_.next(point_.dt, (switched_ ? shareAfterSwitch : 1.0) * longestStep(), switched_));
         switched_ = false;
         while (true) {
             const CoupledStepResult result = tryStep(dt);
@@ -248,9 +226,7 @@ private:
         stepper_->accept();
         ++steps_;
         if (!stepper_->isFitted()) ++unfitted_.count, unfitted_.time += dt;
-        worstBalance_ = std::max(worstBalance_, tried_.forceBalance);
-        worstLeft_ = std::max(worstLeft_, tried_.positionLeft);
-        worstFilm_ = std::max(worstFilm_, tried_.filmError);
+        worst_.add(tried_);
         const FilmPoint before = point_;
         point_ = pointNow(dt);
         balance_->add(*stepper_, before, point_);
@@ -346,16 +322,15 @@ private:
                 .dt = dt};
     }
 
-    /// Maps at equal intervals, of the step that ends next.
+    /// Maps at equal intervals, of the step that ends next; the last one at the end of the run.
     void takeFields()
     {
         const int count = case_.run.fieldSnapshots;
-        const double interval = case_.run.duration / std::max(1, count - 1),
-                     reached = stepper_->time() + 1e-9 * interval;
-        if (snapshots_ == count || reached < snapshots_ * interval) return;
-        while (snapshots_ < count && reached >= snapshots_ * interval) ++snapshots_;
-        for (FieldSnapshot& snapshot :
-             scene_.snapshots(stepper_->time(), body_->attitude(stepper_->motion().q), stepper_->pressure()))
+        const double interval = case_.run.duration / std::max(1, count - 1), time = reached(),
+                     due = time + 1e-9 * interval;
+        if (snapshots_ == count || due < snapshots_ * interval) return;
+        while (snapshots_ < count && due >= snapshots_ * interval) ++snapshots_;
+        for (FieldSnapshot& snapshot : scene_.snapshots(time, body_->attitude(point_.motion.q), stepper_->pressure()))
             run_.addFields(std::move(snapshot));
     }
 
@@ -417,8 +392,8 @@ private:
     long long cuts_ = 0;    // of fixed steps
     std::string firstCut_;
     CoupledStepResult tried_;
-    double worstBalance_ = 0.0, worstLeft_ = 0.0, worstFilm_ = 0.0; // of accepted steps [-], [m], [-]
-    int snapshots_ = 0;                                             // taken
+    StepErrors worst_;  // of accepted steps
+    int snapshots_ = 0; // taken
     ChatterWatch switches_;
     double lowestForCells_ = 0.0; // the spacing then [m]
     std::string unseenDisk_;      // where its surface first reached the slider under a law that does not see it

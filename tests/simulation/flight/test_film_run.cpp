@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/flight/film_run.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/formats/units.h"
+#include "core/simulation/run.h"
 #include "tests/support/film_flight.h"
 #include "tests/support/test_program.h"
 
@@ -83,6 +85,43 @@ private slots:
             QVERIFY(height.front() - height[n] <=
                     0.5 * (c.suspension.preload + suction) / c.slider.mass * t * t + 1e-15);
         }
+    }
+    /// Steps of a run end where its duration does: with them the last map, as the last sample.
+    void theLastMapIsOfTheEnd_data()
+    {
+        QTest::addColumn<bool>("fixed");
+        QTest::addColumn<double>("duration"); // [s]
+        QTest::newRow("steps by their error") << false << 0.73e-6;
+        QTest::newRow("steps that divide the run") << true << 0.8e-6;
+        QTest::newRow("steps that do not") << true << 0.77e-6;
+    }
+    void theLastMapIsOfTheEnd()
+    {
+        QFETCH(bool, fixed);
+        QFETCH(double, duration);
+        Case c = fromRest("film_femto", duration);
+        c.film.nodes = {17, 17};
+        c.initial.heightOffset = 5e-9;
+        c.run.fieldSnapshots = 3;
+        c.run.sampleInterval = duration / 7.3;
+        if (fixed) c.run.steps = StepControl::Fixed, c.run.step = 20e-9;
+        std::vector<FieldSnapshot> maps;
+        const Summary summary = run(c, [&](const RunUpdate& update) {
+            for (const FieldSnapshot& each : update.fields) maps.push_back(each);
+            return true;
+        });
+        QVERIFY2(summary.status == RunStatus::Completed, summary.message.c_str());
+        QCOMPARE(summary.endTime, duration);
+        QCOMPARE(maps.size(), std::size_t(3));
+        QCOMPARE(maps.back().time, duration);
+        // The lowest of the cells' gaps to the mean plane lies at the minimum spacing that the last sample has, above
+        // it by at most half a cell's slope: the pitch of some 200 urad over 0.43 mm/16/2.
+        const std::vector<double>& gap = maps.back().values[0];
+        double spacing = 0.0;
+        for (const auto& [quantity, value] : summary.final)
+            if (quantity == "minimum_spacing") spacing = value;
+        const double lowest = *std::ranges::min_element(gap);
+        QVERIFY2(lowest > spacing && lowest < spacing + 5e-9, qPrintable(QString::number(lowest - spacing)));
     }
     /// Twice the same bits.
     void isDeterministic()

@@ -8,10 +8,12 @@
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/question.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/film/series_setup.h"
 #include "ui/style/quantity_format.h"
@@ -37,6 +39,8 @@ private slots:
     void refusesEqualEnds();
     void copiesAndSaves();
     void theKeyboardDoesAll();
+    void asksBeforeAnUnsavedSeriesIsReplaced();
+    void savedWhileUnderWayIsNotSavedWhole();
     void anotherCaseForgets();
     void aRealCase();
 
@@ -55,6 +59,7 @@ private:
     {
         QSignalSpy finished(&page_->controller(), &SeriesController::finished);
         button()->click();
+        if (question(*page_, "unsavedSeries")) answer(*page_, "unsavedSeries", QStringLiteral("Replace"));
         QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 60000);
     }
 
@@ -230,6 +235,36 @@ void TestSeriesPage::theKeyboardDoesAll()
     QVERIFY(std::abs(*page_->plots()->plots()[0]->plotCursor(0) - 12.5e-3) < 1e-12);
     QTest::keyClick(page_->table(), Qt::Key_Tab);
     QVERIFY(!page_->table()->hasFocus());
+}
+
+void TestSeriesPage::asksBeforeAnUnsavedSeriesIsReplaced()
+{
+    const QTemporaryDir folder;
+    solve();
+    const std::size_t states = page_->states().size();
+    button()->click();
+    QVERIFY(question(*page_, "unsavedSeries"));
+    answer(*page_, "unsavedSeries", QStringLiteral("Cancel"));
+    QVERIFY(!page_->controller().active());
+    QCOMPARE(page_->states().size(), states);
+    QCOMPARE(page_->save(folder.filePath(QStringLiteral("series.csv"))), QString());
+    button()->click();
+    QVERIFY(!question(*page_, "unsavedSeries"));
+    QTRY_VERIFY(!page_->controller().active());
+}
+
+void TestSeriesPage::savedWhileUnderWayIsNotSavedWhole()
+{
+    const QTemporaryDir folder;
+    waiting_ = 18e-3; // behind 10 and 15 mm
+    page_->setup()->setChoice({Varied::Radius, 10e-3, 30e-3, 0.0, 0.1, 5});
+    button()->click();
+    QTRY_COMPARE(page_->states().size(), std::size_t(2));
+    QCOMPARE(page_->save(folder.filePath(QStringLiteral("series.csv"))), QString());
+    QCOMPARE(page_->unsaved(), std::size_t(0));
+    waiting_ = 1.0;
+    QTRY_COMPARE(page_->states().size(), std::size_t(5));
+    QCOMPARE(page_->unsaved(), std::size_t(5));
 }
 
 void TestSeriesPage::anotherCaseForgets()

@@ -13,6 +13,7 @@
 #include "core/results/results_reader.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/question.h"
 #include "ui/case/parameter_text.h"
 #include "ui/lists/record_delegate.h"
 #include "ui/lists/record_panel.h"
@@ -403,6 +404,7 @@ void TestRunsPanel::removesRuns()
     QCOMPARE(panel.chosen(), 2);
     for (QToolButton* button : panel.findChildren<QToolButton*>())
         if (button->text() == QStringLiteral("Delete")) button->click();
+    answer(panel, "unsavedRecord", QStringLiteral("Delete"));
     QCOMPARE(removed.count(), 1);
     QCOMPARE(removed[0][0].toInt(), 2);
     QCOMPARE(model.count(), 1);

@@ -20,6 +20,7 @@
 #include "core/case_files/case_text.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/question.h"
 #include "tests/ui/sample_study.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
@@ -116,6 +117,7 @@ struct Fixture {
     {
         const QSignalSpy ended(&window, &MainWindow::calculationEnded);
         window.performStudy();
+        if (question(window, "unsavedReport")) answer(window, "unsavedReport", QStringLiteral("Replace"));
         if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 30'000)) qFatal("the study does not end");
     }
     QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
@@ -137,6 +139,8 @@ private slots:
     void saysNothingOfAStudyThatFails();
     void saysWhatIsUnderWayAfterPerformAgain();
     void saysWhereThatCannotBeTold();
+    void asksBeforeAnUnsavedReportIsReplaced();
+    void asksBeforeAStudyUnderWayBeginsAgain();
     void stops();
     void saysWhatIsWrongWhileItIsWritten();
     void keepsTheTextAndTheReportOfEachKind();
@@ -297,6 +301,44 @@ void TestStudyPage::saysWhereThatCannotBeTold()
     window.setPage(Page::Studies);
     QTRY_COMPARE(window.studies().editor()->duration(),
                  QStringLiteral("How long it takes cannot be told: the search ends when its targets are reached."));
+}
+
+void TestStudyPage::asksBeforeAnUnsavedReportIsReplaced()
+{
+    const QTemporaryDir folder;
+    Fixture f;
+    const auto number = [&f] { return f.window.studies().outcome("work-precision")->number; };
+    f.perform();
+    const int former = number();
+    f.window.performStudy();
+    QVERIFY(question(f.window, "unsavedReport"));
+    answer(f.window, "unsavedReport", QStringLiteral("Cancel"));
+    QVERIFY(!f.window.studies().controller().active());
+    QCOMPARE(number(), former);
+    QVERIFY(f.findings().contains(QStringLiteral("40 times faster")));
+    // A report that is in a file may be replaced, and one of another kind stays.
+    QCOMPARE(f.window.studies().save("work-precision", folder.filePath(QStringLiteral("mine.h5"))), QString());
+    f.window.performStudy();
+    QVERIFY(!question(f.window, "unsavedReport"));
+    QTRY_VERIFY(!f.window.studies().controller().active());
+    f.editor().setKind(QStringLiteral("advise"));
+    f.window.performStudy();
+    QVERIFY(!question(f.window, "unsavedReport"));
+    QTRY_VERIFY(!f.window.studies().controller().active());
+    QVERIFY(f.window.studies().unsaved("work-precision"));
+}
+
+void TestStudyPage::asksBeforeAStudyUnderWayBeginsAgain()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("endless"));
+    f.window.performStudy();
+    QTRY_COMPARE(f.charts(), 1);
+    f.window.performStudy();
+    QVERIFY(question(f.window, "unsavedReport"));
+    answer(f.window, "unsavedReport", QStringLiteral("Cancel"));
+    QCOMPARE(f.window.studies().outcome("work-precision")->number, 1);
+    QCOMPARE(f.window.studies().controller().state(), State::Running);
 }
 
 void TestStudyPage::stops()

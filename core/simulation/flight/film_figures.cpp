@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/flight/film_figures.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace touchdown {
+
+namespace {
+
+void addMeasured(Summary& summary, const char* name, const char* unit, const char* longName, double value)
+{
+    summary.figures.push_back({{name, unit, unit, longName}, value, false, true});
+}
+
+} // namespace
+
+void StepErrors::add(const CoupledStepResult& accepted)
+{
+    balance = std::max(balance, accepted.forceBalance);
+    left = std::max(left, accepted.positionLeft);
+    film = std::max(film, accepted.filmError);
+}
+
+void addCost(Summary& summary, const CoupledCost& cost)
+{
+    const auto add = [&](const char* name, const char* unit, const char* longName, double value) {
+        addMeasured(summary, name, unit, longName, value);
+    };
+    const auto addCount = [&](const char* name, const char* longName, long long count) {
+        summary.figures.push_back({{name, "1", "1", longName}, static_cast<double>(count), true, true});
+    };
+    add("film_time", "s", "Wall time of the film's steps", cost.filmSeconds);
+    add("response_time", "s", "Wall time of the film's responses to the attitude", cost.responseSeconds);
+    add("force_time", "s", "Wall time of the film's forces", cost.forceSeconds);
+    add("contact_time", "s", "Wall time of the contact", cost.contactSeconds);
+    add("disk_time", "s", "Wall time of the disk's surface under the film", cost.diskSeconds);
+    addCount("film_solves", "Attitudes at which the film was solved", cost.filmSolves);
+    addCount("linearisations", "Linearisations of the film", cost.linearisations);
+    addCount("contact_solves", "Attitudes at which the contact was asked", cost.contactSolves);
+    addCount("contact_skipped", "Attitudes at which no contact was in reach", cost.contactSkipped);
+    const double perContact =
+        cost.contactSolves > 0 ? cost.contactSolveSeconds / static_cast<double>(cost.contactSolves) : 0.0;
+    add("contact_saved", "s", "Wall time that skipped contacts would have taken",
+        perContact * static_cast<double>(cost.contactSkipped));
+    addCount("jacobians_kept", "Attitudes at which the film needed no linearisation", cost.jacobiansKept);
+}
+
+void addStepErrors(Summary& summary, const StepErrors& worst, double energyImbalance)
+{
+    addMeasured(summary, "force_balance", "1", "Largest imbalance of the forces in an accepted step, against the load",
+                worst.balance);
+    addMeasured(summary, "position_left", "m", "Largest distance from its solution at which a step was accepted",
+                worst.left);
+    addMeasured(summary, "film_left", "1",
+                "Largest error of the film's pressure that a step was accepted with, against ambient", worst.film);
+    addMeasured(summary, "energy_balance", "1", "Energy imbalance, against the largest change of a part",
+                energyImbalance);
+}
+
+void addGridError(Summary& summary, const ContactGridError& error, bool covers)
+{
+    const bool known = error.known && covers;
+    const auto add = [&](const Quantity& quantity, double value) {
+        summary.figures.push_back({quantity, known ? value : std::numeric_limits<double>::quiet_NaN()});
+    };
+    add({"contact_force_error", "N", "mN", "Error of the contact's grid at the largest contact force"}, error.force);
+    add({"contact_area_error", "m^2", "um^2", "Error of its grid in the area of contact"}, error.area);
+}
+
+} // namespace touchdown

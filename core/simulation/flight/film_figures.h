@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The figures of a film's run beside its samples: what its steps cost, and how well they were solved.
+#pragma once
+
+#include "core/physics/contact/contact_grid_error.h"
+#include "core/simulation/flight/coupled_step.h"
+#include "core/simulation/recording/run_summary.h"
+
+namespace touchdown {
+
+/// The largest of the accepted steps.
+struct StepErrors {
+    double balance = 0.0, left = 0.0, film = 0.0; // as in CoupledStepResult [-], [m], [-]
+
+    void add(const CoupledStepResult& accepted);
+};
+
+void addCost(Summary& summary, const CoupledCost& cost);
+/// `energyImbalance`: see FilmRecorder.
+void addStepErrors(Summary& summary, const StepErrors& worst, double energyImbalance);
+/// Of the contact's grid at the largest contact force. `covers`: it holds all errors, else it is not known.
+void addGridError(Summary& summary, const ContactGridError& error, bool covers);
+
+} // namespace touchdown
