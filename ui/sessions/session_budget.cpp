@@ -13,9 +13,9 @@ qint64 keepSessionsWithin(qint64 budget)
     if (bytes <= budget) return bytes;
     QStringList closed, brokenOff; // the newest first
     for (const QString& path : SessionFolder::ended()) {
-        const std::optional<SessionState> state = readSession(path);
-        if (state && !state->notUnderstood.isEmpty()) continue; // nobody knows what it is
-        (state && !state->closed ? brokenOff : closed) << path;
+        const SessionState state = readSession(path);
+        if (!state.notUnderstood.isEmpty()) continue; // nobody knows what it is
+        (state.closed || state.empty() ? closed : brokenOff) << path;
     }
     if (!brokenOff.isEmpty()) brokenOff.removeFirst();
     QStringList order = brokenOff + closed;

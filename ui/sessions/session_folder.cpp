@@ -152,16 +152,19 @@ bool SessionFolder::stands() const
            held.st_dev == found.st_dev && held.st_ino == found.st_ino;
 }
 
-QString SessionFolder::setStateAside() const
+QString SessionFolder::setStateAside(const QString& reason) const
 {
+    QString kept = stateFile();
     for (int copy = 1; copy < 100; ++copy) {
         const QString name = copy == 1 ? QStringLiteral("session-not-understood.json")
                                        : QStringLiteral("session-not-understood-%1.json").arg(copy);
-        if (::renameat2(folder_, "session.json", folder_, QFile::encodeName(name).constData(), RENAME_NOREPLACE) == 0)
-            return file(name);
-        if (errno != EEXIST) break;
+        const bool done =
+            ::renameat2(folder_, "session.json", folder_, QFile::encodeName(name).constData(), RENAME_NOREPLACE) == 0;
+        if (done) kept = file(name);
+        if (done || errno != EEXIST) break;
     }
-    return {};
+    return tr("The state of a session could not be read: %1. The file is kept: %2")
+        .arg(reason, QDir::toNativeSeparators(kept));
 }
 
 void SessionFolder::remove(std::unique_ptr<SessionFolder> folder)

@@ -46,8 +46,9 @@ public:
     QString studyFile(const QString& kind) const { return file(QStringLiteral("study-%1.h5").arg(kind)); }
     /// Whether the folder is still at its path.
     bool stands() const;
-    /// Renames a session.json that is not understood, so that it stays. Returns its new path; "" if that failed.
-    QString setStateAside() const;
+    /// Renames a session.json that is not understood, so that it stays. Returns a sentence with the reason and the
+    /// path.
+    QString setStateAside(const QString& reason) const;
     /// Removes the files of the session, then the folder if it is empty, and releases it.
     static void remove(std::unique_ptr<SessionFolder> folder);
 

@@ -15,9 +15,6 @@ namespace touchdown {
 
 struct SessionState;
 
-/// Keeps a state that is not understood under another name. Returns a sentence with its path.
-QString setStateAside(const SessionFolder& folder, const SessionState& state);
-
 /// Leaves only these results and texts in the folder of a session that was restored; removes it when there are none.
 /// Returns the problem in a sentence, or "".
 QString leaveRest(std::unique_ptr<SessionFolder> folder, const SessionState& rest);

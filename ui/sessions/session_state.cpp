@@ -211,7 +211,8 @@ void matchFiles(std::vector<ListedState>& list, const QString& folder, const QSt
 
 bool SessionState::empty() const
 {
-    return !edited.modified && runs.empty() && solutions.empty() && drafts.empty() && !modes && !series;
+    return !edited.modified && runs.empty() && solutions.empty() && drafts.empty() && !modes && !series &&
+           reports.isEmpty();
 }
 
 std::vector<ListedState> statesOf(const RecordList& list, int underWay)
@@ -247,7 +248,7 @@ QByteArray toJson(const SessionState& state)
     return QJsonDocument(json).toJson();
 }
 
-std::optional<SessionState> readSession(const QString& folder)
+SessionState readSession(const QString& folder)
 {
     const QString file = folder + QStringLiteral("/session.json");
     const bool found = QFileInfo::exists(file) || QFileInfo(file).isSymbolicLink();
@@ -256,8 +257,11 @@ std::optional<SessionState> readSession(const QString& folder)
     const QString earlier = state.restoring.isEmpty() ? QString() : earlierFolder(folder, state.restoring);
     matchFiles(state.runs, folder, earlier, QStringLiteral("run"));
     matchFiles(state.solutions, folder, earlier, QStringLiteral("solution"));
-    state.series = isOwnFile(folder + QStringLiteral("/series.h5"));
-    if (!found && state.empty()) return std::nullopt;
+    for (const QString& name : ownFiles(folder)) {
+        if (name == QLatin1String("series.h5")) state.series = true;
+        if (name.startsWith(QLatin1String("study-")) && name.endsWith(QLatin1String(".h5")))
+            state.reports << name.mid(6).chopped(3);
+    }
     return state;
 }
 
@@ -266,35 +270,26 @@ QString earlierFolder(const QString& folder, const QString& name)
     return QFileInfo(QFileInfo(folder).dir(), QFileInfo(name).fileName()).filePath();
 }
 
-QStringList studiesIn(const QString& folder)
-{
-    QStringList kinds;
-    for (const QString& name : ownFiles(folder))
-        if (name.startsWith(QLatin1String("study-")) && name.endsWith(QLatin1String(".h5")))
-            kinds << name.mid(6).chopped(3);
-    return kinds;
-}
-
-QString describe(const SessionState& state, const QStringList& studies)
+QString describe(const SessionState& state)
 {
     QStringList parts;
+    const auto add = [&parts](auto count, const QString& one, const QString& more) {
+        if (count > 0) parts << (count == 1 ? one : more.arg(count));
+    };
     if (state.edited.modified) parts << tr("the case %1 with its edits").arg(inOneLine(state.edited.name));
-    const auto count = std::ssize(state.runs);
     const auto interrupted = std::ranges::count(state.runs, true, &ListedState::underWay);
-    if (count == 1) parts << (interrupted == 1 ? tr("1 run, which was interrupted") : tr("1 run"));
-    if (count > 1)
-        parts << (interrupted == 0 ? tr("%1 runs").arg(count)
-                                   : tr("%1 runs (%2 was interrupted)").arg(count).arg(interrupted));
-    if (state.solutions.size() == 1) parts << tr("1 static solution");
-    if (state.solutions.size() > 1) parts << tr("%1 static solutions").arg(state.solutions.size());
+    if (interrupted == 0)
+        add(state.runs.size(), tr("1 run"), tr("%1 runs"));
+    else
+        add(state.runs.size(), tr("1 run, which was interrupted"), tr("%2 runs (%1 was interrupted)").arg(interrupted));
+    add(state.solutions.size(), tr("1 static solution"), tr("%1 static solutions"));
     if (state.series) parts << tr("1 series of static states");
     if (state.modes) parts << tr("modes");
-    if (state.drafts.size() == 1) parts << tr("the edited text of 1 study");
-    if (state.drafts.size() > 1) parts << tr("the edited texts of %1 studies").arg(state.drafts.size());
-    const bool broken = studies.contains(state.studyUnderWay);
-    if (studies.size() == 1) parts << (broken ? tr("1 study, interrupted") : tr("1 study report"));
-    if (studies.size() > 1)
-        parts << (broken ? tr("%1 study reports (1 was interrupted)") : tr("%1 study reports")).arg(studies.size());
+    add(state.drafts.size(), tr("the edited text of 1 study"), tr("the edited texts of %1 studies"));
+    if (state.reports.contains(state.studyUnderWay))
+        add(state.reports.size(), tr("1 study, interrupted"), tr("%1 study reports (1 was interrupted)"));
+    else
+        add(state.reports.size(), tr("1 study report"), tr("%1 study reports"));
     return parts.join(QStringLiteral(", "));
 }
 

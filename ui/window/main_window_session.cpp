@@ -106,11 +106,11 @@ void MainWindow::listSessions()
     const bool ready = session_ && session_->folder() && !session_->restoring();
     QStringList paths = ready ? SessionFolder::ended() : QStringList();
     for (const QString& path : paths.mid(0, mostSessions)) {
-        const std::optional<SessionState> state = readSession(path);
-        const QString left = state && !state->newer ? describe(*state, studiesIn(path)) : QString();
+        const SessionState state = readSession(path);
+        const QString left = state.newer ? QString() : describe(state);
         if (left.isEmpty()) continue;
         menu->addAction(QStringLiteral("%1: %2").arg(
-                            QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
+                            QLocale().toString(state.written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
                         this, [this, path] {
                             files_->whenSettled([this, path] {
                                 if (auto folder = SessionFolder::take(path)) session_->restore(std::move(folder));

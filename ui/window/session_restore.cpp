@@ -62,36 +62,35 @@ void Session::restore(std::unique_ptr<SessionFolder> from)
 {
     if (!folder_ || from_) return;
     finishRestoring(*from);
-    const std::optional<SessionState> state = readSession(from->path());
-    if (!state) return;
+    const SessionState state = readSession(from->path());
     refused_.clear();
-    if (!state->notUnderstood.isEmpty()) refused_ << setStateAside(*from, *state);
-    what_ = describe(*state, studiesIn(from->path()));
+    if (!state.notUnderstood.isEmpty()) refused_ << from->setStateAside(state.notUnderstood);
+    what_ = describe(state);
     from_ = std::move(from);
     left_ = {};
-    left_.written = state->written;
-    left_.closed = state->closed;
-    if (const CaseState& edited = state->edited; edited.modified || !edited.savedText.isEmpty())
+    left_.written = state.written;
+    left_.closed = state.closed;
+    if (const CaseState& edited = state.edited; edited.modified || !edited.savedText.isEmpty())
         if (const QString problem = parts_.files.restore(edited); !problem.isEmpty() && edited.modified) {
             left_.edited = edited;
             refused_ << tr("The edited case %1 cannot be read again and stays in File, Sessions, Restore: %2")
                             .arg(inOneLine(edited.name), problem);
         }
     StudyEditor& editor = *parts_.studies.editor();
-    for (const StudyDraft& draft : state->drafts)
+    for (const StudyDraft& draft : state.drafts)
         if (!editor.restore(draft)) {
             left_.drafts.push_back(draft);
             refused_ << tr("The window has another edited text of the study %1; that of the earlier session stays in "
                            "File, Sessions, Restore.")
                             .arg(draft.kind);
         }
-    editor.setKind(state->study);
-    if (ModesPage& page = *parts_.film.view()->modes(); state->modes && !page.controller().active())
-        page.restore(*state->modes);
+    editor.setKind(state.study);
+    if (ModesPage& page = *parts_.film.view()->modes(); state.modes && !page.controller().active())
+        page.restore(*state.modes);
     arriving_ = {};
-    arriving_.page = std::clamp(state->page, 0, 2);
+    arriving_.page = std::clamp(state.page, 0, 2);
     arriving_.restoring = QFileInfo(from_->path()).fileName();
-    waiting_ = resultsOf(*state);
+    waiting_ = resultsOf(state);
     keepState();
     wait(); // before the first file is moved
     reader_.start(waiting_);
@@ -140,8 +139,7 @@ std::vector<std::shared_ptr<LeftResult>> Session::resultsOf(const SessionState& 
         expect(*result, entry, parts_.film.solutions(), arriving_.solutions);
     }
     if (state.series) add(LeftResult::Kind::Series, from_->seriesFile());
-    for (const QString& kind : studiesIn(from_->path()))
-        add(LeftResult::Kind::Study, from_->studyFile(kind)).study = kind;
+    for (const QString& kind : state.reports) add(LeftResult::Kind::Study, from_->studyFile(kind)).study = kind;
     return results;
 }
 
@@ -237,6 +235,8 @@ void Session::onRestored(bool stopped)
     for (const std::shared_ptr<LeftResult>& result : std::exchange(waiting_, {}))
         if (result->kind == LeftResult::Kind::Series)
             left_.series = true;
+        else if (result->kind == LeftResult::Kind::Study)
+            left_.reports << result->study;
         else
             for (const ListedState& entry : result->entries)
                 (result->kind == LeftResult::Kind::Run ? left_.runs : left_.solutions).push_back(entry);
