@@ -44,7 +44,7 @@ public:
     QString problem() const { return problem_; }
     /// Takes over the work of an earlier session. The case in the window is replaced at once; results are read beside
     /// the window and added to the lists one by one. Results that could not be taken over, or not yet when this is
-    /// stopped, stay in its folder, else this is removed.
+    /// stopped, stay in its folder, else this is removed. Asks first where the case reads files outside its folder.
     void restore(std::unique_ptr<SessionFolder> from);
     bool restoring() const { return from_ != nullptr; }
     /// Shows the progress; its stop() ends the restoring.
@@ -88,6 +88,7 @@ private:
     void keepSeries();
     void removeFile(const QString& file);
     void keepWithinBudget();
+    void restore(std::unique_ptr<SessionFolder> from, const SessionState& state);
     /// What was asked for when the session is to be restored.
     std::vector<std::shared_ptr<LeftResult>> resultsOf(const SessionState& state);
     void onRead(LeftResult& result);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include <QDir>
@@ -63,6 +64,14 @@ void Session::restore(std::unique_ptr<SessionFolder> from)
     if (!folder_ || from_) return;
     finishRestoring(*from);
     const SessionState state = readSession(from->path());
+    const auto held = std::make_shared<std::unique_ptr<SessionFolder>>(std::move(from));
+    parts_.files.askBeforeRestoring(state.edited, [this, held, state] {
+        if (folder_ && !from_ && *held) restore(std::move(*held), state);
+    });
+}
+
+void Session::restore(std::unique_ptr<SessionFolder> from, const SessionState& state)
+{
     refused_.clear();
     if (!state.notUnderstood.isEmpty()) refused_ << from->setStateAside(state.notUnderstood);
     what_ = describe(state);
