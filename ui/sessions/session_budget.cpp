@@ -12,8 +12,7 @@ qint64 keepSessionsWithin(qint64 budget)
     for (const QString& path : SessionFolder::all()) bytes += bytesIn(path);
     if (bytes <= budget) return bytes;
     QStringList closed, brokenOff; // the newest first
-    for (const QString& path : SessionFolder::ended()) {
-        const SessionState state = readSession(path);
+    for (const auto& [path, state] : endedSessions()) {
         if (!state.notUnderstood.isEmpty()) continue; // nobody knows what it is
         (state.closed || state.empty() ? closed : brokenOff) << path;
     }

@@ -138,6 +138,13 @@ QStringList SessionFolder::ended()
     return paths;
 }
 
+bool SessionFolder::hasForeignLock(const QString& path)
+{
+    struct stat status {};
+    return ::lstat(QFile::encodeName(path + QLatin1Char('/') + lockName).constData(), &status) == 0 &&
+           !(S_ISREG(status.st_mode) && status.st_size == 0);
+}
+
 SessionFolder::~SessionFolder()
 {
     ::close(lock_);

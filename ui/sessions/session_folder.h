@@ -28,10 +28,12 @@ public:
     static std::unique_ptr<SessionFolder> create(QString& problem);
     /// The folder of a session that has ended. nullptr while a window uses it.
     static std::unique_ptr<SessionFolder> take(const QString& path);
-    /// Folders that no window uses, the newest first. A symbolic link is no session.
+    /// Folders that no window uses, by their names from the last on. A symbolic link is no session.
     static QStringList ended();
     /// All folders.
     static QStringList all();
+    /// Whether something else has the name of a folder's lock, so that nobody can take the folder.
+    static bool hasForeignLock(const QString& path);
     /// Releases the folder; its files stay.
     ~SessionFolder();
     SessionFolder(const SessionFolder&) = delete;

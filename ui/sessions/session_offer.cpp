@@ -60,7 +60,13 @@ void finishRestoring(const SessionFolder& folder)
 
 std::unique_ptr<SessionFolder> newestBrokenOff(QStringList& remarks)
 {
-    for (const QString& path : SessionFolder::ended()) {
+    for (const QString& path : SessionFolder::all())
+        if (SessionFolder::hasForeignLock(path) && !readSession(path).empty())
+            remarks << tr("A session cannot be offered, because its file “lock” is not one that the program makes. "
+                          "Remove that file, and the next start offers the session: %1")
+                           .arg(QDir::toNativeSeparators(path));
+    for (const auto& [path, left] : endedSessions()) {
+        if (left.closed && left.restoring.isEmpty()) continue;
         std::unique_ptr<SessionFolder> folder = SessionFolder::take(path);
         if (!folder) continue;
         finishRestoring(*folder);

@@ -23,7 +23,7 @@ QString leaveRest(std::unique_ptr<SessionFolder> folder, const SessionState& res
 void finishRestoring(const SessionFolder& folder);
 
 /// The newest session that broke off with something in it, held until it is let go. Those without work are removed. A
-/// state that is not understood is set aside, with a sentence in `remarks`.
+/// state that is not understood is set aside, with a sentence in `remarks`; so is said which session nobody can take.
 std::unique_ptr<SessionFolder> newestBrokenOff(QStringList& remarks);
 
 /// Asks Restore, Discard or Later, without blocking the window; calls `restore` if that is chosen. Nobody else is

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <QDir>
@@ -263,6 +264,25 @@ SessionState readSession(const QString& folder)
             state.reports << name.mid(6).chopped(3);
     }
     return state;
+}
+
+std::vector<EndedSession> endedSessions()
+{
+    using Time = std::pair<qint64, QString>; // [ms since 1970]; the name decides between equal ones
+    std::vector<std::pair<Time, EndedSession>> all;
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    for (const QString& path : SessionFolder::ended()) {
+        EndedSession session{path, readSession(path)};
+        Time time(0, path);
+        for (const QDateTime& each :
+             {QFileInfo(path + QStringLiteral("/session.json")).lastModified(), session.state.written})
+            if (each.isValid() && each <= now) time.first = each.toMSecsSinceEpoch();
+        all.emplace_back(std::move(time), std::move(session));
+    }
+    std::ranges::sort(all, std::ranges::greater(), [](const auto& each) -> const Time& { return each.first; });
+    std::vector<EndedSession> sorted;
+    for (auto& each : all) sorted.push_back(std::move(each.second));
+    return sorted;
 }
 
 QString earlierFolder(const QString& folder, const QString& name)

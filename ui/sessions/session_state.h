@@ -64,6 +64,13 @@ constexpr std::uintmax_t largestState = std::uintmax_t(4) << 20; // file of a st
 QByteArray toJson(const SessionState& state);
 /// What the folder of a session holds; results that its session.json does not name are found by their files.
 SessionState readSession(const QString& folder);
+struct EndedSession {
+    QString path;
+    SessionState state;
+};
+/// Those that no window uses, the newest first: by the time at which its state was written. A time that is still to
+/// come, of a clock that was wrong, is not believed; then that of the file counts.
+std::vector<EndedSession> endedSessions();
 /// The folder of the session that a session restores, beside its own; `name`: SessionState::restoring.
 QString earlierFolder(const QString& folder, const QString& name);
 /// "case fig10a with its edits, 3 runs (1 was interrupted), 2 static solutions"; empty when nothing is worth restoring.

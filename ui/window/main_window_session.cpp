@@ -42,8 +42,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr int stateVersion = 2;        // of the arrangement of the panes in the settings
-constexpr qsizetype mostSessions = 12; // in the menu
+constexpr int stateVersion = 2;          // of the arrangement of the panes in the settings
+constexpr std::size_t mostSessions = 12; // in the menu
 constexpr auto reopenKey = "session/reopen";
 
 } // namespace
@@ -104,9 +104,10 @@ void MainWindow::listSessions()
     if (session_ && !session_->problem().isEmpty()) menu->addAction(session_->problem())->setEnabled(false);
     if (session_ && session_->restoring()) menu->addAction(tr("A session is being restored"))->setEnabled(false);
     const bool ready = session_ && session_->folder() && !session_->restoring();
-    QStringList paths = ready ? SessionFolder::ended() : QStringList();
-    for (const QString& path : paths.mid(0, mostSessions)) {
-        const SessionState state = readSession(path);
+    std::vector<EndedSession> sessions = ready ? endedSessions() : std::vector<EndedSession>{};
+    sessions.resize(std::min(sessions.size(), mostSessions));
+    for (const EndedSession& session : sessions) {
+        const auto& [path, state] = session;
         const QString left = state.newer ? QString() : describe(state);
         if (left.isEmpty()) continue;
         menu->addAction(QStringLiteral("%1: %2").arg(

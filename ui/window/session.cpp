@@ -43,7 +43,11 @@ std::size_t bytesOf(const SteadyResult& state)
 
 } // namespace
 
-qint64 Session::budget() { return QSettings().value(budgetKey, defaultBudget).toLongLong(); }
+qint64 Session::budget()
+{
+    const qint64 bytes = QSettings().value(budgetKey).toLongLong(); // 0: no number
+    return bytes > 0 ? bytes : defaultBudget;
+}
 
 void Session::setBudget(qint64 bytes) { QSettings().setValue(budgetKey, bytes); }
 

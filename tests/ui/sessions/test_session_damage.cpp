@@ -42,6 +42,8 @@ private slots:
     void leavesWhatIsNoSession_data();
     void leavesWhatIsNoSession();
     void offersASessionWithoutALock();
+    void offersTheSessionThatWasWrittenLast_data();
+    void offersTheSessionThatWasWrittenLast();
     void leavesTheSessionOfANewerVersion();
     void keepsTheNoteOfARunWhoseFileIsGone();
     void readsWhatItWrites();
@@ -304,6 +306,9 @@ void TestSessionDamage::leavesWhatIsNoSession()
     const Content before = contentOf(data_->path());
     QStringList remarks;
     QVERIFY(!newestBrokenOff(remarks));
+    // What is a session and cannot be taken is said.
+    QCOMPARE(remarks.size(), what.startsWith(QLatin1String("lock")) ? 1 : 0);
+    QVERIFY2(remarks.isEmpty() || remarks.front().contains(folder_), qPrintable(remarks.join(u' ')));
     keepSessionsWithin(0);
     QVERIFY(contentOf(data_->path()) == before);
 }
@@ -314,6 +319,41 @@ void TestSessionDamage::offersASessionWithoutALock()
     QVERIFY(QFile::remove(file(QStringLiteral("lock"))));
     QStringList remarks;
     QVERIFY(newestBrokenOff(remarks));
+}
+
+/// Names of folders and times of states, as clocks leave them that were set.
+void TestSessionDamage::offersTheSessionThatWasWrittenLast_data()
+{
+    QTest::addColumn<QString>("name"); // of the folder of the older session
+    QTest::addColumn<qint64>("age");   // of its state [s]
+    QTest::newRow("in their order") << "20200101-000000-000-1" << qint64(3600);
+    QTest::newRow("an older one with a later name") << "20990101-000000-000-1" << qint64(3600);
+    QTest::newRow("an older one of a time to come") << "20990101-000000-000-1" << qint64(-100'000'000);
+    QTest::newRow("of the same time, by the name") << "20200101-000000-000-1" << qint64(0);
+}
+
+void TestSessionDamage::offersTheSessionThatWasWrittenLast()
+{
+    QFETCH(const QString, name);
+    QFETCH(const qint64, age);
+    const QString older = QFileInfo(folder_).dir().filePath(name);
+    QVERIFY(QDir().mkpath(older));
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    SessionState state = sampleState();
+    state.written = now.addSecs(-age);
+    write(older + QStringLiteral("/session.json"), toJson(state));
+    QFile stateFile(older + QStringLiteral("/session.json"));
+    QVERIFY(stateFile.open(QIODevice::ReadWrite));
+    QVERIFY(stateFile.setFileTime(now.addSecs(-3600), QFileDevice::FileModificationTime));
+    state.written = now;
+    become(toJson(state));
+    const std::vector<EndedSession> ended = endedSessions();
+    QCOMPARE(ended.size(), std::size_t(2));
+    QCOMPARE(ended.front().path, folder_);
+    QStringList remarks;
+    const std::unique_ptr<SessionFolder> offered = newestBrokenOff(remarks);
+    QVERIFY(offered);
+    QCOMPARE(offered->path(), folder_);
 }
 
 /// Only that version can take all of it.

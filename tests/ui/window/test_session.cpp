@@ -499,6 +499,10 @@ void TestSession::startsWithTheDefaultCaseIfWanted()
 
 void TestSession::removesTheOldestClosedSessions()
 {
+    for (const char* noNumber : {"many", "-5", ""}) {
+        QSettings().setValue("session/budget", noNumber);
+        QCOMPARE(Session::budget(), Session::defaultBudget);
+    }
     // From the oldest: one that broke off, three that were closed, one that broke off; each has 1000 bytes of a run.
     QStringList paths;
     for (const bool closed : {false, true, true, true, false}) {
