@@ -65,7 +65,7 @@ void MainWindow::connectSession()
             [](const QAction* action) { Session::setBudget(action->data().toLongLong()); });
 }
 
-void MainWindow::beginSession(bool offer)
+void MainWindow::beginSession(bool offer, QStringList remarks)
 {
     session_ = new Session(sessionParts(), this);
     pages_->addFoot(*new RestoreStrip(*session_, *messages_, *this));
@@ -78,8 +78,10 @@ void MainWindow::beginSession(bool offer)
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
-    if (!session_->folder()) return messages_->show(MessageStrip::Kind::Warning, session_->problem());
-    QStringList remarks;
+    if (!session_->folder()) {
+        remarks << session_->problem();
+        return messages_->show(MessageStrip::Kind::Warning, remarks.join(QLatin1Char('\n')));
+    }
     std::unique_ptr<SessionFolder> last = newestBrokenOff(remarks);
     if (last && offer)
         return offerSession(*this, std::move(last), remarks,
