@@ -184,6 +184,13 @@ void SessionFolder::remove(std::unique_ptr<SessionFolder> folder)
     ::rmdir(QFile::encodeName(folder->path_).constData()); // only when it is empty, and not through a link
 }
 
+bool liesAt(const QString& path) { return QFileInfo::exists(path) || QFileInfo(path).isSymbolicLink(); }
+
+bool moveOwnFile(const QString& from, const QString& to)
+{
+    return isOwnFile(from) && !liesAt(to) && QFile::rename(from, to);
+}
+
 bool isOwnFile(const QString& path)
 {
     return isOwnName(QFileInfo(path).fileName()) && isRegular(AT_FDCWD, QFile::encodeName(path));

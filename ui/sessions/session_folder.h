@@ -61,8 +61,12 @@ private:
     int folder_, lock_; // descriptors
 };
 
+/// Whether anything lies at a path, also a link that leads nowhere.
+bool liesAt(const QString& path);
 /// Whether a path is a regular file, and no link, with a name that a session writes.
 bool isOwnFile(const QString& path);
+/// Moves such a file, unless anything lies there already.
+bool moveOwnFile(const QString& from, const QString& to);
 /// The names of such files in a folder.
 QStringList ownFiles(const QString& folder);
 /// Their bytes.

@@ -7,7 +7,6 @@
 
 #include <QAbstractButton>
 #include <QDir>
-#include <QFile>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -31,15 +30,13 @@ void finishRestoring(const SessionFolder& folder)
     if (state.restoring.isEmpty()) return;
     const QString path = earlierFolder(folder.path(), state.restoring);
     if (std::unique_ptr<SessionFolder> from = SessionFolder::take(path)) {
-        const auto move = [](const QString& there, const QString& here) {
-            if (isOwnFile(there)) QFile::rename(there, here); // which replaces nothing
-        };
         for (const ListedState& run : state.runs)
-            if (run.from > 0) move(from->runFile(run.from), folder.runFile(run.number));
+            if (run.from > 0) moveOwnFile(from->runFile(run.from), folder.runFile(run.number));
         for (const ListedState& solution : state.solutions)
-            if (solution.from > 0) move(from->solutionFile(solution.from), folder.solutionFile(solution.number));
-        if (!isOwnFile(folder.seriesFile())) move(from->seriesFile(), folder.seriesFile());
-        for (const QString& kind : readSession(path).reports) move(from->studyFile(kind), folder.studyFile(kind));
+            if (solution.from > 0) moveOwnFile(from->solutionFile(solution.from), folder.solutionFile(solution.number));
+        moveOwnFile(from->seriesFile(), folder.seriesFile());
+        for (const QString& kind : readSession(path).reports)
+            moveOwnFile(from->studyFile(kind), folder.studyFile(kind));
         SessionState rest = readSession(path);
         if (rest.edited.text == state.edited.text) rest.edited = {};
         rest.modes.reset(); // this session has them
@@ -86,6 +83,27 @@ std::unique_ptr<SessionFolder> newestBrokenOff(QStringList& remarks)
         SessionFolder::remove(std::move(folder));
     }
     return nullptr;
+}
+
+qint64 keepSessionsWithin(qint64 budget)
+{
+    qint64 bytes = 0;
+    for (const QString& path : SessionFolder::all()) bytes += bytesIn(path);
+    if (bytes <= budget) return bytes;
+    QStringList closed, brokenOff; // the newest first
+    for (const auto& [path, state] : endedSessions()) {
+        if (!state.notUnderstood.isEmpty()) continue; // nobody knows what it is
+        (state.closed || state.empty() ? closed : brokenOff) << path;
+    }
+    if (!brokenOff.isEmpty()) brokenOff.removeFirst();
+    QStringList order = brokenOff + closed;
+    while (bytes > budget && !order.isEmpty()) {
+        std::unique_ptr<SessionFolder> folder = SessionFolder::take(order.takeLast());
+        if (!folder) continue; // a window restores it
+        bytes -= bytesIn(folder->path());
+        SessionFolder::remove(std::move(folder));
+    }
+    return bytes;
 }
 
 void offerSession(QWidget& window, std::unique_ptr<SessionFolder> folder, const QStringList& remarks,

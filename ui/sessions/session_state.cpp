@@ -189,9 +189,8 @@ SessionState stateIn(const QString& file)
 /// `earlier`: a folder from which entries still arrive; empty: none.
 void matchFiles(std::vector<ListedState>& list, const QString& folder, const QString& earlier, const QString& kind)
 {
-    const auto kept = [&kind](const QString& where, int number) {
-        const QFileInfo file(QStringLiteral("%1/%2%3.h5").arg(where, kind).arg(number));
-        return file.exists() || file.isSymbolicLink(); // whatever it is: the person is told why it is not restored
+    const auto kept = [&kind](const QString& where, int number) { // whatever it is: why it is not restored is said
+        return liesAt(QStringLiteral("%1/%2%3.h5").arg(where, kind).arg(number));
     };
     std::erase_if(list, [&](const ListedState& each) {
         const bool arrives = !earlier.isEmpty() && each.from > 0 && kept(earlier, each.from);
@@ -252,8 +251,7 @@ QByteArray toJson(const SessionState& state)
 SessionState readSession(const QString& folder)
 {
     const QString file = folder + QStringLiteral("/session.json");
-    const bool found = QFileInfo::exists(file) || QFileInfo(file).isSymbolicLink();
-    SessionState state = found ? stateIn(file) : SessionState{};
+    SessionState state = liesAt(file) ? stateIn(file) : SessionState{};
     if (!state.written.isValid()) state.written = QFileInfo(folder).lastModified();
     const QString earlier = state.restoring.isEmpty() ? QString() : earlierFolder(folder, state.restoring);
     matchFiles(state.runs, folder, earlier, QStringLiteral("run"));

@@ -19,7 +19,7 @@
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
-#include "ui/sessions/session_budget.h"
+#include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/quantity_format.h"
@@ -65,7 +65,9 @@ Session::Session(const SessionParts& parts, QObject* parent)
     connectSolutions();
     connectStudies();
     connectState();
-    connectReader();
+    connect(&reader_, &SessionReader::read, this,
+            [this](const std::shared_ptr<LeftResult>& result) { onRead(*result); });
+    connect(&reader_, &SessionReader::finished, this, &Session::onRestored);
     keepWithinBudget();
     schedule();
 }
@@ -92,22 +94,13 @@ void Session::connectStudies()
     StudyWindow& studies = parts_.studies;
     connect(&studies, &StudyWindow::ended, this, [this](const StudyReport& report) {
         studySoon_.stop();
-        studyGrew_ = false;
         schedule();
         keepStudy(report.kind);
     });
-    const auto keepNow = [this] {
-        studyGrew_ = false;
-        keepStudy(parts_.studies.kindUnderWay().toStdString());
-        studySoon_.start();
-    };
-    connect(&studies.controller(), &StudyController::partial, this, [this, keepNow] {
-        studyGrew_ = true;
-        if (!studySoon_.isActive()) keepNow();
+    connect(&studies.controller(), &StudyController::partial, this, [this] {
+        if (!studySoon_.isActive()) studySoon_.start();
     });
-    connect(&studySoon_, &QTimer::timeout, this, [this, keepNow] {
-        if (studyGrew_) keepNow();
-    });
+    connect(&studySoon_, &QTimer::timeout, this, [this] { keepStudy(parts_.studies.kindUnderWay().toStdString()); });
     connect(&studies, &StudyWindow::started, this, &Session::schedule);
     connect(studies.editor(), &StudyEditor::edited, this, &Session::schedule);
     connect(studies.editor()->kinds(), &QComboBox::currentIndexChanged, this, &Session::schedule);
@@ -148,6 +141,7 @@ SessionState Session::state() const
     state.modes = parts_.film.view()->modes()->known();
     state.study = parts_.studies.editor()->kind();
     state.studyUnderWay = parts_.studies.kindUnderWay();
+    state.closed = closed_;
     return state;
 }
 
@@ -171,14 +165,8 @@ void Session::onSolutionAdded(int number)
     const std::size_t bytes = bytesOf(solution->result);
     if (overBudget_ || results_.pending() + bytes > mostPending) return;
     const QString file = folder_->solutionFile(number);
-    results_.post([record = *solution, file] { return saveSolution(record, file); },
-                  [this, number, file](const QString& problem) {
-                      if (problem.isEmpty())
-                          parts_.film.solutions().setKept(number, file);
-                      else
-                          report(problem);
-                  },
-                  bytes);
+    write([record = *solution, file] { return saveSolution(record, file); },
+          [this, number, file] { parts_.film.solutions().setKept(number, file); }, bytes);
 }
 
 void Session::keepStudy(const std::string& kind)
@@ -190,12 +178,10 @@ void Session::keepStudy(const std::string& kind)
         kept.status = StudyStatus::Cancelled;
         kept.message = tr("The program that performed this study was interrupted.").toStdString();
     }
-    results_.post(
-        [file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
-         c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
-            return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
-        },
-        [this](const QString& problem) { report(problem); });
+    write([file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
+           c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
+        return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
+    });
 }
 
 void Session::keepSeries()
@@ -208,8 +194,16 @@ void Session::keepSeries()
         return;
     }
     seriesKept_ = true;
-    results_.post([file = folder_->seriesFile(), series = page.series()] { return writeSeries(file, series); },
-                  [this](const QString& problem) { report(problem); });
+    write([file = folder_->seriesFile(), series = page.series()] { return writeSeries(file, series); });
+}
+
+void Session::write(TaskQueue::Task task, std::function<void()> then, std::size_t bytes)
+{
+    const auto ended = [this, then = std::move(then)](const QString& problem) {
+        if (problem.isEmpty() && then) then();
+        report(problem);
+    };
+    results_.post(std::move(task), ended, bytes);
 }
 
 void Session::removeFile(const QString& file)
@@ -234,7 +228,7 @@ void Session::keepWithinBudget()
 
 void Session::report(const QString& problem)
 {
-    if (problem.isEmpty()) return;
+    if (problem.isEmpty() || closed_) return;
     ++failures_;
     setProblem(
         tr("Not all of the work is kept against a crash: %1 Runs go on in memory; save the results that you need.")
@@ -331,10 +325,7 @@ void Session::close(bool keep)
     soon_.stop();
     wait();
     if (keep) {
-        SessionState last = state();
-        last.written = QDateTime::currentDateTimeUtc();
-        last.closed = true;
-        states_.post([file = folder_->stateFile(), text = toJson(last)] { return writeWholeFile(file, text); });
+        keepState();
         states_.wait();
         folder_.reset();
     } else {

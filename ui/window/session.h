@@ -6,6 +6,7 @@
 // When the disk is full or too slow, this is said once, and the work goes on in memory.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -74,7 +75,6 @@ private:
     void connectSolutions();
     void connectStudies();
     void connectState();
-    void connectReader();
     void schedule();
     SessionState state() const;
     void onRunStarted(int number);
@@ -86,6 +86,9 @@ private:
     /// The report of a kind, also of a study under way.
     void keepStudy(const std::string& kind);
     void keepSeries();
+    /// Performs a task behind those of before and reports its problem; calls `then` if there is none. `bytes`: see
+    /// TaskQueue::post.
+    void write(TaskQueue::Task task, std::function<void()> then = {}, std::size_t bytes = 0);
     void removeFile(const QString& file);
     void keepWithinBudget();
     void restore(std::unique_ptr<SessionFolder> from, const SessionState& state);
@@ -115,8 +118,7 @@ private:
     QTimer soon_;            // writes the state
     QByteArray written_;     // the state that was written last, without its time
     QTimer studySoon_, watch_;
-    bool studyGrew_ = false; // since its report was kept
-    bool adding_ = false;    // results that are added are in the folder already
+    bool adding_ = false; // results that are added are in the folder already
     bool seriesKept_ = false;
     bool overBudget_ = false;
     bool reported_ = false;

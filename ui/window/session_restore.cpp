@@ -11,7 +11,6 @@
 #include <utility>
 
 #include <QDir>
-#include <QFile>
 
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
@@ -30,10 +29,10 @@ namespace touchdown {
 
 namespace {
 
-/// Empty, or a sentence. Nothing is replaced, and no link is moved.
+/// Empty, or a sentence.
 QString moveFile(const QString& there, const QString& here)
 {
-    if (isOwnFile(there) && !QFileInfo(here).isSymbolicLink() && QFile::rename(there, here)) return {};
+    if (moveOwnFile(there, here)) return {};
     return Session::tr("%1 could not be moved to the folder of this session and stays there.")
         .arg(QDir::toNativeSeparators(there));
 }
@@ -45,19 +44,7 @@ void annotate(SolutionsModel& solutions, int number, const ListedState& entry)
     if (!entry.shown) solutions.setData(index, Qt::Unchecked, Qt::CheckStateRole);
 }
 
-void forget(std::vector<ListedState>& list, const std::vector<int>& numbers)
-{
-    std::erase_if(list, [&](const ListedState& each) { return std::ranges::count(numbers, each.number) > 0; });
-}
-
 } // namespace
-
-void Session::connectReader()
-{
-    connect(&reader_, &SessionReader::read, this,
-            [this](const std::shared_ptr<LeftResult>& result) { onRead(*result); });
-    connect(&reader_, &SessionReader::finished, this, &Session::onRestored);
-}
 
 void Session::restore(std::unique_ptr<SessionFolder> from)
 {
@@ -107,48 +94,37 @@ void Session::restore(std::unique_ptr<SessionFolder> from, const SessionState& s
 
 std::vector<std::shared_ptr<LeftResult>> Session::resultsOf(const SessionState& state)
 {
+    using Kind = LeftResult::Kind;
     std::vector<std::shared_ptr<LeftResult>> results;
-    const auto add = [&results](LeftResult::Kind kind, const QString& file) -> LeftResult& {
+    const auto add = [&results](Kind kind, const QString& file) {
         results.push_back(std::make_shared<LeftResult>());
         results.back()->kind = kind;
         results.back()->file = file;
-        return *results.back();
+        return results.back().get();
     };
-    const auto expect = [](LeftResult& result, const ListedState& entry, RecordList& list,
-                           std::vector<ListedState>& arriving) {
-        const int number = std::max(entry.number, list.nextNumber());
-        list.keepFree(number);
-        result.entries.push_back(entry);
-        result.numbers.push_back(number);
-        arriving.push_back(entry);
-        arriving.back().number = number;
-        arriving.back().from = result.inFolder ? entry.number : 0;
-    };
-    const auto there = [](const QString& file) { return QFileInfo::exists(file) || QFileInfo(file).isSymbolicLink(); };
-    for (const ListedState& entry : state.runs) {
-        const QString kept = from_->runFile(entry.number);
-        LeftResult& result = add(LeftResult::Kind::Run, there(kept) ? kept : entry.file);
-        result.inFolder = result.file == kept;
-        expect(result, entry, parts_.runs.runs(), arriving_.runs);
-    }
-    std::map<QString, LeftResult*> opened; // solutions of the same file
-    for (const ListedState& entry : state.solutions) {
-        const QString kept = from_->solutionFile(entry.number);
-        LeftResult* result = nullptr;
-        if (there(kept)) {
-            result = &add(LeftResult::Kind::Solution, kept);
-        } else {
-            LeftResult*& same = opened[entry.file];
-            if (same == nullptr) {
-                same = &add(LeftResult::Kind::OpenedSolutions, entry.file);
-                same->inFolder = false;
-            }
-            result = same;
+    const auto addList = [&](Kind kind, const std::vector<ListedState>& entries, RecordList& list,
+                             std::vector<ListedState>& arriving, QString (SessionFolder::*fileOf)(int) const) {
+        std::map<QString, LeftResult*> opened; // one file has several solutions, but one run
+        for (const ListedState& entry : entries) {
+            const QString kept = (from_.get()->*fileOf)(entry.number);
+            const bool inFolder = liesAt(kept);
+            LeftResult*& result = opened[inFolder ? kept : entry.file];
+            if (result == nullptr || kind == Kind::Run) result = add(kind, inFolder ? kept : entry.file);
+            result->inFolder = inFolder;
+            const int number = std::max(entry.number, list.nextNumber());
+            list.keepFree(number);
+            result->entries.push_back(entry);
+            result->numbers.push_back(number);
+            arriving.push_back(entry);
+            arriving.back().number = number;
+            arriving.back().from = inFolder ? entry.number : 0;
         }
-        expect(*result, entry, parts_.film.solutions(), arriving_.solutions);
-    }
-    if (state.series) add(LeftResult::Kind::Series, from_->seriesFile());
-    for (const QString& kind : state.reports) add(LeftResult::Kind::Study, from_->studyFile(kind)).study = kind;
+    };
+    addList(Kind::Run, state.runs, parts_.runs.runs(), arriving_.runs, &SessionFolder::runFile);
+    addList(Kind::Solutions, state.solutions, parts_.film.solutions(), arriving_.solutions,
+            &SessionFolder::solutionFile);
+    if (state.series) add(Kind::Series, from_->seriesFile());
+    for (const QString& kind : state.reports) add(Kind::Study, from_->studyFile(kind))->study = kind;
     return results;
 }
 
@@ -159,8 +135,7 @@ void Session::onRead(LeftResult& result)
     QString problem = result.problem;
     if (problem.isEmpty()) switch (result.kind) {
         case LeftResult::Kind::Run: problem = takeRun(result); break;
-        case LeftResult::Kind::Solution:
-        case LeftResult::Kind::OpenedSolutions: problem = takeSolutions(result); break;
+        case LeftResult::Kind::Solutions: problem = takeSolutions(result); break;
         case LeftResult::Kind::Study: problem = takeStudy(result); break;
         case LeftResult::Kind::Series: problem = takeSeries(result); break;
         }
@@ -171,7 +146,8 @@ void Session::onRead(LeftResult& result)
         return;
     }
     std::erase_if(waiting_, [&](const auto& each) { return each.get() == &result; });
-    forget(result.kind == LeftResult::Kind::Run ? arriving_.runs : arriving_.solutions, result.numbers);
+    std::erase_if(result.kind == LeftResult::Kind::Run ? arriving_.runs : arriving_.solutions,
+                  [&](const ListedState& each) { return std::ranges::count(result.numbers, each.number) > 0; });
 }
 
 QString Session::takeRun(LeftResult& result)

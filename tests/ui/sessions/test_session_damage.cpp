@@ -19,7 +19,6 @@
 #include <QtTest>
 
 #include "tests/support/test_program.h"
-#include "ui/sessions/session_budget.h"
 #include "ui/sessions/session_folder.h"
 #include "ui/sessions/session_state.h"
 

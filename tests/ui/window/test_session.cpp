@@ -27,7 +27,7 @@
 #include "ui/film/series_page.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
-#include "ui/sessions/session_budget.h"
+#include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/window/main_window.h"
