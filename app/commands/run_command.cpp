@@ -14,6 +14,7 @@
 #include "app/terminal/progress_line.h"
 #include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
+#include "app/terminal/stop_signals.h"
 #include "core/case/disk_setup.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
@@ -313,7 +314,8 @@ public:
         : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
     {
         // The time series takes its name only at the end of the run, the results at once: nothing may fail after them.
-        if (!arguments.csv.empty()) problem_ = csv_.emplace().open(arguments.csv, quantities_);
+        if (!arguments.csv.empty())
+            problem_ = csv_.emplace().open(arguments.csv, quantities_, [] { return !stopRequested(); });
         if (problem_.empty() && !arguments.out.empty()) {
             // The text holds the contents of the files that the case names: the results need no other file.
             const std::string text = updateCaseText(document.text, document.value);

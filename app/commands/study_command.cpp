@@ -297,11 +297,11 @@ int studyCommand(const CommandArguments& arguments)
     ProgressLine line(arguments.progress);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, [&](const StudyProgress& progress) {
-        // A state that cannot be written is no reason to stop: the whole report tells the problem at the end.
+        // A state that cannot be written is no reason to stop: the problem is reported when the final report is written.
         if (!arguments.out.empty()) out.update(progress.soFar);
         return line.show({progress.share, progress.doing});
     });
-    if (report.status == StudyStatus::Completed) line.show({1.0}); // also of a study that ends before it tells anything
+    if (report.status == StudyStatus::Completed) line.show({1.0}); // also of a study that reports no progress
     line.end();
     locks.release();
     const std::vector<std::string> problems = writeFiles(arguments, plan, report, out);

@@ -21,6 +21,7 @@
 #include "core/studies/reader_program.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
+#include "ui/window/settings_file.h"
 #include "ui/window/start_card.h"
 
 namespace {
@@ -149,6 +150,7 @@ int main(int argc, char** argv)
         const QApplication application(argc, argv);
         std::setlocale(LC_NUMERIC, "C");
         useNames();
+        const SettingsFile settings;
         applyTheme(Theme::Light);
         return takeStudyPictures(arguments.study, arguments.file.isEmpty() ? defaultCase : arguments.file,
                                  arguments.pictures, arguments.outside);
@@ -158,6 +160,7 @@ int main(int argc, char** argv)
         const QApplication application(argc, argv);
         std::setlocale(LC_NUMERIC, "C");
         useNames();
+        const SettingsFile settings;
         applyTheme(Theme::Light);
         return printLesson(arguments.printLesson);
     }
@@ -176,6 +179,9 @@ int main(int argc, char** argv)
     QApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // QApplication took the user's, in which the core would print a decimal comma
     useNames();
+    const SettingsFile settings;
+    const QStringList remarks = settings.problem().isEmpty() ? QStringList() : QStringList{settings.problem()};
+    for (const QString& remark : remarks) complain(remark.toStdString());
     QGuiApplication::setDesktopFileName(QStringLiteral("touchdown-workbench"));
     applyTheme(themeFromName(arguments.theme));
 
@@ -201,10 +207,11 @@ int main(int argc, char** argv)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
     window.resize(window.size().boundedTo(window.screen()->availableSize()));
     window.show();
-    window.beginSession(arguments.file.isEmpty() && !arguments.fresh);
+    window.beginSession(arguments.file.isEmpty() && !arguments.fresh, remarks);
     if (isRun) window.openResults(arguments.file);
     const bool plainStart = arguments.file.isEmpty() || (arguments.run && arguments.file == defaultCase);
-    if (plainStart && !arguments.fresh && StartCard::wanted()) {
+    // A person whose settings cannot be read is no newcomer.
+    if (plainStart && !arguments.fresh && remarks.isEmpty() && StartCard::wanted()) {
         QTimer::singleShot(0, &window, &MainWindow::greet);
         return QApplication::exec();
     }

@@ -63,15 +63,16 @@ ReadMap readMap(const Case& c)
 
 void DiskFileCheck::nameIn(const std::string& place, int line)
 {
-    for (InputProblem& problem : problems) {
-        if (problem.line > 0) {
-            problem.message += "; " + place + (line > 0 ? ':' + std::to_string(line) : "") + " names this file";
-            continue;
+    for (std::vector<InputProblem>* list : {&problems, &warnings})
+        for (InputProblem& each : *list) {
+            if (each.line > 0) {
+                each.message += "; " + place + (line > 0 ? ':' + std::to_string(line) : "") + " names this file";
+                continue;
+            }
+            each.message = inQuotes(each.file) + ' ' + each.message;
+            each.file = place;
+            each.line = line;
         }
-        problem.message = inQuotes(problem.file) + ' ' + problem.message;
-        problem.file = place;
-        problem.line = line;
-    }
 }
 
 DiskFileCheck checkDiskFile(const Case& c)

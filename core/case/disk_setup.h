@@ -18,8 +18,8 @@ namespace touchdown {
 struct DiskFileCheck {
     std::vector<InputProblem> problems;
     std::vector<InputProblem> warnings;
-    /// Gives the problems the place that names the file: those of the whole file stand there, those of its lines tell
-    /// it. Line 0: a place without lines, such as an option.
+    /// Gives both the place that names the file: what concerns the whole file stands there, what concerns one of its
+    /// lines ends with it. Line 0: a place without lines, such as an option.
     void nameIn(const std::string& place, int line);
 };
 DiskFileCheck checkDiskFile(const Case& c);

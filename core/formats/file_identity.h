@@ -27,8 +27,8 @@ struct FileIdentity {
 /// What text() wrote; nothing for any other text.
 std::optional<FileIdentity> identityFromText(std::string_view text);
 
-/// Of the file at a path, all of which is read. Nothing where no regular file can be read. Called before the file is
-/// read for use: a change in between then makes the file another one.
+/// Reads the whole file at the path. Nothing where no regular file can be read. To be called before the file is read
+/// for use: a change in between then makes the file another one.
 std::optional<FileIdentity> identityOf(const std::filesystem::path& file);
 /// The same without the hash: the file is not read.
 std::optional<FileIdentity> marksOf(const std::filesystem::path& file);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <cinttypes>
+#include <cstdint>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -49,7 +51,7 @@ fs::path linkTarget(const fs::path& file)
     constexpr int mostLinks = 40; // as the system follows
     fs::path target = file;
     std::error_code error;
-    // One by one: the last of them may lead to a file that is not there yet.
+    // Links are followed one by one, because the last may name a file that does not exist yet.
     for (int links = 0; links < mostLinks && fs::is_symlink(fs::symlink_status(target, error)); ++links)
         target = target.parent_path() / fs::read_symlink(target, error); // an absolute path replaces the folder
     const fs::path canonical = fs::weakly_canonical(target, error);
@@ -61,14 +63,28 @@ namespace {
 constexpr std::string_view ownMark = ".touchdown.";
 constexpr std::string_view partEnding = ".part", lockEnding = "lock";
 constexpr std::size_t idLength = 8;                       // hexadecimal digits between them
+constexpr std::size_t hashLength = 16;                    // hexadecimal digits in the mark of a long name
 constexpr auto patience = std::chrono::milliseconds(300); // with a program that removes leftovers under this lock
+
+/// FNV-1a, the same in every program.
+std::uint64_t hashOf(std::string_view name)
+{
+    std::uint64_t hash = 0xcbf29ce484222325U;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+    return hash;
+}
 
 /// The beginning of the names of what stands beside a file while it is written: "run.h5.touchdown.".
 std::string markedName(const fs::path& file)
 {
     constexpr std::size_t longestName = 255; // [byte], of common file systems
+    constexpr std::size_t most = longestName - ownMark.size() - idLength - partEnding.size();
     std::string name = file.filename().string();
-    name.resize(std::min(name.size(), longestName - ownMark.size() - idLength - partEnding.size()));
+    if (name.size() > most) { // names that differ only at their ends stay different
+        char end[hashLength + 2];
+        std::snprintf(end, sizeof end, "~%016" PRIx64, hashOf(name));
+        name.replace(most - (hashLength + 1), std::string::npos, end);
+    }
     return name.append(ownMark);
 }
 

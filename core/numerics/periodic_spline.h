@@ -44,7 +44,7 @@ public:
     double lowerBound() const { return lower_; }
     /// A bound of the values in a rectangle: the largest coefficient of the blocks of 4 x 4 cells that it meets.
     double upperBound(double x0, double x1, double y0, double y1) const;
-    /// A bound there, of the same blocks.
+    /// A bound of the curvature there, of the same blocks.
     CurvatureBound curvature(double x0, double x1, double y0, double y1) const;
 
 private:

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <unistd.h>
 
 #include "core/formats/csv_cell.h"
@@ -21,6 +22,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t bufferSize = std::size_t{1} << 18; // [byte]
 constexpr std::size_t longestNumber = 32;                // [byte], "-1.2345678901234567e-308" and a comma
+constexpr int pause = 50;                                // between tries, of a pipe that takes nothing [ms]
+constexpr int mostPauses = 20;                           // after the run was asked to stop
 
 } // namespace
 
@@ -32,6 +35,8 @@ struct CsvWriter::File {
     std::size_t used = 0;
     Clock::time_point written = Clock::now();
     std::string problem;
+    std::function<bool()> goOn;
+    int pauses = 0; // since the run was asked to stop, without a reader
 
     ~File()
     {
@@ -59,13 +64,34 @@ struct CsvWriter::File {
         if (problem.empty()) problem = "cannot write to " + path.string() + ": " + reason;
     }
     void fail(int code) { fail(std::generic_category().message(code)); }
+    /// A system call that waits for the reader of a pipe would not notice a signal.
+    void waitForReader()
+    {
+        pollfd room{descriptor, POLLOUT, 0};
+        ::poll(&room, 1, pause);
+        if (goOn && !goOn() && ++pauses > mostPauses) fail("no program reads it");
+    }
+    void openStream()
+    {
+        const bool pipe = std::filesystem::is_fifo(path);
+        while (descriptor < 0 && problem.empty()) {
+            descriptor = ::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+            if (descriptor >= 0) break;
+            if (pipe && errno == ENXIO)
+                waitForReader();
+            else
+                fail(errno);
+        }
+    }
     void write()
     {
         std::size_t done = 0;
         while (done < used && problem.empty()) {
             const ssize_t n = ::write(descriptor, buffer.data() + done, used - done);
             if (n >= 0)
-                done += static_cast<std::size_t>(n);
+                done += static_cast<std::size_t>(n), pauses = 0;
+            else if (errno == EAGAIN)
+                waitForReader();
             else if (errno != EINTR)
                 fail(errno);
         }
@@ -79,16 +105,20 @@ CsvWriter::~CsvWriter() = default;
 CsvWriter::CsvWriter(CsvWriter&&) noexcept = default;
 CsvWriter& CsvWriter::operator=(CsvWriter&&) noexcept = default;
 
-std::string CsvWriter::open(const std::filesystem::path& path, const std::vector<Quantity>& quantities)
+std::string CsvWriter::open(const std::filesystem::path& path, const std::vector<Quantity>& quantities,
+                            const std::function<bool()>& goOn)
 {
     auto file = std::make_unique<File>();
     file->path = path;
+    file->goOn = goOn;
     std::error_code none;
     const std::filesystem::file_status status = std::filesystem::status(path, none);
     try {
         if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) file->part.emplace(path);
-        file->descriptor = file->part ? file->part->create() : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-        if (file->descriptor < 0) file->fail(errno);
+        if (!file->part)
+            file->openStream();
+        else if (file->descriptor = file->part->create(); file->descriptor < 0)
+            file->fail(errno);
     } catch (const std::exception& failure) {
         file->fail(failure.what());
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The program `touchdown-workbench` as scripts meet it: without a screen.
+#include <sys/stat.h>
+
 #include <QSize>
 #include <QtEndian>
 #include <QtTest>
@@ -15,13 +17,15 @@ struct Outcome {
     QByteArray err;
 };
 
-/// `platform` is Qt's; none at all when empty, as on a machine without a display.
-Outcome workbench(const QStringList& arguments, const QString& platform)
+/// `platform` is Qt's; none at all when empty, as on a machine without a display. `settings`: their folder, if not the
+/// usual one.
+Outcome workbench(const QStringList& arguments, const QString& platform, const QString& settings = {})
 {
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.remove(QStringLiteral("DISPLAY"));
     environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"), platform);
+    if (!settings.isEmpty()) environment.insert(QStringLiteral("XDG_CONFIG_HOME"), settings);
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(QStringLiteral(TOUCHDOWN_WORKBENCH), arguments);
@@ -52,6 +56,7 @@ private slots:
     void exportsWhatThereIsOfAFailedRun();
     void exportsTheStaticStateOfAFilm();
     void takesAPictureOfTheWindow();
+    void startsWhereTheSettingsAreNoFile();
     void saysWhatCannotBeWritten();
     void readsOutsideFilesWhenAllowed();
 
@@ -150,6 +155,16 @@ void TestWorkbench::takesAPictureOfTheWindow()
     QCOMPARE(o.code, 0);
     QCOMPARE(o.out.trimmed(), file.toLocal8Bit());
     QCOMPARE(pngSize(file), QSize(1300, 820));
+}
+
+void TestWorkbench::startsWhereTheSettingsAreNoFile()
+{
+    const QString settings = folder_.filePath("settings"), file = settings + "/touchdown/touchdown-workbench.conf";
+    QVERIFY(QDir().mkpath(settings + "/touchdown"));
+    QCOMPARE(::mkfifo(qPrintable(file), 0600), 0);
+    const Outcome o = workbench({"fig10a", "--screenshot", folder_.filePath("w.png")}, "offscreen", settings);
+    QCOMPARE(o.code, 0);
+    QVERIFY2(o.err.contains(file.toUtf8()), o.err.constData());
 }
 
 void TestWorkbench::saysWhatCannotBeWritten()

@@ -143,6 +143,25 @@ private slots:
         applySettings(document, {});
         QVERIFY(document.warnings.empty());
     }
+    /// A problem and a warning, of the whole file and of one of its lines.
+    void whatIsSaidOfTheFileNamesItsCase()
+    {
+        const auto namesCase = [this](const QByteArray& file, const std::vector<std::string>& settings = {}) {
+            put("measured/track.txt", file);
+            CaseDocument document = readCaseFile(path("case.toml"));
+            if (!settings.empty()) applySettings(document, settings);
+            const auto& said = document.valid() ? document.warnings : document.problems;
+            return said.size() == 1 && said.front().text().find("case.toml:") != std::string::npos &&
+                   said.front().text().find("track.txt") != std::string::npos;
+        };
+        const std::vector<std::string> setting{"approach.closest=4 nm"};
+        for (const auto& settings : {std::vector<std::string>{}, setting}) {
+            QVERIFY(namesCase(QByteArray(profile).replace("[um]", "[m]"), settings));          // points far apart
+            QVERIFY(namesCase(QByteArray(profile).replace("h [nm]", "depth [nm]"), settings)); // turned, line 1
+            QVERIFY(namesCase(QByteArray(profile).replace("\n1 1\n", "\n1 one\n"), settings));
+            QVERIFY(namesCase("0 0\n1 1\n2 0\n3 -1\n4 0\n", settings)); // no unit
+        }
+    }
     /// The command that runs a case with a setting reads it, sets, asks whether it can run, runs it and lists its
     /// warnings.
     void anUnchangedFileIsReadOnce()

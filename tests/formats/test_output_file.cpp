@@ -234,6 +234,21 @@ private slots:
         QCOMPARE(read(path(name.c_str())), std::string("new"));
     }
 
+    void longNamesThatDifferAtTheirEndHaveTheirOwnLocks()
+    {
+        for (const std::size_t length : {231u, 232u, 251u, 254u}) {
+            const std::string name(length, 'a');
+            const PartFile first(path((name + 'b').c_str())), second(path((name + 'c').c_str()));
+            QVERIFY_EXCEPTION_THROWN(PartFile(path((name + 'b').c_str())), std::runtime_error);
+            write(first.path(), "first");
+            write(second.path(), "second");
+            first.show();
+            second.show();
+            QCOMPARE(read(path((name + 'b').c_str())), std::string("first"));
+            QCOMPARE(read(path((name + 'c').c_str())), std::string("second"));
+        }
+    }
+
 private:
     QStringList files() const
     {

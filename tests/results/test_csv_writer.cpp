@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/results/csv_writer.h"
 
+#include <algorithm>
+#include <thread>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <QtTest>
 
 #include "tests/support/file_size_limit.h"
@@ -23,6 +30,8 @@ private slots:
     void csvProblems();
     void fullDiskKeepsTheOldFile();
     void withoutItsEndThereIsNoFile();
+    void aPipeTakesAllSamplesOfItsReader();
+    void aPipeThatNobodyReadsIsGivenUpWhenTheRunIsToStop();
 
 private:
     fs::path path(const char* name = "run.h5") const { return fs::path(folder_->path().toStdString()) / name; }
@@ -107,6 +116,37 @@ void TestCsvWriter::withoutItsEndThereIsNoFile()
         QCOMPARE(writer.append(sampleBatch(0, 100'000)), std::string());
     }
     QCOMPARE(QDir(folder_->path()).entryList(QDir::Files), QStringList());
+}
+
+/// More than a pipe holds, with a reader that begins late.
+void TestCsvWriter::aPipeTakesAllSamplesOfItsReader()
+{
+    QCOMPARE(::mkfifo(path("pipe").c_str(), 0600), 0);
+    std::string taken;
+    std::jthread reader;
+    CsvWriter writer;
+    const auto begin = [&] { // when the writer has found none
+        if (!reader.joinable()) reader = std::jthread([&] { taken = bytes(path("pipe")); });
+        return true;
+    };
+    QCOMPARE(writer.open(path("pipe"), sampleQuantities, begin), std::string());
+    for (std::size_t k = 0; k < 30'000; k += 1000) QCOMPARE(writer.append(sampleBatch(k, 1000)), std::string());
+    QCOMPARE(writer.close(), std::string());
+    reader.join();
+    QCOMPARE(std::ranges::count(taken, '\n'), 30'001);
+}
+
+void TestCsvWriter::aPipeThatNobodyReadsIsGivenUpWhenTheRunIsToStop()
+{
+    QCOMPARE(::mkfifo(path("pipe").c_str(), 0600), 0);
+    const auto stop = [] { return false; };
+    const std::string problem = CsvWriter().open(path("pipe"), sampleQuantities, stop);
+    QVERIFY2(problem.find("no program reads it") != std::string::npos, problem.c_str());
+    const int idle = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); // it takes nothing
+    CsvWriter writer;
+    QCOMPARE(writer.open(path("pipe"), sampleQuantities, stop), std::string());
+    QCOMPARE(writer.append(sampleBatch(0, 30'000)), problem);
+    ::close(idle);
 }
 
 TOUCHDOWN_TEST(TestCsvWriter)

@@ -14,7 +14,6 @@
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
-#include "core/formats/quotation.h"
 #include "core/studies/study_plan.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/save_dialog.h"
@@ -27,14 +26,6 @@ constexpr int mostRecent = 10;
 constexpr auto recentKey = "files/recent";
 
 std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
-
-/// What a person allows: that a case reads these files outside its folder, and no others that it may name later.
-QString permission(const QString& file, const std::vector<std::string>& outside)
-{
-    QString text = QFileInfo(file).absoluteFilePath();
-    for (const std::string& name : outside) text += QLatin1Char('\n') + QString::fromStdString(name);
-    return text;
-}
 
 /// Name of the archive or of the folder; the file itself is always rail.dat.
 QString importedName(const QFileInfo& file)
@@ -120,38 +111,6 @@ bool CaseFiles::openNow(const QString& fileOrSample)
     const QFileInfo info(fileOrSample);
     take(*document, info.exists() ? info.absoluteFilePath() : QString());
     return true;
-}
-
-CaseDocument CaseFiles::readNow(const QString& fileOrSample) const
-{
-    CaseDocument document = openCase(fileOrSample.toStdString());
-    if (document.outsideFiles.empty() || !allowed_.contains(permission(fileOrSample, document.outsideFiles)))
-        return document;
-    CaseDocument whole = openCase(fileOrSample.toStdString(), OutsidePaths::Allowed);
-    return whole.text == document.text ? whole : document; // else it has just been changed
-}
-
-void CaseFiles::askForOutsideFiles(const QString& file, const std::vector<std::string>& outside,
-                                   const std::function<void()>& again)
-{
-    QStringList names;
-    for (const std::string& name : outside) names << QString::fromStdString(inQuotes(name));
-    auto* box = new QMessageBox(QMessageBox::Question, tr("Files outside the folder"),
-                                tr("This case reads %1 outside its folder. Read it?").arg(names.join(tr(" and "))),
-                                QMessageBox::Yes | QMessageBox::No, &window_);
-    box->setObjectName(QStringLiteral("outsideFiles"));
-    box->setInformativeText(tr("A case from another person could read a private file this way. Without the file the "
-                               "case cannot be opened."));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setDefaultButton(QMessageBox::No);
-    connect(box, &QMessageBox::buttonClicked, this,
-            [this, box, asked = permission(file, outside), again](QAbstractButton* button) {
-                if (box->standardButton(button) != QMessageBox::Yes) return;
-                allowed_.insert(asked);
-                again();
-            });
-    outside_ = box;
-    box->open();
 }
 
 void CaseFiles::open(const QString& fileOrSample)
@@ -303,12 +262,9 @@ CaseState CaseFiles::state() const
 
 QString CaseFiles::restore(const CaseState& state)
 {
-    const auto read = [&state](const QString& text) {
-        // What it read was asked for in the session that it comes from.
-        return parseCase(text.toStdString(), state.name.toStdString(), pathOf(state.folder), OutsidePaths::Allowed);
-    };
     if (state.savedText.isEmpty() || (state.modified && state.text.isEmpty())) return tr("its text is missing");
-    const CaseDocument saved = read(state.savedText), edited = state.modified ? read(state.text) : saved;
+    const CaseDocument saved = readState(state, state.savedText);
+    const CaseDocument edited = state.modified ? readState(state, state.text) : saved;
     for (const CaseDocument* document : {&saved, &edited})
         for (const InputProblem& problem : document->problems)
             // A case with values that contradict each other, or without its measured surface, was edited as well.

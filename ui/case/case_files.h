@@ -5,6 +5,7 @@
 // imported and exported; saving never overwrites them. No dialog blocks the window.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -26,6 +27,7 @@ namespace touchdown {
 struct CaseDocument;
 struct CaseSetting;
 struct InputProblem;
+enum class OutsidePaths : std::uint8_t;
 
 /// All that is needed to edit the case further in another window; undo excepted.
 struct CaseState {
@@ -85,6 +87,9 @@ public:
     void askAboutFile();
 
     CaseState state() const;
+    /// Asks first where a case from another window reads files outside its folder, as open() does; calls `next` after
+    /// either answer.
+    void askBeforeRestoring(const CaseState& state, const std::function<void()>& next);
     /// A case from another window, with its edits as one step of undo. An open question about files outside the folder
     /// of a case is withdrawn. A text that cannot be read changes nothing: returns why, or "".
     QString restore(const CaseState& state);
@@ -116,7 +121,7 @@ public:
     static bool isStudyFile(const QString& file);
 
 signals:
-    /// The case is about to be saved or left: who holds text that was typed and not taken yet takes it now.
+    /// The case is about to be saved or left: editors commit typed text now.
     void aboutToUse();
     void opened();
     void saved();
@@ -137,11 +142,15 @@ private:
     /// Opens a case unless it has problems, which are shown, or names files outside its folder: then it asks, and calls
     /// `again` on yes.
     std::optional<CaseDocument> read(const QString& fileOrSample, const std::function<void()>& again);
-    /// Asks whether a case may read files outside its folder; on yes calls `again`.
-    void askForOutsideFiles(const QString& file, const std::vector<std::string>& outside,
-                            const std::function<void()>& again);
-    /// A case as it is now, with what it may read outside its folder.
+    /// Asks whether a case may read files outside its folder; on yes calls `again`, else `refused`.
+    void askForOutsideFiles(
+        const QString& file, const std::vector<std::string>& outside, const std::function<void()>& again,
+        const std::function<void()>& refused = [] {});
+    /// A case with what it may read outside its folder.
+    CaseDocument readAllowed(const QString& file, const std::function<CaseDocument(OutsidePaths)>& read) const;
+    /// The same, of a file as it is now, and of a text of a state.
     CaseDocument readNow(const QString& fileOrSample) const;
+    CaseDocument readState(const CaseState& state, const QString& text) const;
     /// The case's file holds text_, and the files that it names are those of the document.
     void watch(const CaseDocument& document);
     void tellChange();
@@ -149,7 +158,7 @@ private:
     bool changedOutside(const QString& file) const;
     /// Asks first if another program has changed the file.
     void saveTo(const QString& file);
-    /// Whatever lies there.
+    /// Writes without asking, whatever the file holds.
     QString writeOver(const QString& file);
     void askForFile(const QString& title, const QString& filter);
     void writeAndTell(const QString& file);

@@ -115,7 +115,7 @@ void CaseFiles::watch(const CaseDocument& document)
         named_.back()->expect(file, *identity);
         connect(named_.back().get(), &WatchedFile::changed, this, &CaseFiles::tellChange);
     }
-    tellChange(); // what was said of the former files
+    tellChange(); // clears messages about the previous files
 }
 
 void CaseFiles::tellChange()

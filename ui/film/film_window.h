@@ -52,7 +52,7 @@ public:
     /// The case of the last solution, or of the one under way.
     const Case& asked() const { return asked_; }
     bool stale() const { return stale_; }
-    /// The case that was solved last is the case as it is edited, be there a state or none.
+    /// The case that was solved last is the case as it is edited whether or not it has a state.
     bool solvedAsEdited() const { return isEdited(asked_, {}); }
 
 signals:

@@ -83,7 +83,7 @@ std::unique_ptr<SessionFolder> SessionFolder::create(QString& problem)
     problem = tr("The work of this window is not kept against a crash: %1 cannot be written.")
                   .arg(QDir::toNativeSeparators(sessions.path()));
     if (!sessions.mkpath(QStringLiteral("."))) return nullptr;
-    // Of one time, so that the order of the names is that of the folders.
+    // All attempts use the same time, so that the order of the names is that of the folders.
     const QString first = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd-HHmmss-zzz-")) +
                           QString::number(QCoreApplication::applicationPid());
     for (int attempt = 0; attempt < 100; ++attempt) {
@@ -138,6 +138,13 @@ QStringList SessionFolder::ended()
     return paths;
 }
 
+bool SessionFolder::hasForeignLock(const QString& path)
+{
+    struct stat status {};
+    return ::lstat(QFile::encodeName(path + QLatin1Char('/') + lockName).constData(), &status) == 0 &&
+           !(S_ISREG(status.st_mode) && status.st_size == 0);
+}
+
 SessionFolder::~SessionFolder()
 {
     ::close(lock_);
@@ -152,16 +159,19 @@ bool SessionFolder::stands() const
            held.st_dev == found.st_dev && held.st_ino == found.st_ino;
 }
 
-QString SessionFolder::setStateAside() const
+QString SessionFolder::setStateAside(const QString& reason) const
 {
+    QString kept = stateFile();
     for (int copy = 1; copy < 100; ++copy) {
         const QString name = copy == 1 ? QStringLiteral("session-not-understood.json")
                                        : QStringLiteral("session-not-understood-%1.json").arg(copy);
-        if (::renameat2(folder_, "session.json", folder_, QFile::encodeName(name).constData(), RENAME_NOREPLACE) == 0)
-            return file(name);
-        if (errno != EEXIST) break;
+        const bool done =
+            ::renameat2(folder_, "session.json", folder_, QFile::encodeName(name).constData(), RENAME_NOREPLACE) == 0;
+        if (done) kept = file(name);
+        if (done || errno != EEXIST) break;
     }
-    return {};
+    return tr("The state of a session could not be read: %1. The file is kept: %2")
+        .arg(reason, QDir::toNativeSeparators(kept));
 }
 
 void SessionFolder::remove(std::unique_ptr<SessionFolder> folder)
@@ -172,6 +182,13 @@ void SessionFolder::remove(std::unique_ptr<SessionFolder> folder)
     // The lock goes last: a folder that is half removed is still seen as used.
     ::unlinkat(folder->folder_, lockName, 0);
     ::rmdir(QFile::encodeName(folder->path_).constData()); // only when it is empty, and not through a link
+}
+
+bool liesAt(const QString& path) { return QFileInfo::exists(path) || QFileInfo(path).isSymbolicLink(); }
+
+bool moveOwnFile(const QString& from, const QString& to)
+{
+    return isOwnFile(from) && !liesAt(to) && QFile::rename(from, to);
 }
 
 bool isOwnFile(const QString& path)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window keeps on disk of its work, so that a crash or a kill of the program loses about a second of it. When
+// What the window keeps on disk of its work, so that a crash or a kill of the program loses one or two seconds of it. When
 // the computer stops, what the system had not written to the disk yet is lost as well, and a results file may then be
 // unreadable. Each window has a folder of its own, <local data of the program>/sessions/<UTC time>-<process>:
 //
@@ -28,10 +28,12 @@ public:
     static std::unique_ptr<SessionFolder> create(QString& problem);
     /// The folder of a session that has ended. nullptr while a window uses it.
     static std::unique_ptr<SessionFolder> take(const QString& path);
-    /// Folders that no window uses, the newest first. A symbolic link is no session.
+    /// Folders that no window uses, by their names from the last on. A symbolic link is no session.
     static QStringList ended();
     /// All folders.
     static QStringList all();
+    /// Whether something else has the name of a folder's lock, so that nobody can take the folder.
+    static bool hasForeignLock(const QString& path);
     /// Releases the folder; its files stay.
     ~SessionFolder();
     SessionFolder(const SessionFolder&) = delete;
@@ -46,8 +48,9 @@ public:
     QString studyFile(const QString& kind) const { return file(QStringLiteral("study-%1.h5").arg(kind)); }
     /// Whether the folder is still at its path.
     bool stands() const;
-    /// Renames a session.json that is not understood, so that it stays. Returns its new path; "" if that failed.
-    QString setStateAside() const;
+    /// Renames a session.json that is not understood, so that it stays. Returns a sentence with the reason and the
+    /// path.
+    QString setStateAside(const QString& reason) const;
     /// Removes the files of the session, then the folder if it is empty, and releases it.
     static void remove(std::unique_ptr<SessionFolder> folder);
 
@@ -58,8 +61,12 @@ private:
     int folder_, lock_; // descriptors
 };
 
+/// Whether anything lies at a path, also a link that leads nowhere.
+bool liesAt(const QString& path);
 /// Whether a path is a regular file, and no link, with a name that a session writes.
 bool isOwnFile(const QString& path);
+/// Moves such a file, unless anything lies there already.
+bool moveOwnFile(const QString& from, const QString& to);
 /// The names of such files in a folder.
 QStringList ownFiles(const QString& folder);
 /// Their bytes.

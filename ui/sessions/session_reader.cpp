@@ -37,8 +37,7 @@ void readResult(LeftResult& result)
     }
     switch (result.kind) {
     case LeftResult::Kind::Run: result.run = recordFromFile(result.numbers.front(), result.file, result.problem); break;
-    case LeftResult::Kind::Solution:
-    case LeftResult::Kind::OpenedSolutions:
+    case LeftResult::Kind::Solutions:
         result.solutions = readSolutions(result.file);
         result.problem = result.solutions.problem;
         break;

@@ -19,7 +19,7 @@ namespace touchdown {
 
 /// One result, or the solutions that one file of the user has.
 struct LeftResult {
-    enum class Kind { Run, Solution, OpenedSolutions, Study, Series };
+    enum class Kind { Run, Solutions, Study, Series };
     Kind kind = Kind::Run;
     std::vector<ListedState> entries; // as the session lists them; none of a study, a series
     std::vector<int> numbers;         // that they get; as many

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include <QDir>
@@ -194,9 +195,8 @@ SessionState stateIn(const QString& file)
 /// `earlier`: a folder from which entries still arrive; empty: none.
 void matchFiles(std::vector<ListedState>& list, const QString& folder, const QString& earlier, const QString& kind)
 {
-    const auto kept = [&kind](const QString& where, int number) {
-        const QFileInfo file(QStringLiteral("%1/%2%3.h5").arg(where, kind).arg(number));
-        return file.exists() || file.isSymbolicLink(); // whatever it is: the person is told why it is not restored
+    const auto kept = [&kind](const QString& where, int number) { // whatever it is: why it is not restored is said
+        return liesAt(QStringLiteral("%1/%2%3.h5").arg(where, kind).arg(number));
     };
     std::erase_if(list, [&](const ListedState& each) {
         const bool arrives = !earlier.isEmpty() && each.from > 0 && kept(earlier, each.from);
@@ -217,7 +217,8 @@ void matchFiles(std::vector<ListedState>& list, const QString& folder, const QSt
 
 bool SessionState::empty() const
 {
-    return !edited.modified && runs.empty() && solutions.empty() && drafts.empty() && !modes && !series;
+    return !edited.modified && runs.empty() && solutions.empty() && drafts.empty() && !modes && !series &&
+           reports.isEmpty();
 }
 
 std::vector<ListedState> statesOf(const RecordList& list, int underWay)
@@ -253,18 +254,39 @@ QByteArray toJson(const SessionState& state)
     return QJsonDocument(json).toJson();
 }
 
-std::optional<SessionState> readSession(const QString& folder)
+SessionState readSession(const QString& folder)
 {
     const QString file = folder + QStringLiteral("/session.json");
-    const bool found = QFileInfo::exists(file) || QFileInfo(file).isSymbolicLink();
-    SessionState state = found ? stateIn(file) : SessionState{};
+    SessionState state = liesAt(file) ? stateIn(file) : SessionState{};
     if (!state.written.isValid()) state.written = QFileInfo(folder).lastModified();
     const QString earlier = state.restoring.isEmpty() ? QString() : earlierFolder(folder, state.restoring);
     matchFiles(state.runs, folder, earlier, QStringLiteral("run"));
     matchFiles(state.solutions, folder, earlier, QStringLiteral("solution"));
-    state.series = isOwnFile(folder + QStringLiteral("/series.h5"));
-    if (!found && state.empty()) return std::nullopt;
+    for (const QString& name : ownFiles(folder)) {
+        if (name == QLatin1String("series.h5")) state.series = true;
+        if (name.startsWith(QLatin1String("study-")) && name.endsWith(QLatin1String(".h5")))
+            state.reports << name.mid(6).chopped(3);
+    }
     return state;
+}
+
+std::vector<EndedSession> endedSessions()
+{
+    using Time = std::pair<qint64, QString>; // [ms since 1970]; the name decides between equal ones
+    std::vector<std::pair<Time, EndedSession>> all;
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    for (const QString& path : SessionFolder::ended()) {
+        EndedSession session{path, readSession(path)};
+        Time time(0, path);
+        for (const QDateTime& each :
+             {QFileInfo(path + QStringLiteral("/session.json")).lastModified(), session.state.written})
+            if (each.isValid() && each <= now) time.first = each.toMSecsSinceEpoch();
+        all.emplace_back(std::move(time), std::move(session));
+    }
+    std::ranges::sort(all, std::ranges::greater(), [](const auto& each) -> const Time& { return each.first; });
+    std::vector<EndedSession> sorted;
+    for (auto& each : all) sorted.push_back(std::move(each.second));
+    return sorted;
 }
 
 QString earlierFolder(const QString& folder, const QString& name)
@@ -272,35 +294,26 @@ QString earlierFolder(const QString& folder, const QString& name)
     return QFileInfo(QFileInfo(folder).dir(), QFileInfo(name).fileName()).filePath();
 }
 
-QStringList studiesIn(const QString& folder)
-{
-    QStringList kinds;
-    for (const QString& name : ownFiles(folder))
-        if (name.startsWith(QLatin1String("study-")) && name.endsWith(QLatin1String(".h5")))
-            kinds << name.mid(6).chopped(3);
-    return kinds;
-}
-
-QString describe(const SessionState& state, const QStringList& studies)
+QString describe(const SessionState& state)
 {
     QStringList parts;
+    const auto add = [&parts](auto count, const QString& one, const QString& more) {
+        if (count > 0) parts << (count == 1 ? one : more.arg(count));
+    };
     if (state.edited.modified) parts << tr("the case %1 with its edits").arg(inOneLine(state.edited.name));
-    const auto count = std::ssize(state.runs);
     const auto interrupted = std::ranges::count(state.runs, true, &ListedState::underWay);
-    if (count == 1) parts << (interrupted == 1 ? tr("1 run, which was interrupted") : tr("1 run"));
-    if (count > 1)
-        parts << (interrupted == 0 ? tr("%1 runs").arg(count)
-                                   : tr("%1 runs (%2 was interrupted)").arg(count).arg(interrupted));
-    if (state.solutions.size() == 1) parts << tr("1 static solution");
-    if (state.solutions.size() > 1) parts << tr("%1 static solutions").arg(state.solutions.size());
+    if (interrupted == 0)
+        add(state.runs.size(), tr("1 run"), tr("%1 runs"));
+    else
+        add(state.runs.size(), tr("1 run, which was interrupted"), tr("%2 runs (%1 was interrupted)").arg(interrupted));
+    add(state.solutions.size(), tr("1 static solution"), tr("%1 static solutions"));
     if (state.series) parts << tr("1 series of static states");
     if (state.modes) parts << tr("modes");
-    if (state.drafts.size() == 1) parts << tr("the edited text of 1 study");
-    if (state.drafts.size() > 1) parts << tr("the edited texts of %1 studies").arg(state.drafts.size());
-    const bool broken = studies.contains(state.studyUnderWay);
-    if (studies.size() == 1) parts << (broken ? tr("1 study, interrupted") : tr("1 study report"));
-    if (studies.size() > 1)
-        parts << (broken ? tr("%1 study reports (1 was interrupted)") : tr("%1 study reports")).arg(studies.size());
+    add(state.drafts.size(), tr("the edited text of 1 study"), tr("the edited texts of %1 studies"));
+    if (state.reports.contains(state.studyUnderWay))
+        add(state.reports.size(), tr("1 study, interrupted"), tr("%1 study reports (1 was interrupted)"));
+    else
+        add(state.reports.size(), tr("1 study report"), tr("%1 study reports"));
     return parts.join(QStringLiteral(", "));
 }
 

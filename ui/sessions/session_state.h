@@ -14,6 +14,7 @@
 #include <QByteArray>
 #include <QDateTime>
 #include <QString>
+#include <QStringList>
 
 #include "ui/case/case_files.h"
 #include "ui/film/modes_text.h"
@@ -46,6 +47,7 @@ struct SessionState {
     std::vector<StudyDraft> drafts; // texts of studies that are not saved
     std::optional<FoundModes> modes;
     bool series = false;   // its file is in the folder
+    QStringList reports;   // kinds of study of which the folder has one
     QString study;         // the kind that is shown
     QString studyUnderWay; // the kind of the study that had not ended; empty: none
     QString restoring;     // the folder of the session that is being restored; empty: none
@@ -60,14 +62,18 @@ std::vector<ListedState> statesOf(const RecordList& list, int underWay);
 constexpr std::uintmax_t largestState = std::uintmax_t(4) << 20; // file of a state [byte]
 
 QByteArray toJson(const SessionState& state);
-/// What the folder of a session holds; results that its session.json does not name are found by their files. Nothing
-/// when there is neither.
-std::optional<SessionState> readSession(const QString& folder);
+/// What the folder of a session holds; results that its session.json does not name are found by their files.
+SessionState readSession(const QString& folder);
+struct EndedSession {
+    QString path;
+    SessionState state;
+};
+/// Those that no window uses, the newest first: by the time at which its state was written. A time that is still to
+/// come, of a clock that was wrong, is not believed; then that of the file counts.
+std::vector<EndedSession> endedSessions();
 /// The folder of the session that a session restores, beside its own; `name`: SessionState::restoring.
 QString earlierFolder(const QString& folder, const QString& name);
-/// Kinds of study of which the folder has a report.
-QStringList studiesIn(const QString& folder);
 /// "case fig10a with its edits, 3 runs (1 was interrupted), 2 static solutions"; empty when nothing is worth restoring.
-QString describe(const SessionState& state, const QStringList& studies);
+QString describe(const SessionState& state);
 
 } // namespace touchdown

@@ -24,18 +24,6 @@ void makePlain(QObject* object)
     if (!isTip) label->setTextFormat(Qt::PlainText);
 }
 
-/// A label is polished before it is measured or drawn for the first time, so before its HTML is read.
-class PlainLabels final : public QObject {
-public:
-    using QObject::QObject;
-
-    bool eventFilter(QObject* watched, QEvent* event) override
-    {
-        if (event->type() == QEvent::Polish) makePlain(watched);
-        return false;
-    }
-};
-
 constexpr qsizetype lineOfTip = 80; // [characters]
 constexpr qsizetype mostOfTip = 2000, mostLinesOfTip = 40;
 
@@ -45,6 +33,25 @@ QString withoutTurns(QString text)
     static const QRegularExpression marks(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]"));
     return text.replace(marks, QString(QChar::ReplacementCharacter));
 }
+
+/// A label is polished before it is measured or drawn for the first time, so before its HTML is read. Its text may
+/// change afterwards; each text is drawn.
+class PlainLabels final : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject* watched, QEvent* event) override
+    {
+        if (event->type() == QEvent::Polish) makePlain(watched);
+        if (event->type() == QEvent::Paint)
+            if (auto* label = qobject_cast<QLabel*>(watched)) label->setText(withoutTurns(label->text()));
+        if (event->type() == QEvent::WindowTitleChange)
+            if (auto* window = qobject_cast<QWidget*>(watched))
+                if (const QString title = withoutTurns(window->windowTitle()); title != window->windowTitle())
+                    window->setWindowTitle(title);
+        return false;
+    }
+};
 
 /// The beginning of a long text.
 QString beginningOf(const QString& text)

@@ -3,9 +3,10 @@
 // Foreign text is shown as it is written. It is every text that the program did not make: of a case, a study or a
 // results file, of a path, a note, the command line, the last session. Qt takes a text that looks like HTML for HTML,
 // in labels, message boxes and tool tips. It then opens each file that the text names: <img src='/dev/zero'> takes all
-// memory. These rules keep foreign text plain:
-// - labels, also those of message boxes and progress dialogs: nothing to do. showForeignTextPlainly() makes each label
-//   plain that does not ask for HTML by setTextFormat(Qt::RichText);
+// memory. A mark that turns the direction of writing makes a name read otherwise than it is. These rules keep foreign
+// text plain:
+// - labels, also those of message boxes and progress dialogs, and titles of windows: nothing to do.
+//   showForeignTextPlainly() makes each label plain that does not ask for HTML by setTextFormat(Qt::RichText);
 // - tool tips: plainTip(). tests/check_layers.cmake refuses others, except literals of the program;
 // - texts of menus, tabs and buttons: onButton();
 // - HTML of the program: escaped() for each foreign part; its documents are OwnDocument or OwnTextBrowser.

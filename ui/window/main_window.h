@@ -59,7 +59,8 @@ public:
     /// The case of the last session, or the default case.
     void openLastCase();
     /// From now on the work is kept against a crash. `offer`: asks whether to restore a session that broke off.
-    void beginSession(bool offer);
+    /// `remarks`: sentences to be shown with its own.
+    void beginSession(bool offer, QStringList remarks = {});
     /// Shows a newcomer the default case in slow motion, and where to go from there.
     void greet();
     /// Runs the case in time.

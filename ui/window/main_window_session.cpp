@@ -42,8 +42,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr int stateVersion = 2;        // of the arrangement of the panes in the settings
-constexpr qsizetype mostSessions = 12; // in the menu
+constexpr int stateVersion = 2;          // of the arrangement of the panes in the settings
+constexpr std::size_t mostSessions = 12; // in the menu
 constexpr auto reopenKey = "session/reopen";
 
 } // namespace
@@ -67,7 +67,7 @@ void MainWindow::connectSession()
             [](const QAction* action) { Session::setBudget(action->data().toLongLong()); });
 }
 
-void MainWindow::beginSession(bool offer)
+void MainWindow::beginSession(bool offer, QStringList remarks)
 {
     session_ = new Session(sessionParts(), this);
     pages_->addFoot(*new RestoreStrip(*session_, *messages_, *this));
@@ -80,8 +80,10 @@ void MainWindow::beginSession(bool offer)
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
-    if (!session_->folder()) return messages_->show(MessageStrip::Kind::Warning, session_->problem());
-    QStringList remarks;
+    if (!session_->folder()) {
+        remarks << session_->problem();
+        return messages_->show(MessageStrip::Kind::Warning, remarks.join(QLatin1Char('\n')));
+    }
     std::unique_ptr<SessionFolder> last = newestBrokenOff(remarks);
     if (last && offer)
         return offerSession(*this, std::move(last), remarks,
@@ -106,13 +108,14 @@ void MainWindow::listSessions()
     if (session_ && !session_->problem().isEmpty()) menu->addAction(onButton(session_->problem()))->setEnabled(false);
     if (session_ && session_->restoring()) menu->addAction(tr("A session is being restored"))->setEnabled(false);
     const bool ready = session_ && session_->folder() && !session_->restoring();
-    QStringList paths = ready ? SessionFolder::ended() : QStringList();
-    for (const QString& path : paths.mid(0, mostSessions)) {
-        const std::optional<SessionState> state = readSession(path);
-        const QString left = state && !state->newer ? describe(*state, studiesIn(path)) : QString();
+    std::vector<EndedSession> sessions = ready ? endedSessions() : std::vector<EndedSession>{};
+    sessions.resize(std::min(sessions.size(), mostSessions));
+    for (const EndedSession& session : sessions) {
+        const auto& [path, state] = session;
+        const QString left = state.newer ? QString() : describe(state);
         if (left.isEmpty()) continue;
         menu->addAction(QStringLiteral("%1: %2").arg(
-                            QLocale().toString(state->written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
+                            QLocale().toString(state.written.toLocalTime(), QLocale::ShortFormat), onButton(left)),
                         this, [this, path] {
                             files_->whenSettled([this, path] {
                                 if (auto folder = SessionFolder::take(path)) session_->restore(std::move(folder));

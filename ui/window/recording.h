@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The file to which runs are recorded while they go on. Each run takes the place of the one before it; a file that
+// The file to which runs are recorded as they go. Each run takes the place of the one before it; a file that
 // another program has written there meanwhile is not written over without a question.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The progress of a session that is restored, with a button that stops it; hidden otherwise. Says what came of it.
+// The progress of a session that is restored, with a button that stops it; hidden otherwise. Reports the result.
 #pragma once
 
 #include <QStringList>

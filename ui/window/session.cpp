@@ -19,7 +19,7 @@
 #include "ui/film/solution_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
-#include "ui/sessions/session_budget.h"
+#include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/quantity_format.h"
@@ -43,7 +43,11 @@ std::size_t bytesOf(const SteadyResult& state)
 
 } // namespace
 
-qint64 Session::budget() { return QSettings().value(budgetKey, defaultBudget).toLongLong(); }
+qint64 Session::budget()
+{
+    const qint64 bytes = QSettings().value(budgetKey).toLongLong(); // 0: no number
+    return bytes > 0 ? bytes : defaultBudget;
+}
 
 void Session::setBudget(qint64 bytes) { QSettings().setValue(budgetKey, bytes); }
 
@@ -61,7 +65,9 @@ Session::Session(const SessionParts& parts, QObject* parent)
     connectSolutions();
     connectStudies();
     connectState();
-    connectReader();
+    connect(&reader_, &SessionReader::read, this,
+            [this](const std::shared_ptr<LeftResult>& result) { onRead(*result); });
+    connect(&reader_, &SessionReader::finished, this, &Session::onRestored);
     keepWithinBudget();
     schedule();
 }
@@ -88,22 +94,13 @@ void Session::connectStudies()
     StudyWindow& studies = parts_.studies;
     connect(&studies, &StudyWindow::ended, this, [this](const StudyReport& report) {
         studySoon_.stop();
-        studyGrew_ = false;
         schedule();
         keepStudy(report.kind);
     });
-    const auto keepNow = [this] {
-        studyGrew_ = false;
-        keepStudy(parts_.studies.kindUnderWay().toStdString());
-        studySoon_.start();
-    };
-    connect(&studies.controller(), &StudyController::partial, this, [this, keepNow] {
-        studyGrew_ = true;
-        if (!studySoon_.isActive()) keepNow();
+    connect(&studies.controller(), &StudyController::partial, this, [this] {
+        if (!studySoon_.isActive()) studySoon_.start();
     });
-    connect(&studySoon_, &QTimer::timeout, this, [this, keepNow] {
-        if (studyGrew_) keepNow();
-    });
+    connect(&studySoon_, &QTimer::timeout, this, [this] { keepStudy(parts_.studies.kindUnderWay().toStdString()); });
     connect(&studies, &StudyWindow::started, this, &Session::schedule);
     connect(studies.editor(), &StudyEditor::edited, this, &Session::schedule);
     connect(studies.editor()->kinds(), &QComboBox::currentIndexChanged, this, &Session::schedule);
@@ -145,6 +142,7 @@ SessionState Session::state() const
     state.modes = parts_.film.view()->modes()->known();
     state.study = parts_.studies.editor()->kind();
     state.studyUnderWay = parts_.studies.kindUnderWay();
+    state.closed = closed_;
     return state;
 }
 
@@ -168,14 +166,8 @@ void Session::onSolutionAdded(int number)
     const std::size_t bytes = bytesOf(solution->result);
     if (overBudget_ || results_.pending() + bytes > mostPending) return;
     const QString file = folder_->solutionFile(number);
-    results_.post([record = *solution, file] { return saveSolution(record, file); },
-                  [this, number, file](const QString& problem) {
-                      if (problem.isEmpty())
-                          parts_.film.solutions().setKept(number, file);
-                      else
-                          report(problem);
-                  },
-                  bytes);
+    write([record = *solution, file] { return saveSolution(record, file); },
+          [this, number, file] { parts_.film.solutions().setKept(number, file); }, bytes);
 }
 
 void Session::keepStudy(const std::string& kind)
@@ -183,12 +175,10 @@ void Session::keepStudy(const std::string& kind)
     const StudyOutcome* outcome = parts_.studies.outcome(kind);
     if (!folder_ || !outcome || !outcome->report) return;
     StudyReport kept = parts_.studies.underWay(kind) ? interruptedReport(*outcome->report) : *outcome->report;
-    results_.post(
-        [file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
-         c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
-            return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
-        },
-        [this](const QString& problem) { report(problem); });
+    write([file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
+           c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
+        return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
+    });
 }
 
 void Session::keepSeries()
@@ -201,8 +191,16 @@ void Session::keepSeries()
         return;
     }
     seriesKept_ = true;
-    results_.post([file = folder_->seriesFile(), series = page.series()] { return writeSeries(file, series); },
-                  [this](const QString& problem) { report(problem); });
+    write([file = folder_->seriesFile(), series = page.series()] { return writeSeries(file, series); });
+}
+
+void Session::write(TaskQueue::Task task, std::function<void()> then, std::size_t bytes)
+{
+    const auto ended = [this, then = std::move(then)](const QString& problem) {
+        if (problem.isEmpty() && then) then();
+        report(problem);
+    };
+    results_.post(std::move(task), ended, bytes);
 }
 
 void Session::removeFile(const QString& file)
@@ -227,10 +225,10 @@ void Session::keepWithinBudget()
 
 void Session::report(const QString& problem)
 {
-    if (problem.isEmpty()) return;
+    if (problem.isEmpty() || closed_) return;
     ++failures_;
     setProblem(
-        tr("Not all of the work is kept against a crash: %1 Runs go on in memory; save the results that you need.")
+        tr("Not all of the work is kept against a crash: %1 Runs continue in memory; save the results that you need.")
             .arg(sentence(problem.toStdString())));
     if (!std::exchange(reported_, true)) emit failed(problem_);
 }
@@ -311,7 +309,7 @@ bool Session::keepsAll()
     if (!folder_) return false;
     if (unsavedWork(parts_).empty()) return true;
     wait();
-    QCoreApplication::sendPostedEvents(&results_, QEvent::MetaCall); // what the writers say
+    QCoreApplication::sendPostedEvents(&results_, QEvent::MetaCall); // delivers the results of the writers
     QCoreApplication::sendPostedEvents(&states_, QEvent::MetaCall);
     return problem_.isEmpty() && recordsWholeRun() && !notKept().anyResult();
 }
@@ -324,10 +322,7 @@ void Session::close(bool keep)
     soon_.stop();
     wait();
     if (keep) {
-        SessionState last = state();
-        last.written = QDateTime::currentDateTimeUtc();
-        last.closed = true;
-        states_.post([file = folder_->stateFile(), text = toJson(last)] { return writeWholeFile(file, text); });
+        keepState();
         states_.wait();
         folder_.reset();
     } else {

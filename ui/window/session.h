@@ -3,9 +3,10 @@
 // Keeps the work of the window in the folder of its session: each run while it lasts, each static solution and study
 // report when it is there, the case with its edits within a second. Nothing here makes the window or a solver wait.
 //
-// When the disk is full or too slow, this is said once, and the work goes on in memory.
+// When the disk is full or too slow, this is reported once, and the work continues in memory.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include <QObject>
@@ -44,7 +45,7 @@ public:
     QString problem() const { return problem_; }
     /// Takes over the work of an earlier session. The case in the window is replaced at once; results are read beside
     /// the window and added to the lists one by one. Results that could not be taken over, or not yet when this is
-    /// stopped, stay in its folder, else this is removed.
+    /// stopped, stay in its folder, else this is removed. Asks first where the case reads files outside its folder.
     void restore(std::unique_ptr<SessionFolder> from);
     bool restoring() const { return from_ != nullptr; }
     /// Shows the progress; its stop() ends the restoring.
@@ -74,7 +75,6 @@ private:
     void connectSolutions();
     void connectStudies();
     void connectState();
-    void connectReader();
     void schedule();
     SessionState state() const;
     void onRunStarted(int number);
@@ -86,8 +86,12 @@ private:
     /// The report of a kind, also of a study under way.
     void keepStudy(const std::string& kind);
     void keepSeries();
+    /// Performs a task behind those of before and reports its problem; calls `then` if there is none. `bytes`: see
+    /// TaskQueue::post.
+    void write(TaskQueue::Task task, std::function<void()> then = {}, std::size_t bytes = 0);
     void removeFile(const QString& file);
     void keepWithinBudget();
+    void restore(std::unique_ptr<SessionFolder> from, const SessionState& state);
     /// What was asked for when the session is to be restored.
     std::vector<std::shared_ptr<LeftResult>> resultsOf(const SessionState& state);
     void onRead(LeftResult& result);
@@ -114,8 +118,7 @@ private:
     QTimer soon_;            // writes the state
     QByteArray written_;     // the state that was written last, without its time
     QTimer studySoon_, watch_;
-    bool studyGrew_ = false; // since its report was kept
-    bool adding_ = false;    // results that are added are in the folder already
+    bool adding_ = false; // results that are added are in the folder already
     bool seriesKept_ = false;
     bool overBudget_ = false;
     bool reported_ = false;

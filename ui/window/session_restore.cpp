@@ -7,10 +7,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <utility>
 
 #include <QDir>
-#include <QFile>
 
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
@@ -29,10 +29,10 @@ namespace touchdown {
 
 namespace {
 
-/// Empty, or a sentence. Nothing is replaced, and no link is moved.
+/// Empty, or a sentence.
 QString moveFile(const QString& there, const QString& here)
 {
-    if (isOwnFile(there) && !QFileInfo(here).isSymbolicLink() && QFile::rename(there, here)) return {};
+    if (moveOwnFile(there, here)) return {};
     return Session::tr("%1 could not be moved to the folder of this session and stays there.")
         .arg(QDir::toNativeSeparators(there));
 }
@@ -44,54 +44,49 @@ void annotate(SolutionsModel& solutions, int number, const ListedState& entry)
     if (!entry.shown) solutions.setData(index, Qt::Unchecked, Qt::CheckStateRole);
 }
 
-void forget(std::vector<ListedState>& list, const std::vector<int>& numbers)
-{
-    std::erase_if(list, [&](const ListedState& each) { return std::ranges::count(numbers, each.number) > 0; });
-}
-
 } // namespace
-
-void Session::connectReader()
-{
-    connect(&reader_, &SessionReader::read, this,
-            [this](const std::shared_ptr<LeftResult>& result) { onRead(*result); });
-    connect(&reader_, &SessionReader::finished, this, &Session::onRestored);
-}
 
 void Session::restore(std::unique_ptr<SessionFolder> from)
 {
     if (!folder_ || from_) return;
     finishRestoring(*from);
-    const std::optional<SessionState> state = readSession(from->path());
-    if (!state) return;
+    const SessionState state = readSession(from->path());
+    const auto held = std::make_shared<std::unique_ptr<SessionFolder>>(std::move(from));
+    parts_.files.askBeforeRestoring(state.edited, [this, held, state] {
+        if (folder_ && !from_ && *held) restore(std::move(*held), state);
+    });
+}
+
+void Session::restore(std::unique_ptr<SessionFolder> from, const SessionState& state)
+{
     refused_.clear();
-    if (!state->notUnderstood.isEmpty()) refused_ << setStateAside(*from, *state);
-    what_ = describe(*state, studiesIn(from->path()));
+    if (!state.notUnderstood.isEmpty()) refused_ << from->setStateAside(state.notUnderstood);
+    what_ = describe(state);
     from_ = std::move(from);
     left_ = {};
-    left_.written = state->written;
-    left_.closed = state->closed;
-    if (const CaseState& edited = state->edited; edited.modified || !edited.savedText.isEmpty())
+    left_.written = state.written;
+    left_.closed = state.closed;
+    if (const CaseState& edited = state.edited; edited.modified || !edited.savedText.isEmpty())
         if (const QString problem = parts_.files.restore(edited); !problem.isEmpty() && edited.modified) {
             left_.edited = edited;
             refused_ << tr("The edited case %1 cannot be read again and stays in File, Sessions, Restore: %2")
                             .arg(inOneLine(edited.name), problem);
         }
     StudyEditor& editor = *parts_.studies.editor();
-    for (const StudyDraft& draft : state->drafts)
+    for (const StudyDraft& draft : state.drafts)
         if (!editor.restore(draft)) {
             left_.drafts.push_back(draft);
             refused_ << tr("The window has another edited text of the study %1; that of the earlier session stays in "
                            "File, Sessions, Restore.")
                             .arg(draft.kind);
         }
-    editor.setKind(state->study);
-    if (ModesPage& page = *parts_.film.view()->modes(); state->modes && !page.controller().active())
-        page.restore(*state->modes);
+    editor.setKind(state.study);
+    if (ModesPage& page = *parts_.film.view()->modes(); state.modes && !page.controller().active())
+        page.restore(*state.modes);
     arriving_ = {};
-    arriving_.page = std::clamp(state->page, 0, 2);
+    arriving_.page = std::clamp(state.page, 0, 2);
     arriving_.restoring = QFileInfo(from_->path()).fileName();
-    waiting_ = resultsOf(*state);
+    waiting_ = resultsOf(state);
     keepState();
     wait(); // before the first file is moved
     reader_.start(waiting_);
@@ -99,49 +94,37 @@ void Session::restore(std::unique_ptr<SessionFolder> from)
 
 std::vector<std::shared_ptr<LeftResult>> Session::resultsOf(const SessionState& state)
 {
+    using Kind = LeftResult::Kind;
     std::vector<std::shared_ptr<LeftResult>> results;
-    const auto add = [&results](LeftResult::Kind kind, const QString& file) -> LeftResult& {
+    const auto add = [&results](Kind kind, const QString& file) {
         results.push_back(std::make_shared<LeftResult>());
         results.back()->kind = kind;
         results.back()->file = file;
-        return *results.back();
+        return results.back().get();
     };
-    const auto expect = [](LeftResult& result, const ListedState& entry, RecordList& list,
-                           std::vector<ListedState>& arriving) {
-        const int number = std::max(entry.number, list.nextNumber());
-        list.keepFree(number);
-        result.entries.push_back(entry);
-        result.numbers.push_back(number);
-        arriving.push_back(entry);
-        arriving.back().number = number;
-        arriving.back().from = result.inFolder ? entry.number : 0;
-    };
-    const auto there = [](const QString& file) { return QFileInfo::exists(file) || QFileInfo(file).isSymbolicLink(); };
-    for (const ListedState& entry : state.runs) {
-        const QString kept = from_->runFile(entry.number);
-        LeftResult& result = add(LeftResult::Kind::Run, there(kept) ? kept : entry.file);
-        result.inFolder = result.file == kept;
-        expect(result, entry, parts_.runs.runs(), arriving_.runs);
-    }
-    std::map<QString, LeftResult*> opened; // solutions of the same file
-    for (const ListedState& entry : state.solutions) {
-        const QString kept = from_->solutionFile(entry.number);
-        LeftResult* result = nullptr;
-        if (there(kept)) {
-            result = &add(LeftResult::Kind::Solution, kept);
-        } else {
-            LeftResult*& same = opened[entry.file];
-            if (same == nullptr) {
-                same = &add(LeftResult::Kind::OpenedSolutions, entry.file);
-                same->inFolder = false;
-            }
-            result = same;
+    const auto addList = [&](Kind kind, const std::vector<ListedState>& entries, RecordList& list,
+                             std::vector<ListedState>& arriving, QString (SessionFolder::*fileOf)(int) const) {
+        std::map<QString, LeftResult*> opened; // one file has several solutions, but one run
+        for (const ListedState& entry : entries) {
+            const QString kept = (from_.get()->*fileOf)(entry.number);
+            const bool inFolder = liesAt(kept);
+            LeftResult*& result = opened[inFolder ? kept : entry.file];
+            if (result == nullptr || kind == Kind::Run) result = add(kind, inFolder ? kept : entry.file);
+            result->inFolder = inFolder;
+            const int number = std::max(entry.number, list.nextNumber());
+            list.keepFree(number);
+            result->entries.push_back(entry);
+            result->numbers.push_back(number);
+            arriving.push_back(entry);
+            arriving.back().number = number;
+            arriving.back().from = inFolder ? entry.number : 0;
         }
-        expect(*result, entry, parts_.film.solutions(), arriving_.solutions);
-    }
-    if (state.series) add(LeftResult::Kind::Series, from_->seriesFile());
-    for (const QString& kind : studiesIn(from_->path()))
-        add(LeftResult::Kind::Study, from_->studyFile(kind)).study = kind;
+    };
+    addList(Kind::Run, state.runs, parts_.runs.runs(), arriving_.runs, &SessionFolder::runFile);
+    addList(Kind::Solutions, state.solutions, parts_.film.solutions(), arriving_.solutions,
+            &SessionFolder::solutionFile);
+    if (state.series) add(Kind::Series, from_->seriesFile());
+    for (const QString& kind : state.reports) add(Kind::Study, from_->studyFile(kind))->study = kind;
     return results;
 }
 
@@ -152,8 +135,7 @@ void Session::onRead(LeftResult& result)
     QString problem = result.problem;
     if (problem.isEmpty()) switch (result.kind) {
         case LeftResult::Kind::Run: problem = takeRun(result); break;
-        case LeftResult::Kind::Solution:
-        case LeftResult::Kind::OpenedSolutions: problem = takeSolutions(result); break;
+        case LeftResult::Kind::Solutions: problem = takeSolutions(result); break;
         case LeftResult::Kind::Study: problem = takeStudy(result); break;
         case LeftResult::Kind::Series: problem = takeSeries(result); break;
         }
@@ -164,7 +146,8 @@ void Session::onRead(LeftResult& result)
         return;
     }
     std::erase_if(waiting_, [&](const auto& each) { return each.get() == &result; });
-    forget(result.kind == LeftResult::Kind::Run ? arriving_.runs : arriving_.solutions, result.numbers);
+    std::erase_if(result.kind == LeftResult::Kind::Run ? arriving_.runs : arriving_.solutions,
+                  [&](const ListedState& each) { return std::ranges::count(result.numbers, each.number) > 0; });
 }
 
 QString Session::takeRun(LeftResult& result)
@@ -237,6 +220,8 @@ void Session::onRestored(bool stopped)
     for (const std::shared_ptr<LeftResult>& result : std::exchange(waiting_, {}))
         if (result->kind == LeftResult::Kind::Series)
             left_.series = true;
+        else if (result->kind == LeftResult::Kind::Study)
+            left_.reports << result->study;
         else
             for (const ListedState& entry : result->entries)
                 (result->kind == LeftResult::Kind::Run ? left_.runs : left_.solutions).push_back(entry);

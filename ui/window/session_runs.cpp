@@ -93,15 +93,13 @@ void Session::beginStream(RunRecord& run)
 void Session::openStream(const RunRecord& run, const std::vector<RecordedFields>& sets)
 {
     stream_->opened = true;
-    results_.post(
-        [stream = stream_, file = folder_->runFile(run.number).toStdString(), c = run.value, text = run.caseText,
-         quantities = run.quantities, sets] {
-            std::this_thread::sleep_for(restBeforeFile);
-            const std::string problem = stream->writer.open(file, c, text, quantities, sets);
-            stream->broken = !problem.empty();
-            return QString::fromStdString(problem);
-        },
-        [this](const QString& problem) { report(problem); });
+    write([stream = stream_, file = folder_->runFile(run.number).toStdString(), c = run.value, text = run.caseText,
+           quantities = run.quantities, sets] {
+        std::this_thread::sleep_for(restBeforeFile);
+        const std::string problem = stream->writer.open(file, c, text, quantities, sets);
+        stream->broken = !problem.empty();
+        return QString::fromStdString(problem);
+    });
 }
 
 void Session::onDelivered(const RunDelivery& delivery)
@@ -120,14 +118,14 @@ void Session::onDelivered(const RunDelivery& delivery)
         report(tr("The disk is slower than the run."));
         return;
     }
-    results_.post(
+    write(
         [stream = stream_, samples = delivery.samples, fields = delivery.fields] {
             if (stream->broken) return QString();
             const std::string problem = stream->writer.append(samples, fields);
             stream->broken = !problem.empty();
             return QString::fromStdString(problem);
         },
-        [this](const QString& problem) { report(problem); }, bytes);
+        {}, bytes);
 }
 
 void Session::onRunEnded(int number, const Summary& summary)
@@ -135,17 +133,12 @@ void Session::onRunEnded(int number, const Summary& summary)
     schedule();
     if (!stream_ || stream_->number != number) return;
     if (!stream_->opened) return stream_.reset(); // it failed before it began
-    results_.post(
+    write(
         [stream = std::exchange(stream_, nullptr), summary] {
             if (stream->broken || !stream->whole) return tr("The file of the run is not complete.");
             return QString::fromStdString(stream->writer.finish(summary));
         },
-        [this, number, file = folder_->runFile(number)](const QString& problem) {
-            if (problem.isEmpty())
-                parts_.runs.runs().setKept(number, file);
-            else
-                report(problem);
-        });
+        [this, number, file = folder_->runFile(number)] { parts_.runs.runs().setKept(number, file); });
 }
 
 bool Session::recordsWholeRun() const

@@ -38,7 +38,7 @@ public:
     double lowest() const { return lowest_; }
     /// A bound of the height in a rectangle [m].
     double upperBound(double x0, double x1, double y0, double y1) const;
-    /// A bound there: infinity at the base of an ellipsoid.
+    /// A bound of the curvature there: infinity at the base of an ellipsoid.
     CurvatureBound curvature(double x0, double x1, double y0, double y1) const;
 
 private:

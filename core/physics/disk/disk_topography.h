@@ -61,7 +61,7 @@ public:
     double lowest() const { return lowest_; }
     /// A bound of w in a rectangle [m], closer the smaller it is.
     double upperBound(double x0, double x1, double y0, double y1) const;
-    /// A bound there: infinity at the base of an ellipsoid.
+    /// A bound of the curvature there: infinity at the base of an ellipsoid.
     CurvatureBound curvature(double x0, double x1, double y0, double y1) const;
 
     /// One period of the surface for plots and statistics, the cells' centres on the points of its finest map; without

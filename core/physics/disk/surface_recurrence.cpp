@@ -170,7 +170,7 @@ double waitForMap(const DiskTopography& topography, const UniformGrid& map, cons
     const double apart = 2.0 * map.dy + (strip.outer - strip.inner);
     const double tracks = askew ? tracksUntilDense(track * velocity.y / velocity.x, width, apart) : 1.0;
     const double across = map.ny > 1 ? std::min(strip.outer - strip.inner, width) : 0.0;
-    // The whole of the path before more than one line of it.
+    // The whole path has priority over further lines.
     const double most = std::min(mostLines - 1.0, across / (2.0 * map.dy)),
                  lines = 1.0 + std::floor(std::clamp(mostPlaces / (tracks * map.nx) - 1.0, 0.0, most));
     const auto count = std::size_t(std::clamp(tracks * map.nx, 1.0, mostPlaces / lines));

@@ -167,7 +167,7 @@ bool DiskClearance::halvesLength(const Box& box, const Sides& s, const Attitude&
                          s.halfLength,
                  across = (std::abs(form.y - attitude.roll - disk.slopeY) + 0.5 * disk.curvature.y * s.halfWidth) *
                           s.halfWidth;
-    // Alike, as where both are infinite: the longer side.
+    // If both are equal, for example infinite, the longer side is halved.
     return along == across ? box.levelX <= box.levelY : along > across;
 }
 

@@ -224,7 +224,7 @@ private:
     DesignStudy study_;
     int iteration_ = 0;
     double best_ = 0.0;
-    const DesignStudy* better_ = nullptr; // not yet told
+    const DesignStudy* better_ = nullptr; // not yet reported
     bool cancelled_ = false;
     std::string obstacle_; // why the last set without a static state has none
 };

@@ -57,7 +57,7 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
             }
             for (std::size_t i = 0; i < batch.size(); ++i) {
                 if (batch.time[i] < tailBegin || spacing < 0) continue;
-                // The last sample is no whole interval after the one before.
+                // The last sample follows the previous one by less than an interval.
                 if (!tail.empty() && isBetweenSamples(batch.time[i], c.run.sampleInterval)) continue;
                 tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
             }

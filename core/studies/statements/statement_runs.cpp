@@ -231,7 +231,7 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
         double start = 0.0; // value of the ensemble's key
         bool done = false, agrees = false;
     };
-    std::mutex mutex; // of what has ended: `made`, and `drawn` from its runs on
+    std::mutex mutex; // guards `made`, and `drawn` once its runs have begun
     std::vector<Drawn> drawn;
     for (std::size_t i = 0; i < count; ++i) {
         const Statement& statement = task.statements[i];

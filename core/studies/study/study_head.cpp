@@ -23,7 +23,7 @@ void placeInStudy(const StudyReader& reader, std::vector<InputProblem>& problems
     const auto lineOf = [&reader](const std::string& key) {
         return std::max(reader.lineOf("set." + key), reader.lineOf("set.\"" + key + '"'));
     };
-    constexpr std::string_view names = "; --set names"; // inside of the file of a measured surface
+    constexpr std::string_view names = "; --set names"; // in a problem inside the file of a measured surface
     for (InputProblem& problem : problems) {
         if (const auto at = problem.message.find(names); at != std::string::npos)
             problem.message.replace(

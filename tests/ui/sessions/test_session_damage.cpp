@@ -19,7 +19,6 @@
 #include <QtTest>
 
 #include "tests/support/test_program.h"
-#include "ui/sessions/session_budget.h"
 #include "ui/sessions/session_folder.h"
 #include "ui/sessions/session_state.h"
 
@@ -42,6 +41,8 @@ private slots:
     void leavesWhatIsNoSession_data();
     void leavesWhatIsNoSession();
     void offersASessionWithoutALock();
+    void offersTheSessionThatWasWrittenLast_data();
+    void offersTheSessionThatWasWrittenLast();
     void leavesTheSessionOfANewerVersion();
     void keepsTheNoteOfARunWhoseFileIsGone();
     void readsWhatItWrites();
@@ -262,8 +263,8 @@ void TestSessionDamage::keepsWhatIsNotUnderstood()
     };
     before = renamed(before);
     QVERIFY(contentOf(data_->path()) == before);
-    const SessionState left = readSession(folder_).value_or(SessionState{});
-    QCOMPARE(describe(left, studiesIn(folder_)), QStringLiteral("2 runs, 1 static solution, 1 study report"));
+    const SessionState left = readSession(folder_);
+    QCOMPARE(describe(left), QStringLiteral("2 runs, 1 static solution, 1 study report"));
 
     SessionFolder::remove(std::move(offered)); // Discard
     for (const char* name : {"run1.h5", "run3.h5", "solution2.h5", "study-cycles.h5", "lock"})
@@ -304,6 +305,9 @@ void TestSessionDamage::leavesWhatIsNoSession()
     const Content before = contentOf(data_->path());
     QStringList remarks;
     QVERIFY(!newestBrokenOff(remarks));
+    // What is a session and cannot be taken is said.
+    QCOMPARE(remarks.size(), what.startsWith(QLatin1String("lock")) ? 1 : 0);
+    QVERIFY2(remarks.isEmpty() || remarks.front().contains(folder_), qPrintable(remarks.join(u' ')));
     keepSessionsWithin(0);
     QVERIFY(contentOf(data_->path()) == before);
 }
@@ -314,6 +318,41 @@ void TestSessionDamage::offersASessionWithoutALock()
     QVERIFY(QFile::remove(file(QStringLiteral("lock"))));
     QStringList remarks;
     QVERIFY(newestBrokenOff(remarks));
+}
+
+/// Names of folders and times of states, as clocks leave them that were set.
+void TestSessionDamage::offersTheSessionThatWasWrittenLast_data()
+{
+    QTest::addColumn<QString>("name"); // of the folder of the older session
+    QTest::addColumn<qint64>("age");   // of its state [s]
+    QTest::newRow("in their order") << "20200101-000000-000-1" << qint64(3600);
+    QTest::newRow("an older one with a later name") << "20990101-000000-000-1" << qint64(3600);
+    QTest::newRow("an older one of a time to come") << "20990101-000000-000-1" << qint64(-100'000'000);
+    QTest::newRow("of the same time, by the name") << "20200101-000000-000-1" << qint64(0);
+}
+
+void TestSessionDamage::offersTheSessionThatWasWrittenLast()
+{
+    QFETCH(const QString, name);
+    QFETCH(const qint64, age);
+    const QString older = QFileInfo(folder_).dir().filePath(name);
+    QVERIFY(QDir().mkpath(older));
+    const QDateTime now = QDateTime::currentDateTimeUtc();
+    SessionState state = sampleState();
+    state.written = now.addSecs(-age);
+    write(older + QStringLiteral("/session.json"), toJson(state));
+    QFile stateFile(older + QStringLiteral("/session.json"));
+    QVERIFY(stateFile.open(QIODevice::ReadWrite));
+    QVERIFY(stateFile.setFileTime(now.addSecs(-3600), QFileDevice::FileModificationTime));
+    state.written = now;
+    become(toJson(state));
+    const std::vector<EndedSession> ended = endedSessions();
+    QCOMPARE(ended.size(), std::size_t(2));
+    QCOMPARE(ended.front().path, folder_);
+    QStringList remarks;
+    const std::unique_ptr<SessionFolder> offered = newestBrokenOff(remarks);
+    QVERIFY(offered);
+    QCOMPARE(offered->path(), folder_);
 }
 
 /// Only that version can take all of it.
@@ -339,13 +378,13 @@ void TestSessionDamage::keepsTheNoteOfARunWhoseFileIsGone()
     become(toJson(state));
     QStringList remarks;
     QVERIFY(newestBrokenOff(remarks));
-    QCOMPARE(readSession(folder_).value_or(SessionState{}).runs.front().note, QStringLiteral("the best"));
+    QCOMPARE(readSession(folder_).runs.front().note, QStringLiteral("the best"));
 }
 
 void TestSessionDamage::readsWhatItWrites()
 {
     const SessionState state = sampleState();
-    const SessionState back = readSession(folder_).value_or(SessionState{});
+    const SessionState back = readSession(folder_);
     QCOMPARE(back.notUnderstood, QString());
     QCOMPARE(toJson(back), toJson(state));
     // 300 runs with notes of a page, and a large case.
@@ -357,7 +396,7 @@ void TestSessionDamage::readsWhatItWrites()
         write(file(QStringLiteral("run%1.h5").arg(i)), "results");
     }
     become(toJson(large));
-    QCOMPARE(toJson(readSession(folder_).value_or(SessionState{})), toJson(large));
+    QCOMPARE(toJson(readSession(folder_)), toJson(large));
 }
 
 void TestSessionDamage::readsTheStateOfTheVersionBefore()
@@ -366,7 +405,7 @@ void TestSessionDamage::readsTheStateOfTheVersionBefore()
     for (const char* key : {"version", "studies", "study", "study_under_way", "restoring"})
         json.remove(QLatin1String(key));
     become(QJsonDocument(json).toJson());
-    const SessionState back = readSession(folder_).value_or(SessionState{});
+    const SessionState back = readSession(folder_);
     QCOMPARE(back.notUnderstood, QString());
     QCOMPARE(back.edited.text, sampleState().edited.text);
     QCOMPARE(back.runs.size(), std::size_t(2));

@@ -159,7 +159,7 @@ private:
         QVERIFY(file.open(QIODevice::WriteOnly));
         QCOMPARE(file.write(bytes), bytes.size());
     }
-    SessionState read() { return readSession(folder_->path()).value_or(SessionState{}); }
+    SessionState read() { return readSession(folder_->path()); }
     static void check(const SessionState& state);
 
     std::unique_ptr<QTemporaryDir> folder_;
@@ -168,7 +168,7 @@ private:
 /// What the window takes for granted.
 void TestSessionState::check(const SessionState& state)
 {
-    QVERIFY(isPlainLine(describe(state, {})) && isPlainLine(state.notUnderstood));
+    QVERIFY(isPlainLine(describe(state)) && isPlainLine(state.notUnderstood));
     QVERIFY(state.written.isValid());
     for (const auto& list : {state.runs, state.solutions})
         for (std::size_t i = 0; i < list.size(); ++i) QVERIFY(list[i].number > (i > 0 ? list[i - 1].number : 0));

@@ -72,6 +72,18 @@ private slots:
         for (const QString& shown : {escaped(turned), plainTip(turned), onButton(turned), inOneLine(turned)})
             QCOMPARE(shown, QStringLiteral("a\uFFFDb\uFFFDc"));
     }
+    /// Also in a text that comes later.
+    void aLabelAndATitleShowNoMarksOfDirection()
+    {
+        QLabel label(QStringLiteral("a\u202Etxt.exe"));
+        label.setWindowTitle(QStringLiteral("b\u202Etxt.exe"));
+        label.show();
+        QTRY_COMPARE(label.text(), QStringLiteral("a\uFFFDtxt.exe"));
+        QCOMPARE(label.windowTitle(), QStringLiteral("b\uFFFDtxt.exe"));
+        label.setText(QStringLiteral("c\u2067d"));
+        label.setWindowTitle({});
+        QTRY_COMPARE(label.text(), QStringLiteral("c\uFFFDd"));
+    }
     void longTextsFitTheScreen()
     {
         QCOMPARE(plainTip(QStringLiteral("note\n").repeated(2000)).count(u'\n'), 39);

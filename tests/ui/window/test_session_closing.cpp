@@ -17,7 +17,7 @@
 #include "ui/case/case_edits.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/run_record.h"
-#include "ui/sessions/session_budget.h"
+#include "ui/sessions/session_offer.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 
@@ -185,6 +185,10 @@ void TestSessionClosing::startsWithTheDefaultCaseIfWanted()
 
 void TestSessionClosing::removesTheOldestClosedSessions()
 {
+    for (const char* noNumber : {"many", "-5", ""}) {
+        QSettings().setValue("session/budget", noNumber);
+        QCOMPARE(Session::budget(), Session::defaultBudget);
+    }
     // From the oldest: one that broke off, three that were closed, one that broke off; each has 1000 bytes of a run.
     QStringList paths;
     for (const bool closed : {false, true, true, true, false}) {

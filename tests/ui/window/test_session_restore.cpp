@@ -46,6 +46,7 @@ private slots:
     void leavesAReportWhoseKindIsTaken();
     void opensASeriesOnce();
     void withdrawsAQuestionAboutOutsideFiles();
+    void asksBeforeItReadsASurfaceThatLiesOutsideByNow();
     void losesNothingWhenItIsStopped();
     void losesNothingWhenItIsKilled();
     void leavesAnEditedTextWhereTheWindowHasOne();
@@ -120,7 +121,7 @@ void TestSessionRestore::leavesARunThatCannotBeRead()
     QCOMPARE(window_->runs().record(0).number, 2);
     QVERIFY2(message().contains(bad), qPrintable(message()));
     QCOMPARE(content(bad), QByteArray("no results"));
-    const SessionState left = readSession(folder).value_or(SessionState{});
+    const SessionState left = readSession(folder);
     QCOMPARE(left.runs.size(), std::size_t(1));
     QCOMPARE(left.runs.front().number, 1);
     QVERIFY(!left.edited.modified);
@@ -223,6 +224,34 @@ void TestSessionRestore::withdrawsAQuestionAboutOutsideFiles()
     restore();
     QVERIFY(!question(*window_, "outsideFiles"));
     QVERIFY(window_->edits().value() == edited);
+}
+
+/// As File > Open does. Without the answer the edits stay where they are.
+void TestSessionRestore::asksBeforeItReadsASurfaceThatLiesOutsideByNow()
+{
+    QVERIFY(QDir(data_->path()).mkdir(QStringLiteral("case")));
+    const QString file = data_->filePath(QStringLiteral("case/mine.toml"));
+    const QString surface = data_->filePath(QStringLiteral("case/track.txt"));
+    write(surface, "# x [um]  h [nm]\n0 0\n1 1\n2 0\n3 -1\n");
+    write(file, "model = \"contact\"\n[disk.surface]\nkind = \"file\"\nmotion = \"still\"\nfile = \"track.txt\"\n");
+    start(true, file);
+    window_->edits().enter(*findParameter("approach.closest"), QStringLiteral("4"));
+    const Case edited = window_->edits().value();
+    window_.reset();
+    const QString elsewhere = data_->filePath(QStringLiteral("private.txt"));
+    QVERIFY(QFile::rename(surface, elsewhere) && QFile::link(elsewhere, surface));
+    for (const char* chosen : {"No", "Yes"}) {
+        start();
+        restore();
+        QVERIFY(question(*window_, "outsideFiles")->text().contains(QStringLiteral("track.txt")));
+        QVERIFY(window_->edits().value() != edited);
+        answer(*window_, "outsideFiles", QLatin1String(chosen));
+        QTRY_VERIFY(!session().restoring() && !message().isEmpty());
+        const bool allowed = chosen == std::string_view("Yes");
+        QCOMPARE(window_->edits().value() == edited, allowed);
+        QCOMPARE(message().contains(QStringLiteral("outside")), !allowed);
+        QCOMPARE(SessionFolder::ended().size(), allowed ? 0 : 1);
+    }
 }
 
 void TestSessionRestore::losesNothingWhenItIsStopped()

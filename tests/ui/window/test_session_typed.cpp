@@ -89,7 +89,7 @@ private:
     {
         return qobject_cast<QLineEdit*>(window_->casePanel().editor("springs.flying_height")->input());
     }
-    SessionState kept() const { return readSession(onlyFolder()).value_or(SessionState{}); }
+    SessionState kept() const { return readSession(onlyFolder()); }
     void type(QLineEdit* line, const QString& text)
     {
         QVERIFY(line);
