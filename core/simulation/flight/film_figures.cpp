@@ -22,6 +22,21 @@ void StepErrors::add(const CoupledStepResult& accepted)
     film = std::max(film, accepted.filmError);
 }
 
+void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling)
+{
+    if (troubles.cuts > 0)
+        summary.warnings.push_back(
+            "steps of run.step found no solution and were cut " + std::to_string(troubles.cuts) +
+            (troubles.cuts == 1 ? " time: " : " times, first as ") + troubles.firstCut +
+            (coupling == FilmCoupling::Staggered ? "; film.coupling = \"monolithic\" has no such limit" : ""));
+    if (troubles.jumps > 0)
+        summary.warnings.push_back("the forces jumped at " + std::to_string(troubles.jumps) +
+                                   " times where no law switches, as the film's do where its slip changes at once");
+    if (troubles.closings > 0)
+        summary.warnings.push_back("cells of the film closed " + std::to_string(troubles.closings) +
+                                   " times: the air that was left in them is lost from the energy balance");
+}
+
 void addCost(Summary& summary, const CoupledCost& cost)
 {
     const auto add = [&](const char* name, const char* unit, const char* longName, double value) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The figures of a film's run beside its samples: what its steps cost, and how well they were solved.
+// Figures and warnings of a film's run beside its samples: what its steps cost, how well they were solved, and what
+// they ran into.
 #pragma once
 
+#include <string>
+
+#include "core/case/case.h"
 #include "core/physics/contact/contact_grid_error.h"
 #include "core/simulation/flight/coupled_step.h"
 #include "core/simulation/recording/run_summary.h"
@@ -16,6 +20,15 @@ struct StepErrors {
     void add(const CoupledStepResult& accepted);
 };
 
+/// What steps ran into.
+struct StepTroubles {
+    long long cuts = 0; // of fixed steps
+    std::string firstCut;
+    long long jumps = 0;    // of the air's force
+    long long closings = 0; // of cells of the film
+};
+
+void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling);
 void addCost(Summary& summary, const CoupledCost& cost);
 /// `energyImbalance`: see FilmRecorder.
 void addStepErrors(Summary& summary, const StepErrors& worst, double energyImbalance);

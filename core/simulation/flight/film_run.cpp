@@ -68,18 +68,8 @@ public:
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
         std::ranges::copy(scene_.warnings, std::back_inserter(summary.warnings));
-        if (cuts_ > 0)
-            summary.warnings.push_back("steps of run.step found no solution and were cut " + std::to_string(cuts_) +
-                                       (cuts_ == 1 ? " time: " : " times, first as ") + firstCut_ +
-                                       (case_.film.coupling == FilmCoupling::Staggered
-                                            ? "; film.coupling = \"monolithic\" has no such limit"
-                                            : ""));
-        if (jumps_ > 0)
-            summary.warnings.push_back("the forces jumped at " + std::to_string(jumps_) +
-                                       " times where no law switches, as the film's do where its slip changes at once");
-        if (const long long closings = stepper_ ? stepper_->closings() : 0; closings > 0)
-            summary.warnings.push_back("cells of the film closed " + std::to_string(closings) +
-                                       " times: the air that was left in them is lost from the energy balance");
+        if (stepper_) troubles_.closings = stepper_->closings();
+        addStepWarnings(summary, troubles_, case_.film.coupling);
         if (scene_.level)
             std::ranges::move(doubtsOnDamping(case_, summary.peaks, resolvedFrequency(case_, scene_.level->gaps.grid),
                                               unfitted_, summary.endTime),
@@ -199,10 +189,11 @@ private:
             const CoupledStepResult result = tryStep(dt);
             if (run_.stopped()) return stop();
             const bool jumps = dt < jumpStep && result.converged() && length_.isTooLong(result.timeError);
-            jumps_ += jumps;
+            troubles_.jumps += jumps;
             if (!result.converged() || (length_.isTooLong(result.timeError) && !jumps)) {
                 ++rejected_;
-                if (length_.fixed() && cuts_++ == 0) firstCut_ = reasonOf(result) + " at " + timeText(point_.time);
+                if (length_.fixed() && troubles_.cuts++ == 0)
+                    troubles_.firstCut = reasonOf(result) + " at " + timeText(point_.time);
                 dt = result.converged() ? length_.shortened(dt, result.timeError) : length_.halved(dt);
                 if (dt < shortestStep) return giveUp(result);
                 continue;
@@ -388,9 +379,7 @@ private:
     StepLength length_;
     FilmPoint point_;       // the last accepted one
     bool switched_ = false; // the contact's law, at the last accepted point
-    long long jumps_ = 0;   // of the air's force
-    long long cuts_ = 0;    // of fixed steps
-    std::string firstCut_;
+    StepTroubles troubles_;
     CoupledStepResult tried_;
     StepErrors worst_;  // of accepted steps
     int snapshots_ = 0; // taken
