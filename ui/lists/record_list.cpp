@@ -36,7 +36,7 @@ QVariant RecordList::data(const QModelIndex& index, int role) const
     const int row = index.row();
     const ListedRecord& record = listed(row);
     switch (role) {
-    case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(record.number).arg(inOneLine(shownName(row)));
+    case Qt::DisplayRole: return QStringLiteral("%1  %2").arg(record.number).arg(withoutTurns(shownName(row)));
     case Qt::EditRole:
     case NoteRole: return record.note;
     case Qt::CheckStateRole: return record.shown ? Qt::Checked : Qt::Unchecked;

@@ -27,13 +27,6 @@ void makePlain(QObject* object)
 constexpr qsizetype lineOfTip = 80; // [characters]
 constexpr qsizetype mostOfTip = 2000, mostLinesOfTip = 40;
 
-/// A mark that turns the direction of writing would turn the program's own words behind it, too.
-QString withoutTurns(QString text)
-{
-    static const QRegularExpression marks(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]"));
-    return text.replace(marks, QString(QChar::ReplacementCharacter));
-}
-
 /// A label is polished before it is measured or drawn for the first time, so before its HTML is read. Its text may
 /// change afterwards; each text is drawn.
 class PlainLabels final : public QObject {
@@ -80,6 +73,12 @@ void showForeignTextPlainly()
     filter->setObjectName(name);
     qApp->installEventFilter(filter);
     for (QWidget* widget : QApplication::allWidgets()) makePlain(widget);
+}
+
+QString withoutTurns(QString text)
+{
+    static const QRegularExpression marks(QStringLiteral("[\\x{202a}-\\x{202e}\\x{2066}-\\x{2069}]"));
+    return text.replace(marks, QString(QChar::ReplacementCharacter));
 }
 
 QString escaped(const QString& text)

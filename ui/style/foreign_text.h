@@ -9,6 +9,7 @@
 //   showForeignTextPlainly() makes each label plain that does not ask for HTML by setTextFormat(Qt::RichText);
 // - tool tips: plainTip(). tests/check_layers.cmake refuses others, except literals of the program;
 // - texts of menus, tabs and buttons: onButton();
+// - texts that a widget paints by itself: withoutTurns();
 // - HTML of the program: escaped() for each foreign part; its documents are OwnDocument or OwnTextBrowser.
 #pragma once
 
@@ -20,6 +21,10 @@ namespace touchdown {
 
 /// For the whole program, from now on. Message boxes and dialogs need no call of their own.
 void showForeignTextPlainly();
+
+/// `text` for a widget that paints it by itself. A mark that turns the direction of writing would turn the program's
+/// own words behind it, too.
+QString withoutTurns(QString text);
 
 /// HTML that shows `text` as it is written, with its lines.
 QString escaped(const QString& text);

@@ -49,6 +49,7 @@ class TestRunsPanel : public QObject {
 private slots:
     void isAProperModel();
     void saysWhatChanged();
+    void aNameShowsNoMarksOfDirection();
     void namesRunsByWhatChanged();
     void namesCasesOfOneFigureApart();
     void theNewestSpeaksUnlessOneIsRaised();
@@ -142,6 +143,15 @@ void TestRunsPanel::saysWhatChanged()
     after = before;
     for (RailPoint& point : after.surface.rails[0].points) point.y = 1e-3 - point.y;
     QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 mirrored")});
+}
+
+/// A title of another person.
+void TestRunsPanel::aNameShowsNoMarksOfDirection()
+{
+    RunsModel model;
+    model.add(ranRecord(1, [](Case& c) { c.title = "mine \u202Etxt.exe"; }));
+    const QString name = model.index(0).data(Qt::DisplayRole).toString();
+    QVERIFY2(name.contains(QStringLiteral("mine \uFFFDtxt.exe")), qPrintable(name));
 }
 
 void TestRunsPanel::namesRunsByWhatChanged()
