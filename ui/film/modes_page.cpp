@@ -195,7 +195,7 @@ void ModesPage::restore(const FoundModes& modes)
 QString ModesPage::save(const QString& path)
 {
     QString problem = writeWholeFile(path, csvOf(*result_));
-    saved_ = problem.isEmpty();
+    saved_ = problem.isEmpty() ? SavedFile(path) : SavedFile();
     return problem;
 }
 
@@ -231,7 +231,7 @@ void ModesPage::take(const Case& c, const ModesResult& result)
 {
     result_ = result;
     solved_ = c;
-    saved_ = false;
+    saved_ = {};
     if (!result.modes.empty()) picture_->setState(solved_, result.steady.attitude);
     fillTable();
     pages_->setCurrentIndex(result.modes.empty() ? 0 : 1);

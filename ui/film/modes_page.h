@@ -15,6 +15,7 @@
 
 #include "ui/film/modes_controller.h"
 #include "ui/film/modes_text.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -41,7 +42,7 @@ public:
     /// Modes of another window.
     void restore(const FoundModes& modes);
     /// Whether there are modes that no file has.
-    bool unsaved() const { return known().has_value() && !saved_; }
+    bool unsaved() const { return known().has_value() && !saved_.holds(); }
     /// Writes the table as comma-separated values. "" or the problem in a sentence.
     QString save(const QString& path);
 
@@ -83,7 +84,7 @@ private:
     Case case_, asked_, solved_;
     QString refusal_; // why the last search did not start
     std::optional<ModesResult> result_;
-    bool saved_ = false; // by the user
+    SavedFile saved_; // with what the table shows
 };
 
 } // namespace touchdown

@@ -2,6 +2,7 @@
 #include "ui/film/series_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -10,8 +11,11 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
+#include "core/formats/units.h"
 #include "core/results/steady_reader.h"
 #include "core/results/steady_writer.h"
+#include "core/simulation/static_state/steady_quantities.h"
+#include "ui/film/series_plots.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
 
@@ -22,6 +26,12 @@ namespace {
 bool samePoint(const SteadySeriesPoint& a, const SteadySeriesPoint& b)
 {
     return a.radius == b.radius && a.skew == b.skew && a.speed == b.speed && a.altitude == b.altitude;
+}
+
+QByteArray csvText(QString text)
+{
+    if (text.contains(u',') || text.contains(u'"')) text = u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
+    return text.toUtf8();
 }
 
 } // namespace
@@ -71,6 +81,30 @@ StoredSeries readSeries(const QString& file)
     if (stored.states.empty() || stored.states.size() > seriesOf(document.value).size())
         return {{}, {}, tr("%1 holds no series of static states.").arg(QDir::toNativeSeparators(file))};
     return {document.value, std::move(stored.states), {}};
+}
+
+QByteArray csvOf(const std::vector<SeriesState>& states)
+{
+    QByteArray text;
+    for (const SeriesState& state : states) {
+        QByteArrayList heads, cells;
+        const auto add = [&](const SteadyQuantity& each, bool known) {
+            const QString unit = QString::fromStdString(each.quantity.displayUnit);
+            heads << csvText(QStringLiteral("%1 [%2]").arg(QString::fromStdString(each.quantity.name), unit));
+            cells << (known ? QByteArray::number(each.value / unitFactor(each.quantity.displayUnit), 'g', 12)
+                            : QByteArray());
+        };
+        for (const SteadyQuantity& each : seriesQuantities(state.point)) add(each, true);
+        for (const SteadyQuantity& each : steadyQuantities(state.result))
+            add(each, state.result.status == SteadyStatus::Converged && std::isfinite(each.value));
+        heads << "status"
+              << "message";
+        cells << csvText(statusText(name(state.result.status)))
+              << csvText(QString::fromStdString(state.result.message));
+        if (text.isEmpty()) text = heads.join(',') + '\n';
+        text += cells.join(',') + '\n';
+    }
+    return text;
 }
 
 } // namespace touchdown

@@ -5,11 +5,14 @@
 
 #include <vector>
 
+#include <QByteArray>
 #include <QString>
 
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
+
+struct SeriesState;
 
 struct StoredSeries {
     Case value; // which lists the points (seriesOf)
@@ -22,5 +25,7 @@ Case listing(const Case& c, const std::vector<SteadySeriesPoint>& points);
 /// The states that are known, from the first point on. "" or the problem in a sentence.
 QString writeSeries(const QString& file, const StoredSeries& series);
 StoredSeries readSeries(const QString& file);
+/// All numbers of the states, in display units, as comma-separated values; empty cells where there is no state.
+QByteArray csvOf(const std::vector<SeriesState>& states);
 
 } // namespace touchdown

@@ -76,12 +76,6 @@ int decimalsOfPoint(const Quantity& quantity)
     return quantity.name == "speed" || quantity.name == "altitude" ? 0 : 2;
 }
 
-QByteArray csvText(QString text)
-{
-    if (text.contains(u',') || text.contains(u'"')) text = u'"' + text.replace(u'"', QLatin1String("\"\"")) + u'"';
-    return text.toUtf8();
-}
-
 } // namespace
 
 SeriesPage::SeriesPage(SteadyController::Solver solver, QWidget* parent)
@@ -228,7 +222,7 @@ void SeriesPage::begin(const Case& c, std::vector<SteadySeriesPoint> points)
     solved_ = c;
     points_ = std::move(points);
     states_.clear();
-    saved_ = false;
+    saved_ = {};
     table_->setRowCount(0);
     makePlainTable(table_, tableHeads());
     table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
@@ -258,7 +252,7 @@ void SeriesPage::restore(const StoredSeries& series)
 QString SeriesPage::save(const QString& path)
 {
     QString problem = writeWholeFile(path, csv());
-    saved_ = problem.isEmpty();
+    saved_ = problem.isEmpty() ? SavedFile(path) : SavedFile();
     return problem;
 }
 
@@ -275,7 +269,7 @@ void SeriesPage::append(std::size_t index, const SteadyResult& result)
     numbers.gap = {};
     numbers.recess = {};
     states_.push_back({points_[index], std::move(numbers)});
-    saved_ = false;
+    saved_ = {};
     addRow(states_.back());
     pages_->setCurrentIndex(1);
     plots_->setStates(points_, states_);
@@ -376,29 +370,7 @@ void SeriesPage::showNotes()
 
 void SeriesPage::copy() const { QGuiApplication::clipboard()->setText(tableText(*table_)); }
 
-QByteArray SeriesPage::csv() const
-{
-    QByteArray text;
-    for (const SeriesState& state : states_) {
-        QByteArrayList heads, cells;
-        const auto add = [&](const SteadyQuantity& each, bool known) {
-            const QString unit = QString::fromStdString(each.quantity.displayUnit);
-            heads << csvText(QStringLiteral("%1 [%2]").arg(QString::fromStdString(each.quantity.name), unit));
-            cells << (known ? QByteArray::number(each.value / unitFactor(each.quantity.displayUnit), 'g', 12)
-                            : QByteArray());
-        };
-        for (const SteadyQuantity& each : seriesQuantities(state.point)) add(each, true);
-        for (const SteadyQuantity& each : steadyQuantities(state.result))
-            add(each, isKnown(state) && std::isfinite(each.value));
-        heads << "status"
-              << "message";
-        cells << csvText(statusText(name(state.result.status)))
-              << csvText(QString::fromStdString(state.result.message));
-        if (text.isEmpty()) text = heads.join(',') + '\n';
-        text += cells.join(',') + '\n';
-    }
-    return text;
-}
+QByteArray SeriesPage::csv() const { return csvOf(states_); }
 
 void SeriesPage::chooseSave()
 {

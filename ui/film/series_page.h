@@ -13,6 +13,7 @@
 #include "ui/film/series_controller.h"
 #include "ui/film/series_file.h"
 #include "ui/film/series_plots.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -41,11 +42,11 @@ public:
     StoredSeries series() const;
     void restore(const StoredSeries& series);
     /// The states that no file has.
-    std::size_t unsaved() const { return saved_ ? 0 : states_.size(); }
+    std::size_t unsaved() const { return saved_.holds() ? 0 : states_.size(); }
     /// Writes csv(). "" or the problem in a sentence.
     QString save(const QString& path);
 
-    /// All numbers of the states, in display units, as comma-separated values; empty cells where there is no state.
+    /// See csvOf().
     QByteArray csv() const;
 
 public slots:
@@ -90,7 +91,7 @@ private:
     Case case_, solved_;
     std::vector<SteadySeriesPoint> points_;
     std::vector<SeriesState> states_;
-    bool saved_ = false; // by the user
+    SavedFile saved_; // with what the table shows
 };
 
 } // namespace touchdown

@@ -182,7 +182,7 @@ const StudyOutcome* StudyWindow::outcome(const std::string& kind) const
 const StudyReport* StudyWindow::unsaved(const std::string& kind) const
 {
     const StudyOutcome* latest = outcome(kind);
-    const bool lost = latest && latest->report && latest->file.isEmpty() && !showsNothing(*latest->report);
+    const bool lost = latest && latest->report && !latest->file.holds() && !showsNothing(*latest->report);
     return lost ? &*latest->report : nullptr;
 }
 
@@ -194,7 +194,7 @@ void StudyWindow::restore(StoredStudy stored, const QString& file)
     plan.title = stored.report.title;
     plan.text = std::move(stored.studyText);
     plan.start = parseCase(std::move(stored.caseText), plan.title);
-    outcomes_[kind] = {std::move(plan), std::move(stored.report), file, 0};
+    outcomes_[kind] = {std::move(plan), std::move(stored.report), SavedFile(file), 0};
     show();
 }
 
@@ -202,7 +202,7 @@ QString StudyWindow::save(const std::string& kind, const QString& file)
 {
     StudyOutcome& outcome = outcomes_.at(kind);
     const QString problem = writeOutcome(outcome, file);
-    if (problem.isEmpty()) outcome.file = file;
+    if (problem.isEmpty()) outcome.file = SavedFile(file);
     return problem;
 }
 
@@ -216,7 +216,7 @@ void StudyWindow::chooseSave()
                    // A newer study of the kind may have begun while the dialog was open.
                    if (const auto now = outcomes_.find(kind);
                        now != outcomes_.end() && now->second.number == outcome.number)
-                       now->second.file = file;
+                       now->second.file = SavedFile(file);
                    emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
                    return problem;
                });

@@ -13,6 +13,7 @@
 #include "core/studies/study_plan.h"
 #include "ui/studies/study_controller.h"
 #include "ui/studies/study_pilot.h"
+#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
@@ -26,7 +27,7 @@ struct StudyCatalogue;
 struct StudyOutcome {
     StudyPlan plan;                    // as it was performed
     std::optional<StudyReport> report; // none before the first result
-    QString file;                      // that the user saved the report to
+    SavedFile file;                    // that the user saved the report to
     int number = 0;                    // of the calculation; 0: it was restored
 };
 

@@ -65,4 +65,10 @@ QString copyWholeFile(const QString& from, const QString& path)
     }
 }
 
+SavedFile::SavedFile(const QString& path)
+    : path_(path), identity_(identityOf(path.toStdString()).value_or(FileIdentity{}))
+{}
+
+bool SavedFile::holds() const { return !path_.isEmpty() && fileNow(path_.toStdString(), identity_) == FileNow::Same; }
+
 } // namespace touchdown

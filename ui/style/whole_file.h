@@ -7,6 +7,8 @@
 #include <QByteArray>
 #include <QString>
 
+#include "core/formats/file_identity.h"
+
 namespace touchdown {
 
 /// A file that appears whole or not at all (core/formats/text_file.h). Returns an empty string or a sentence that
@@ -18,5 +20,20 @@ namespace touchdown {
 
 /// A copy of a file, in the same way.
 [[nodiscard]] QString copyWholeFile(const QString& from, const QString& path);
+
+/// A file of the user that something was written to, or read from.
+class SavedFile {
+public:
+    /// None.
+    SavedFile() = default;
+    /// As it is now; an empty path: none.
+    explicit SavedFile(const QString& path);
+    /// Whether it is still there, with the same bytes.
+    bool holds() const;
+
+private:
+    QString path_;
+    FileIdentity identity_;
+};
 
 } // namespace touchdown

@@ -208,7 +208,7 @@ void TestSession::restoresAStudy()
     const StudyOutcome* outcome = window_->studies().outcome("work-precision");
     QVERIFY(outcome && outcome->report);
     QCOMPARE(outcome->report->findings, sampleReport().findings);
-    QVERIFY(outcome->file.isEmpty());
+    QVERIFY(!outcome->file.holds());
 }
 
 void TestSession::restoresTheSeriesAndTheModes()
