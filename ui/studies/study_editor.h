@@ -115,6 +115,8 @@ private:
     /// Asks for a file and writes the text to it; then calls `next`, if there is one.
     void chooseSave(const QString& kind, const std::function<void()>& next);
     void saveTo(const QString& kind, const QString& file, const std::function<void()>& next);
+    /// Before the file of a study is written over that another program has changed.
+    void askAboutFile(const QString& kind, const QString& file, const std::function<void()>& next);
     void showKind();
     void showForm();
     void enter(const QString& key, const QString& value);

@@ -4,6 +4,7 @@
 #include "ui/studies/study_editor.h"
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include <QDir>
@@ -15,7 +16,7 @@
 #include "core/formats/toml_document.h"
 #include "core/studies/study/study_head.h"
 #include "ui/case/parameter_text.h"
-#include "ui/studies/changed_study.h"
+#include "ui/style/changed_file_question.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/whole_file.h"
 
@@ -30,6 +31,18 @@ QString kindIn(const QString& text)
     const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
     const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
     return kind == nullptr ? QString() : QString::fromStdString(*kind);
+}
+
+/// The editor has no carriage returns.
+QStringList differentLines(QString inFile, const QString& inWindow)
+{
+    const QStringList theirs = inFile.remove(u'\r').split(u'\n'), own = inWindow.split(u'\n');
+    QStringList lines;
+    for (const QString& line : theirs)
+        if (!own.contains(line)) lines << StudyEditor::tr("in the file: %1").arg(line);
+    for (const QString& line : own)
+        if (!theirs.contains(line)) lines << StudyEditor::tr("in this window: %1").arg(line);
+    return lines;
 }
 
 } // namespace
@@ -132,7 +145,6 @@ void StudyEditor::whenSettled(const QString& kind, const std::function<void()>& 
                                 tr("The study \"%1\" has changed.").arg(titleOf(kind)),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window());
     box->setObjectName(QStringLiteral("unsavedStudy"));
-    box->setTextFormat(Qt::PlainText);
     box->setInformativeText(tr("Do you want to save its text?"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->setDefaultButton(QMessageBox::Save);
@@ -160,26 +172,43 @@ void StudyEditor::chooseSave(const QString& kind, const std::function<void()>& n
 void StudyEditor::saveTo(const QString& kind, const QString& file, const std::function<void()>& next)
 {
     const StudyDraft& draft = drafts_[kind];
-    if (changedOutside(draft, file)) {
-        ChangedStudyAnswers answers;
-        answers.writeOver = [this, kind, file, next](const std::string& shown) {
-            drafts_[kind].identity = identityOfBytes(shown); // it may change once more
-            saveTo(kind, file, next);
-        };
-        answers.reload = [this, kind, file] {
-            drafts_[kind].saved = drafts_[kind].text; // the person gives it up
-            if (const QString problem = open(file); !problem.isEmpty()) emit failed(problem);
-        };
-        answers.saveAs = [this, kind, next] { chooseSave(kind, next); };
-        askAboutStudy(*window(), file, draft.identity, draft.text, answers);
-        return;
-    }
+    if (changedOutside(draft, file)) return askAboutFile(kind, file, next);
     if (const QString problem = save(kind, file); !problem.isEmpty()) {
         emit failed(problem);
         return;
     }
     emit succeeded(tr("Written: %1").arg(QDir::toNativeSeparators(file)));
     if (next) next();
+}
+
+void StudyEditor::askAboutFile(const QString& kind, const QString& file, const std::function<void()>& next)
+{
+    const StudyDraft& draft = drafts_[kind];
+    const auto content = readTextFile(file.toStdString(), maximumStudyFileSize, FileContent::Text);
+    const auto* bytes = std::get_if<std::string>(&content);
+    ChangedFile question;
+    question.sentence = changeOfFile(file, fileNow(file.toStdString(), draft.identity));
+    if (bytes) {
+        question.heading = tr("Lines that differ:");
+        question.differences = differentLines(QString::fromStdString(*bytes), draft.text);
+        question.writeOver = [this, kind, file, next, shown = identityOfBytes(*bytes)] {
+            drafts_[kind].identity = shown; // it may change once more
+            saveTo(kind, file, next);
+        };
+        question.reload = [this, kind, file] {
+            // The person gives the text up, but only for one that can be read.
+            const QString before = std::exchange(drafts_[kind].saved, drafts_[kind].text);
+            const QString problem = open(file);
+            if (problem.isEmpty()) return;
+            drafts_[kind].saved = before;
+            emit failed(problem);
+        };
+    } else {
+        question.heading = tr("It cannot be opened:");
+        question.differences << QString::fromStdString(std::get<FileProblem>(content).message);
+    }
+    question.saveAs = [this, kind, next] { chooseSave(kind, next); };
+    askAboutChangedFile(*window(), question);
 }
 
 void StudyEditor::chooseOpen()

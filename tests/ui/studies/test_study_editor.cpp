@@ -124,6 +124,26 @@ private slots:
         QCOMPARE(succeeded.count(), 1);
         QCOMPARE(text(), editor_->toText().toStdString());
     }
+    /// The text of the window is given up only for one that can be read.
+    void aFileThatHoldsNoTextByNow()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("mine.toml"));
+        QCOMPARE(writeCaseFile(file.toStdString(), "kind = \"hysteresis\"\r\nsteps = 3\r\n"), std::string());
+        QCOMPARE(editor_->open(file), QString());
+        editor_->setText(QStringLiteral("kind = \"hysteresis\"\nsteps = 4\n"));
+        QCOMPARE(writeCaseFile(file.toStdString(), "kind = \"hysteresis\"\r\nsteps = 5\r\n"), std::string());
+        editor_->saveTo(file);
+        QVERIFY(
+            !question(*editor_, "changedFile")->informativeText().contains(QStringLiteral("kind"))); // the same line
+        QCOMPARE(writeCaseFile(file.toStdString(), std::string("steps\0= 5", 10)), std::string());
+        answer(*editor_, "changedFile", QStringLiteral("Reload the file"));
+        QCOMPARE(editor_->unsaved().size(), std::size_t(1));
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        editor_->saveTo(file);
+        QVERIFY(!namedWidget<QAbstractButton>(*question(*editor_, "changedFile"), QStringLiteral("&Reload the file"))
+                     ->isEnabled());
+    }
     void showsTheDefaults()
     {
         QCOMPARE(line("from")->text(), QStringLiteral("14 nm"));
