@@ -113,7 +113,7 @@ std::unique_ptr<SessionFolder> SessionFolder::create(QString& problem)
 
 std::unique_ptr<SessionFolder> SessionFolder::take(const QString& path)
 {
-    const int folder = openFolder(path);
+    const int folder = isSessionName(QFileInfo(path).fileName()) ? openFolder(path) : -1;
     if (folder < 0) return nullptr;
     if (const int lock = lockFolder(folder, O_CREAT); lock >= 0)
         return std::unique_ptr<SessionFolder>(new SessionFolder(path, folder, lock));

@@ -39,7 +39,7 @@ void finishRestoring(const SessionFolder& folder)
             moveOwnFile(from->studyFile(kind), folder.studyFile(kind));
         SessionState rest = readSession(path);
         if (rest.edited.text == state.edited.text) rest.edited = {};
-        rest.modes.reset(); // this session has them
+        if (rest.modes && state.modes && toJson(*rest.modes) == toJson(*state.modes)) rest.modes.reset();
         std::erase_if(rest.runs, [&](const ListedState& run) { return !isOwnFile(from->runFile(run.number)); });
         std::erase_if(rest.solutions,
                       [&](const ListedState& each) { return !isOwnFile(from->solutionFile(each.number)); });
@@ -115,7 +115,6 @@ void offerSession(QWidget& window, std::unique_ptr<SessionFolder> folder, const 
     box->setObjectName(QStringLiteral("restoreSession"));
     QStringList lines{tr("It left: %1.").arg(describe(state)),
                       tr("Last kept: %1.").arg(QLocale().toString(state.written.toLocalTime(), QLocale::ShortFormat))};
-    box->setTextFormat(Qt::PlainText);
     box->setInformativeText((lines + remarks).join(QLatin1Char('\n')));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QAbstractButton* take = box->addButton(tr("&Restore"), QMessageBox::AcceptRole);

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <QLocale>
 #include <QSettings>
 
 #include "core/case_files/case_text.h"
@@ -159,12 +160,30 @@ void Session::keepState()
                  [this](const QString& problem) { report(problem); });
 }
 
+bool Session::keptState()
+{
+    const int before = failures_;
+    keepState();
+    wait();
+    QCoreApplication::sendPostedEvents(&states_, QEvent::MetaCall); // delivers the result of the writer
+    return failures_ == before;
+}
+
+bool Session::refuses(std::size_t bytes)
+{
+    QString reason = overBudget_;
+    if (reason.isEmpty() && results_.pending() + bytes > mostPending)
+        reason = tr("The disk is slower than the results come.");
+    report(reason);
+    return !reason.isEmpty();
+}
+
 void Session::onSolutionAdded(int number)
 {
     const SolutionRecord* solution = parts_.film.solutions().find(number);
     if (!folder_ || adding_ || !solution || !solution->file.isEmpty()) return;
     const std::size_t bytes = bytesOf(solution->result);
-    if (overBudget_ || results_.pending() + bytes > mostPending) return;
+    if (refuses(bytes)) return;
     const QString file = folder_->solutionFile(number);
     write([record = *solution, file] { return saveSolution(record, file); },
           [this, number, file] { parts_.film.solutions().setKept(number, file); }, bytes);
@@ -186,11 +205,7 @@ void Session::keepSeries()
     schedule();
     if (!folder_ || adding_) return;
     const SeriesPage& page = *parts_.film.view()->series();
-    if (page.states().empty()) {
-        if (std::exchange(seriesKept_, false)) removeFile(folder_->seriesFile());
-        return;
-    }
-    seriesKept_ = true;
+    if (page.states().empty()) return removeFile(folder_->seriesFile());
     write([file = folder_->seriesFile(), series = page.series()] { return writeSeries(file, series); });
 }
 
@@ -214,13 +229,13 @@ void Session::removeFile(const QString& file)
 void Session::keepWithinBudget()
 {
     if (!folder_) return;
-    auto bytes = std::make_shared<qint64>(0);
     results_.post(
-        [bytes, most = budget()] {
-            *bytes = keepSessionsWithin(most);
-            return QString();
+        [most = budget()] {
+            if (keepSessionsWithin(most) <= most) return QString();
+            return tr("The files of the sessions take more than the %1 that File > Sessions allows.")
+                .arg(QLocale().formattedDataSize(most));
         },
-        [this, bytes](const QString&) { overBudget_ = *bytes > budget(); });
+        [this](const QString& problem) { overBudget_ = problem; });
 }
 
 void Session::report(const QString& problem)

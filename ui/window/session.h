@@ -101,6 +101,10 @@ private:
     QString takeSeries(LeftResult& result);
     void onRestored(bool stopped);
     void report(const QString& problem);
+    /// Keeps the state and waits for it: whether it is on the disk.
+    bool keptState();
+    /// Whether so many more bytes of results cannot be kept now, which is reported.
+    bool refuses(std::size_t bytes);
     void setProblem(const QString& problem);
     /// Whether the folder is still there; tries again what could not be kept.
     void look();
@@ -119,8 +123,7 @@ private:
     QByteArray written_;     // the state that was written last, without its time
     QTimer studySoon_, watch_;
     bool adding_ = false; // results that are added are in the folder already
-    bool seriesKept_ = false;
-    bool overBudget_ = false;
+    QString overBudget_;  // why no more results are kept; empty: there is room
     bool reported_ = false;
     bool closed_ = false;
     int failures_ = 0;

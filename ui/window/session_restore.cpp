@@ -81,15 +81,27 @@ void Session::restore(std::unique_ptr<SessionFolder> from, const SessionState& s
                             .arg(draft.kind);
         }
     editor.setKind(state.study);
-    if (ModesPage& page = *parts_.film.view()->modes(); state.modes && !page.controller().active())
+    if (ModesPage& page = *parts_.film.view()->modes(); state.modes && (page.known() || page.controller().active())) {
+        left_.modes = state.modes;
+        refused_ << tr(
+            "The window has modes; those of the earlier session stay in File, Sessions, Restore for a window "
+            "without them.");
+    } else if (state.modes) {
         page.restore(*state.modes);
+    }
     arriving_ = {};
     arriving_.page = std::clamp(state.page, 0, 2);
     arriving_.restoring = QFileInfo(from_->path()).fileName();
     waiting_ = resultsOf(state);
-    keepState();
-    wait(); // before the first file is moved
-    reader_.start(waiting_);
+    if (keptState()) { // before the first file is moved
+        reader_.start(waiting_);
+        return;
+    }
+    waiting_.clear();
+    arriving_ = {};
+    from_.reset();
+    refused_ << tr("The results stay in File, Sessions, Restore, because the state of this session cannot be written.");
+    emit restored(what_, refused_, true);
 }
 
 std::vector<std::shared_ptr<LeftResult>> Session::resultsOf(const SessionState& state)
@@ -209,7 +221,6 @@ QString Session::takeSeries(LeftResult& result)
                   "Restore for a window without one.");
     if (QString problem = moveFile(result.file, folder_->seriesFile()); !problem.isEmpty()) return problem;
     page.restore(result.series);
-    seriesKept_ = true;
     return {};
 }
 
@@ -225,11 +236,11 @@ void Session::onRestored(bool stopped)
         else
             for (const ListedState& entry : result->entries)
                 (result->kind == LeftResult::Kind::Run ? left_.runs : left_.solutions).push_back(entry);
+    left_.closed = left_.closed || !stopped; // the person is told what stays; the next start does not ask about it
     arriving_ = {};
     std::unique_ptr<SessionFolder> from = std::move(from_);
-    keepState();
-    wait(); // the results that were taken are in the state of this session
-    refused_ << leaveRest(std::move(from), left_);
+    // The results that were taken are in the state of this session. Else the next start ends what was begun here.
+    if (keptState()) refused_ << leaveRest(std::move(from), left_);
     refused_.removeAll(QString());
     emit restored(what_, refused_, stopped);
 }

@@ -7,8 +7,6 @@
 #include <thread>
 #include <utility>
 
-#include <QLocale>
-
 #include "core/results/results_writer.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
@@ -66,12 +64,7 @@ void Session::onRunStarted(int number)
 
 void Session::beginStream(RunRecord& run)
 {
-    if (!folder_) return;
-    if (overBudget_) {
-        report(tr("The files of the sessions take more than the %1 that File > Sessions allows.")
-                   .arg(QLocale().formattedDataSize(budget())));
-        return;
-    }
+    if (!folder_ || refuses(0)) return;
     stream_ = std::make_shared<Stream>();
     stream_->number = run.number;
     if (!run.finished() && fieldsKnownOf_ != run.number) return; // its first delivery says which fields it records

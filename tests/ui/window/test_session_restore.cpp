@@ -14,6 +14,7 @@
 #include "core/case_files/case_text.h"
 #include "core/results/steady_writer.h"
 #include "core/studies/study/study_file_reader.h"
+#include "tests/support/file_size_limit.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_study.h"
@@ -53,6 +54,7 @@ private slots:
     void keepsAnewRunOutOfTheNumbersOfOthers();
     void tellsManyRefusalsInOneLine();
     void opensNoFileThatHoldsAnotherRunByNow();
+    void leavesAllWhereItsOwnStateCannotBeWritten();
 
 private:
     /// Runs with the notes "note 1", "note 2", ... and edits of the case; then the window is killed.
@@ -360,6 +362,25 @@ void TestSessionRestore::opensNoFileThatHoldsAnotherRunByNow()
     QCOMPARE(notes(), QStringList({QStringLiteral("note 1"), QStringLiteral("note 2")}));
     QVERIFY2(message().contains(file) && message().contains(QStringLiteral("opened")), qPrintable(message()));
     QVERIFY(window_->runs().record(1).file.isEmpty()); // it is not saved any more
+}
+
+/// Else a kill would lose the notes, which stand in no other file.
+void TestSessionRestore::leavesAllWhereItsOwnStateCannotBeWritten()
+{
+    leaveRuns(1);
+    const QString left = SessionFolder::all().back();
+    const QByteArray state = content(left + QStringLiteral("/session.json"));
+    QVERIFY(state.contains("note 1"));
+    {
+        const test::FileSizeLimit full(16); // [byte]
+        restore();
+        QVERIFY2(message().contains(QStringLiteral("stay in File, Sessions, Restore")), qPrintable(message()));
+        QVERIFY(QFileInfo::exists(left + QStringLiteral("/run1.h5")));
+        QVERIFY(content(left + QStringLiteral("/session.json")) == state);
+    }
+    start();
+    restore();
+    QCOMPARE(notes(), QStringList(QStringLiteral("note 1")));
 }
 
 TOUCHDOWN_TEST(TestSessionRestore)
