@@ -27,6 +27,13 @@ constexpr auto recentKey = "files/recent";
 
 std::filesystem::path pathOf(const QString& file) { return file.toStdString(); }
 
+/// Also the mark of the byte order at its beginning, which fromStdString drops.
+QString wholeTextOf(const std::string& text)
+{
+    return (text.starts_with("\xef\xbb\xbf") ? QString(QChar(QChar::ByteOrderMark)) : QString()) +
+           QString::fromStdString(text);
+}
+
 /// Name of the archive or of the folder; the file itself is always rail.dat.
 QString importedName(const QFileInfo& file)
 {
@@ -252,8 +259,8 @@ CaseState CaseFiles::state() const
     state.sample = sample_;
     state.import = imported_;
     state.folder = QString::fromStdString(folder_.string());
-    state.savedText = QString::fromStdString(text_);
-    state.text = QString::fromStdString(text());
+    state.savedText = wholeTextOf(text_);
+    state.text = wholeTextOf(text());
     state.modified = modified() || !edits_.typed().empty();
     for (const auto& [key, entry] : edits_.badEntries()) state.entries[QString::fromStdString(key)] = entry.text;
     for (const auto& [key, text] : edits_.typed()) state.entries[QString::fromStdString(key)] = text;

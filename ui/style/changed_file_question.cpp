@@ -22,7 +22,6 @@ void askAboutChangedFile(QWidget& window, const ChangedFile& file)
                                 &window);
     box->setObjectName(QStringLiteral("changedFile"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
     QStringList lines{file.heading};
     lines << file.differences.mid(0, mostDifferences);
     if (file.differences.size() > mostDifferences) {

@@ -76,7 +76,6 @@ void MainWindow::beginSession(bool offer, QStringList remarks)
     connect(session_, &Session::failed, this, [this](const QString& text) {
         auto* box = new QMessageBox(QMessageBox::Warning, tr("Touchdown"), text, QMessageBox::Ok, this);
         box->setObjectName(QStringLiteral("notKept"));
-        box->setTextFormat(Qt::PlainText);
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });

@@ -50,7 +50,6 @@ void Recording::whenFree(const std::function<void()>& next)
         QMessageBox::Cancel, &window_);
     box->setObjectName(QStringLiteral("recordingChanged"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText);
     const QPushButton* over = box->addButton(tr("&Write over it"), QMessageBox::DestructiveRole);
     const QPushButton* other = box->addButton(tr("&Another file…"), QMessageBox::AcceptRole);
     box->setDefaultButton(QMessageBox::Cancel);

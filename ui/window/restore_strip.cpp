@@ -48,7 +48,6 @@ void RestoreStrip::tell(const QString& what, const QStringList& problems, bool s
     messages_.show(MessageStrip::Kind::Warning, told);
     auto* box = new QMessageBox(QMessageBox::Warning, tr("Restore"), told, QMessageBox::Close, &window_);
     box->setObjectName(QStringLiteral("notRestored"));
-    box->setTextFormat(Qt::PlainText);
     box->setDetailedText(problems.join(QLatin1Char('\n')));
     box->setAttribute(Qt::WA_DeleteOnClose);
     box->open();

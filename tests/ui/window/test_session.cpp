@@ -310,8 +310,9 @@ void TestSession::keepsWhatAStudyUnderWayHasFound()
     restore();
     const StudyOutcome* outcome = window_->studies().outcome("hysteresis");
     QVERIFY(outcome && outcome->report);
-    QCOMPARE(outcome->report->findings, sampleReport().findings);
-    QCOMPARE(outcome->report->status, StudyStatus::Cancelled);
+    QCOMPARE(outcome->report->tables.size(), sampleReport().tables.size());
+    QVERIFY(outcome->report->findings.empty()); // of a part they could be wrong
+    QCOMPARE(outcome->report->status, StudyStatus::Interrupted);
     QVERIFY(outcome->report->message.find("interrupted") != std::string::npos);
 }
 
