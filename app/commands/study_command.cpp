@@ -297,7 +297,8 @@ int studyCommand(const CommandArguments& arguments)
     ProgressLine line(arguments.progress);
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, [&](const StudyProgress& progress) {
-        // A state that cannot be written is no reason to stop: the problem is reported when the final report is written.
+        // A state that cannot be written is no reason to stop: the problem is reported when the final report is
+        // written.
         if (!arguments.out.empty()) out.update(progress.soFar);
         return line.show({progress.share, progress.doing});
     });

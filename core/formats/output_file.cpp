@@ -116,17 +116,6 @@ std::string markOf(const fs::directory_entry& entry)
     return entry.file_size(none) == 0 ? cut(lockEnding, 0) : std::string();
 }
 
-/// Asks again for a short time. Throws where the answer stays "no".
-template <class Take>
-void takeSoon(std::chrono::milliseconds wait, Take&& take)
-{
-    constexpr auto pause = std::chrono::milliseconds(10);
-    for (auto waited = std::chrono::milliseconds(0); !take(); waited += pause) {
-        if (waited >= wait) throw std::runtime_error("another run writes to it");
-        std::this_thread::sleep_for(pause);
-    }
-}
-
 /// Opens a lock, or creates it; never through a symbolic link. -1 and errno if that failed.
 int openLock(const fs::path& lock)
 {
@@ -152,7 +141,11 @@ bool standsAt(const struct stat& held, const fs::path& path)
 OutputLock::OutputLock(fs::path target, std::string mark, std::chrono::milliseconds wait)
     : target_(std::move(target)), lock_(parentOf(target_) / (mark + std::string(lockEnding))), mark_(std::move(mark))
 {
-    takeSoon(wait, [this] { return take(); });
+    constexpr auto pause = std::chrono::milliseconds(10);
+    for (auto waited = std::chrono::milliseconds(0); !take(); waited += pause) {
+        if (waited >= wait) throw std::runtime_error("another run writes to it");
+        std::this_thread::sleep_for(pause);
+    }
 }
 
 OutputLock::OutputLock(const fs::path& file) : OutputLock(linkTarget(file), markedName(linkTarget(file)), patience)

@@ -52,8 +52,9 @@ private:
 enum class PartName : bool { None, Own };
 
 /// A new file, which takes the place of NAME when it is whole, with the mode of the file that it replaces. Until then,
-/// and after any failure, NAME is as it was. PartName::None: the system removes it when the program ends, where the file system has files
-/// without a name. Else, NAME.touchdown.*.part stays until the next program that writes into the folder.
+/// and after any failure, NAME is as it was. PartName::None: the system removes it when the program ends, where the
+/// file system has files without a name. Else, NAME.touchdown.*.part stays until the next program that writes into the
+/// folder.
 class PartFile {
 public:
     /// Locks the file. Throws std::exception with the reason.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window keeps on disk of its work, so that a crash or a kill of the program loses one or two seconds of it. When
-// the computer stops, what the system had not written to the disk yet is lost as well, and a results file may then be
-// unreadable. Each window has a folder of its own, <local data of the program>/sessions/<UTC time>-<process>:
+// What the window keeps on disk of its work, so that a crash or a kill of the program loses one or two seconds of it.
+// When the computer stops, what the system had not written to the disk yet is lost as well, and a results file may then
+// be unreadable. Each window has a folder of its own, <local data of the program>/sessions/<UTC time>-<process>:
 //
 //   lock                 locked (flock) while a window uses the folder; the system releases it however the window ends
 //   session.json         the case with its edits and what is in the lists (session_state.h), replaced as a whole

@@ -60,6 +60,17 @@ MessageStrip::Kind kindOf(const StudyReport& report)
     return verdict == StudyVerdict::HoldsPartly ? MessageStrip::Kind::Information : MessageStrip::Kind::Success;
 }
 
+/// What a part of the window has done, and what failed.
+template <class Part>
+void tell(MessageStrip& messages, const Part& part)
+{
+    const auto show = [&messages](MessageStrip::Kind kind) {
+        return [&messages, kind](const QString& text) { messages.show(kind, text); };
+    };
+    QObject::connect(&part, &Part::succeeded, &messages, show(MessageStrip::Kind::Success));
+    QObject::connect(&part, &Part::failed, &messages, show(MessageStrip::Kind::Failure));
+}
+
 } // namespace
 
 void MainWindow::connectFiles()
@@ -108,10 +119,7 @@ void MainWindow::connectFiles()
     connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
     connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
     connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openResults);
-    connect(runFiles_, &RunFiles::succeeded, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
-    connect(runFiles_, &RunFiles::failed, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    tell(*messages_, *runFiles_);
     connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
     connect(edits_, &CaseEdits::modelFollowed, this, [this](const QStringList& changes) {
         messages_->show(MessageStrip::Kind::Information,
@@ -206,10 +214,7 @@ void MainWindow::connectFilm()
         files_->use(film_->solutions().find(number)->value, QFileInfo(file).fileName(), {},
                     [this] { setPage(Page::StaticState); });
     });
-    connect(solutionFiles_, &SolutionFiles::succeeded, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
-    connect(solutionFiles_, &SolutionFiles::failed, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    tell(*messages_, *solutionFiles_);
 }
 
 void MainWindow::connectStudies()
@@ -220,10 +225,7 @@ void MainWindow::connectStudies()
     connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
     connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(studies_, &StudyWindow::ended, this, &MainWindow::onStudied);
-    connect(studies_, &StudyWindow::succeeded, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Success, text); });
-    connect(studies_, &StudyWindow::failed, this,
-            [this](const QString& text) { messages_->show(MessageStrip::Kind::Failure, text); });
+    tell(*messages_, *studies_);
     connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
         const bool isOpen = files_->isOpen(found);
         askToApply(*this, edits_->value(), found, !isOpen, title, [this, found, title, isOpen] {
