@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/part_tree.h"
 
-#include <algorithm>
-
 #include <QDropEvent>
 
 namespace touchdown {
@@ -25,7 +23,7 @@ int PartTree::placeAt(const QPoint& at) const
     const int from = group->indexOfChild(dragged);
     int to = group->indexOfChild(over) + (at.y() > row.center().y() ? 1 : 0); // before this one
     if (to > from) --to;                                                      // when the dragged one is taken out
-    return std::clamp(to, 0, group->childCount() - 1);
+    return to;
 }
 
 bool PartTree::edit(const QModelIndex& index, EditTrigger trigger, QEvent* event)
