@@ -195,7 +195,10 @@ int commandLine(int argc, char** argv)
 {
     const std::vector<std::string> words = argumentsOf(argc, argv);
     std::optional<StopSignals> signals;
-    if (!words.empty() && runsLong(words.front())) signals.emplace();
+    if (!words.empty() && runsLong(words.front())) {
+        signals.emplace();
+        std::signal(SIGPIPE, SIG_IGN); // a reader that leaves is a problem of its writer: other files are completed
+    }
     CLI::App app("Touchdown: dynamics of hard-disk sliders at the edge of contact", "touchdown");
     app.set_version_flag("--version", "touchdown " TOUCHDOWN_VERSION);
     app.require_subcommand(0, 1); // a missing one is refused below, after misspelt words

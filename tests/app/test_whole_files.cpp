@@ -6,7 +6,9 @@
 #include <memory>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
+#include "core/results/results_reader.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
 
@@ -52,6 +54,30 @@ private slots:
         QVERIFY2(o.err.contains("File too large") || o.err.contains("cannot write"), o.err);
         QVERIFY2(o.err.contains(arguments.last().toUtf8()), o.err);
         QCOMPARE(folder_->files(), QStringList());
+    }
+
+    /// As "head" does. The results are on the disk all the same.
+    void aReaderThatLeaves()
+    {
+        const QString pipe = folder_->path() + QStringLiteral("/pipe"),
+                      file = folder_->path() + QStringLiteral("/a.h5");
+        QCOMPARE(::mkfifo(qPrintable(pipe), 0600), 0);
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.setChildProcessModifier([] { std::signal(SIGPIPE, SIG_DFL); });
+        process.start(TOUCHDOWN_COMMAND, {"run", "fig10a", "--csv", "pipe", "--out", "a.h5"});
+        {
+            QFile reader(pipe);
+            QVERIFY(reader.open(QIODevice::ReadOnly | QIODevice::Unbuffered));
+            QVERIFY(reader.read(100).startsWith("time"));
+        }
+        const Outcome o = outcome(process);
+        QVERIFY2(o.code == 1 || o.code == 2, o.err);
+        QVERIFY2(o.err.contains("pipe: Broken pipe"), o.err);
+        const StoredRun run = readResults(file.toStdString());
+        QVERIFY(run.problem.empty() && run.samples.size() > 0);
+        QVERIFY(run.status != "interrupted");
+        QCOMPARE(folder_->files(), QStringList(QStringLiteral("a.h5")));
     }
 
 private:

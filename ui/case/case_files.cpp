@@ -16,6 +16,7 @@
 #include "core/case_files/cml_case.h"
 #include "core/studies/study_plan.h"
 #include "ui/style/foreign_text.h"
+#include "ui/style/loss_question.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -215,6 +216,7 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
 {
     emit aboutToUse();
     if (askAboutResults_ && askAboutResults_(next)) return;
+    withdrawQuestion(window_, QStringLiteral("unsavedChanges"));
     if (!modified()) return next();
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
                                 tr("The case \"%1\" has changed.").arg(inOneLine(shortName())),

@@ -6,8 +6,17 @@
 
 namespace touchdown {
 
+void withdrawQuestion(const QWidget& window, const QString& name)
+{
+    for (auto* box : window.findChildren<QMessageBox*>(name)) {
+        box->setObjectName({}); // it is deleted later
+        box->close();
+    }
+}
+
 void askBeforeLoss(QWidget& window, const Loss& loss, const std::function<void()>& goOn)
 {
+    withdrawQuestion(window, loss.name);
     auto* box = new QMessageBox(QMessageBox::Question, loss.title, loss.what, QMessageBox::Cancel, &window);
     box->setObjectName(loss.name);
     box->setInformativeText(loss.why);

@@ -17,7 +17,11 @@ struct Loss {
     QString button; // that goes on all the same: "&Replace"
 };
 
-/// Asks without blocking the window; Cancel is the default. `goOn` is called when the person goes on all the same.
+/// Asks without blocking the window, in the place of a question of this name; Cancel is the default. `goOn` is called
+/// when the person goes on all the same.
 void askBeforeLoss(QWidget& window, const Loss& loss, const std::function<void()>& goOn);
+
+/// Closes the question of this name, if it is open: nothing is done. One that is asked anew takes its place.
+void withdrawQuestion(const QWidget& window, const QString& name);
 
 } // namespace touchdown

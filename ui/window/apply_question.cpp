@@ -52,7 +52,8 @@ void askToReplaceReport(QWidget& window, const StudyReport& report, const std::f
     const QString title = inOneLine(QString::fromStdString(report.title));
     askBeforeLoss(window,
                   {QStringLiteral("unsavedReport"), tr("Replace a report"),
-                   tr("The report “%1” is not saved.").arg(title),
+                   title.isEmpty() ? tr("The study under way has a report that is not saved.")
+                                   : tr("The report “%1” is not saved.").arg(title),
                    tr("There is one report of each kind of study: the new one would take its place."), tr("&Replace")},
                   replace);
 }

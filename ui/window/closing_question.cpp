@@ -45,6 +45,7 @@ bool ClosingQuestion::asksBeforeAnotherCase(const std::function<void()>& next)
 {
     const UnsavedWork work = workOfCase(parts_);
     if (!work.anyResult() && work.underWay.isEmpty()) return false;
+    if (asking_) asking_->close(); // the case that was to be opened before
     closes_ = false;
     leave_ = next;
     ask(work, false);

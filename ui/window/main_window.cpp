@@ -37,6 +37,7 @@
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/foreign_text.h"
+#include "ui/style/loss_question.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/apply_question.h"
@@ -170,8 +171,15 @@ void MainWindow::performStudy()
     const auto perform = [this] {
         if (studies_->perform()) messages_->clear(); // also that the one before it was stopped
     };
+    const QString other = studies_->kindUnderWay();
     if (const StudyReport* former = studies_->unsaved(plan.kind))
         askToReplaceReport(*this, *former, perform);
+    else if (!other.isEmpty() && other != QString::fromStdString(plan.kind))
+        askBeforeLoss(*this,
+                      {QStringLiteral("studyUnderWay"), tr("Stop a study"),
+                       tr("The study “%1” is under way.").arg(studies_->editor()->titleOf(other)),
+                       tr("One study is performed at a time: the new one would stop it."), tr("&Stop it")},
+                      perform);
     else
         perform();
 }

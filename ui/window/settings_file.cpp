@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -15,6 +16,7 @@ namespace touchdown {
 namespace {
 
 constexpr std::uintmax_t largestSettings = std::uintmax_t(1) << 20; // [byte]
+constexpr int longestLock = 2000;                                   // of another window that writes its settings [ms]
 
 /// All that QSettings looks at, of this program and of its organisation, of the user and of the system.
 QStringList filesOfSettings()
@@ -36,6 +38,11 @@ QString problemOf(const QString& file)
     if (!QFileInfo::exists(file)) return {};
     const auto content = readTextFile(file.toStdString(), largestSettings, FileContent::Text);
     if (const auto* problem = std::get_if<FileProblem>(&content)) return QString::fromStdString(problem->message);
+    // QSettings would wait for up to half a minute.
+    QLockFile lock(file + QLatin1String(".lock"));
+    if (!lock.tryLock(longestLock) && lock.error() == QLockFile::LockFailedError)
+        return tr("is locked by another program (%1)").arg(QFileInfo(file).fileName() + QLatin1String(".lock"));
+    lock.unlock();
     const QSettings settings(file, QSettings::IniFormat);
     static_cast<void>(settings.allKeys()); // reads all lines
     return settings.status() == QSettings::NoError ? QString() : tr("holds no settings");

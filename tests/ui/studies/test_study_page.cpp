@@ -141,6 +141,7 @@ private slots:
     void saysWhereThatCannotBeTold();
     void asksBeforeAnUnsavedReportIsReplaced();
     void asksBeforeAStudyUnderWayBeginsAgain();
+    void asksBeforeAnotherStudyStopsTheOneUnderWay();
     void stops();
     void saysWhatIsWrongWhileItIsWritten();
     void keepsTheTextAndTheReportOfEachKind();
@@ -339,6 +340,26 @@ void TestStudyPage::asksBeforeAStudyUnderWayBeginsAgain()
     answer(f.window, "unsavedReport", QStringLiteral("Cancel"));
     QCOMPARE(f.window.studies().outcome("work-precision")->number, 1);
     QCOMPARE(f.window.studies().controller().state(), State::Running);
+}
+
+void TestStudyPage::asksBeforeAnotherStudyStopsTheOneUnderWay()
+{
+    Fixture f;
+    f.editor().setText(QStringLiteral("endless"));
+    f.window.performStudy();
+    QTRY_COMPARE(f.charts(), 1);
+    f.editor().setKind(QStringLiteral("advise"));
+    f.window.performStudy();
+    f.window.performStudy(); // one question, however often it is asked for
+    int open = 0;
+    for (const QMessageBox* box : f.window.findChildren<QMessageBox*>()) open += box->isVisible() ? 1 : 0;
+    QCOMPARE(open, 1);
+    answer(f.window, "studyUnderWay", QStringLiteral("Cancel"));
+    QCOMPARE(f.window.studies().kindUnderWay(), QStringLiteral("work-precision"));
+    f.window.performStudy();
+    answer(f.window, "studyUnderWay", QStringLiteral("Stop it"));
+    QTRY_VERIFY(f.window.studies().outcome("advise"));
+    QVERIFY(!f.window.studies().underWay("work-precision"));
 }
 
 void TestStudyPage::stops()

@@ -98,6 +98,16 @@ private slots:
         QCOMPARE(QFileInfo(file).isSymbolicLink(), link);
         QVERIFY(read(target).contains("last=fig5"));
     }
+    /// QSettings would wait for it for half a minute.
+    void aLockThatStaysIsAProblem()
+    {
+        const QString file = path(QStringLiteral("touchdown/test_settings_file.conf"));
+        write(file, ownSettings);
+        write(file + QStringLiteral(".lock"), "no number of a process\n");
+        QVERIFY(SettingsFile().problem().contains(QStringLiteral("is locked")));
+        QVERIFY(QFile::remove(file + QStringLiteral(".lock")));
+        QCOMPARE(SettingsFile().problem(), QString());
+    }
     void noFileIsNoProblem() { QCOMPARE(SettingsFile().problem(), QString()); }
 
 private:
