@@ -236,7 +236,8 @@ void Session::onRestored(bool stopped)
         else
             for (const ListedState& entry : result->entries)
                 (result->kind == LeftResult::Kind::Run ? left_.runs : left_.solutions).push_back(entry);
-    left_.closed = left_.closed || !stopped; // the person is told what stays; the next start does not ask about it
+    // The person is told which results stay; only edits of the case are offered again at the next start.
+    left_.closed = left_.closed || (!stopped && !left_.edited.modified);
     arriving_ = {};
     std::unique_ptr<SessionFolder> from = std::move(from_);
     // The results that were taken are in the state of this session. Else the next start ends what was begun here.

@@ -141,7 +141,7 @@ private slots:
         QCOMPARE(editor_->unsaved().size(), std::size_t(1));
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         editor_->saveTo(file);
-        QVERIFY(!namedWidget<QAbstractButton>(*question(*editor_, "changedFile"), QStringLiteral("&Reload the file"))
+        QVERIFY(!namedWidget<QAbstractButton>(*question(*editor_, "changedFile"), QStringLiteral("Reload the file"))
                      ->isEnabled());
     }
     void showsTheDefaults()
