@@ -69,11 +69,24 @@ private slots:
     void heldShowsTheForce();
     void pointsAtAState();
     void dotsAreDrawn();
+    /// It does not follow the pointer: a state that is chosen stays marked.
+    void theCursorStays();
 
 private:
     PlotWidget& spacing() const { return *plots_->plots()[0]; }
     std::unique_ptr<SeriesPlots> plots_;
 };
+
+void TestSeriesPlots::theCursorStays()
+{
+    const auto points = radii({20e-3, 25e-3, 30e-3});
+    plots_->setStates(points, statesOf(points));
+    plots_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(plots_.get()));
+    spacing().setPlotCursor(0, 25e-3);
+    for (const double share : {0.3, 0.8}) QTest::mouseMove(&spacing(), QPoint(int(share * 700.0), 60));
+    QCOMPARE(*spacing().plotCursor(0), 25e-3);
+}
 
 void TestSeriesPlots::drawsTheStates()
 {
