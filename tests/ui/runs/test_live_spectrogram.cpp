@@ -173,6 +173,9 @@ void TestLiveSpectrogram::writesItsNumbers()
     QCOMPARE(lines.size(), static_cast<qsizetype>(shown.columns) + 1);
     QVERIFY(lines[0].contains("[dB re 1 nm²/Hz]"));
     QCOMPARE(lines[1].split(',').size(), static_cast<qsizetype>(shown.frequency.size()) + 1);
+    // The middle of each window, from the begin of the run at 0.
+    for (const qsizetype c : {qsizetype(0), lines.size() - 2})
+        QVERIFY(std::abs(lines[c + 1].split(',')[0].toDouble() - shown.firstCentre - double(c) * shown.step) < 1e-9);
     // In dB re 1 nm²/Hz.
     const double expected = 10.0 * std::log10(shown.at(0, 13) / 1e-18);
     QVERIFY(std::abs(lines[1].split(',')[14].toDouble() - expected) < 0.006);
