@@ -5,9 +5,9 @@
     damping_chart.py OUT.svg "NAME=FILE.csv" ...
 
 One colour for each file. A mark is one mode of one slider at one step error; each line joins the medians over all modes
-of a file, one for each step error, the dashed one the worst. Times are relative to the run of the same mode in the first file at its largest step
-error. The error is the difference from `modes` on the same grid, against 5 % of the damping
-ratio or 5e-5, whichever is larger: below 1 the run has the damping of its grid."""
+of a file, one for each step error, the dashed one the worst. Times are relative to the run of the same mode in the
+first file at its largest step error. The error is the difference from `modes` on the same grid, against 5 % of the
+damping ratio or 5e-5, whichever is larger: below 1 the run has the damping of its grid."""
 import csv
 import math
 import statistics
@@ -72,7 +72,8 @@ def main():
     for number, (name, runs) in enumerate(data):
         colour = COLOURS[number % len(COLOURS)]
         for _, time, error in runs:
-            parts.append(f'<circle cx="{x(time):.1f}" cy="{y(error):.1f}" r="3.2" fill="{colour}" fill-opacity="0.35"/>')
+            place = f'cx="{x(time):.1f}" cy="{y(error):.1f}"'
+            parts.append(f'<circle {place} r="3.2" fill="{colour}" fill-opacity="0.35"/>')
         medians, worst = [], []
         for step in sorted({step for step, _, _ in runs}):
             of_step = [(time, error) for other, time, error in runs if other == step]

@@ -11,6 +11,7 @@
 
 #include "core/case_files/case_file.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/window/sample_window.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
@@ -32,33 +33,10 @@ using namespace touchdown;
 
 namespace test_main_window {
 
-/// A window on a sample case, at full speed.
-struct Fixture {
-    explicit Fixture(const char* sample = "fig10a")
-    {
-        window.resize(1400, 900);
-        window.show();
-        window.files().openNow(QString::fromLatin1(sample));
-    }
-
-    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
-    void choosePace(double simulatedPerWallSecond)
-    {
-        QComboBox* pace = window.actions().pace;
-        pace->setCurrentIndex(pace->findData(simulatedPerWallSecond));
-    }
-    /// The record of a run that has ended.
-    const RunRecord& runToEnd()
-    {
-        const QSignalSpy finished(&window.controller(), &RunController::finished);
-        window.startRun();
-        if (!QTest::qWaitFor([&] { return finished.count() == 1; }, 60'000)) qFatal("the run does not end");
-        return window.runs().record(window.runs().count() - 1);
-    }
+struct Fixture : test::SampleWindow {
+    using SampleWindow::SampleWindow;
     QLineEdit* line(const char* key) { return qobject_cast<QLineEdit*>(window.casePanel().editor(key)->input()); }
     QMessageBox* box(const char* name) { return window.findChild<QMessageBox*>(QString::fromLatin1(name)); }
-
-    MainWindow window;
 };
 
 class TestMainWindow : public QObject {

@@ -8,6 +8,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/named_widget.h"
+#include "tests/ui/window/sample_window.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -31,32 +32,7 @@ namespace test_main_window_runs {
 
 using State = RunController::State;
 
-/// A window on a sample case, at full speed.
-struct Fixture {
-    explicit Fixture(const char* sample = "fig10a")
-    {
-        window.resize(1400, 900);
-        window.show();
-        window.files().openNow(QString::fromLatin1(sample));
-    }
-
-    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
-    void choosePace(double simulatedPerWallSecond)
-    {
-        QComboBox* pace = window.actions().pace;
-        pace->setCurrentIndex(pace->findData(simulatedPerWallSecond));
-    }
-    /// The record of a run that has ended.
-    const RunRecord& runToEnd()
-    {
-        const QSignalSpy finished(&window.controller(), &RunController::finished);
-        window.startRun();
-        if (!QTest::qWaitFor([&] { return finished.count() == 1; }, 60'000)) qFatal("the run does not end");
-        return window.runs().record(window.runs().count() - 1);
-    }
-
-    MainWindow window;
-};
+using Fixture = test::SampleWindow;
 
 class TestMainWindowRuns : public QObject {
     Q_OBJECT

@@ -55,13 +55,6 @@ private slots:
     void keepsARunWhoseOwnFileFailsLater();
 
 private:
-    void kill() { window_.reset(); }
-    QString offered()
-    {
-        const QMessageBox* box = question(*window_, "restoreSession");
-        return box ? box->informativeText() : QString();
-    }
-    void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
     void slowRun()
     {
         QComboBox* pace = window_->actions().pace;

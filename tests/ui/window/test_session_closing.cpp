@@ -45,15 +45,6 @@ private slots:
     void goesOnInMemoryWhenTheDiskIsFull();
     void saysAllTheTimeThatNothingIsKept();
     void keepsAllAgainWhenItsFolderWasRemoved();
-
-private:
-    void kill() { window_.reset(); }
-    QString offered()
-    {
-        const QMessageBox* box = question(*window_, "restoreSession");
-        return box ? box->informativeText() : QString();
-    }
-    void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
 };
 
 void TestSessionClosing::asksAgainLater()

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "core/case/parameters.h"
 #include "tests/ui/question.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_window.h"
@@ -61,6 +62,14 @@ protected:
         window_->startRun();
         QTRY_VERIFY(!window_->controller().active());
     }
+    void kill() { window_.reset(); }
+    /// What the question at the start says; empty: it does not ask.
+    QString offered() const
+    {
+        const QMessageBox* box = question(*window_, "restoreSession");
+        return box ? box->informativeText() : QString();
+    }
+    void edit(const char* key, const QString& text) { window_->edits().enter(*findParameter(key), text); }
     static QString onlyFolder()
     {
         const QStringList all = SessionFolder::all();
