@@ -11,8 +11,10 @@ cmake_minimum_required(VERSION 3.25)
 # Lowest first: a file may include files of its own room and of those above it in this list.
 set(rooms
     core/numerics
+    core/work
     core/physics/disk
     core/physics/slider
+    core/physics/film/gaps
     core/physics/film
     core/physics/contact
     core/formats
@@ -21,8 +23,8 @@ set(rooms
     core/case_files/cml
     core/case_files
     core/simulation/recording
-    core/simulation/static_state
     core/simulation/contact
+    core/simulation/static_state
     core/simulation/springs
     core/simulation/flight
     core/simulation/small_motions
@@ -72,8 +74,8 @@ set(most_growth 50)
 set(known_arrows
     # The source of an interface makes its parts, which derive from the interface or fill in its structs.
     core/case/parameters->core/case/parameter_builders
-    core/physics/film/film_gaps->core/physics/film/cut_rows
-    core/physics/film/film_gaps->core/physics/film/gap_sampler
+    core/physics/film/gaps/film_gaps->core/physics/film/gaps/cut_rows
+    core/physics/film/gaps/film_gaps->core/physics/film/gaps/gap_sampler
     core/simulation/contact/contact_model->core/simulation/contact/elastic_pad
     core/simulation/contact/slider_contact->core/simulation/contact/elastic_slider_contact
     core/simulation/contact/slider_contact->core/simulation/contact/ono_yamane_contact

@@ -10,7 +10,7 @@
 #include "app/terminal/report_text.h"
 #include "app/terminal/stop_signals.h"
 #include "core/formats/quotation.h"
-#include "core/numerics/wall_clock.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 namespace {

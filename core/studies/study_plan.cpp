@@ -12,7 +12,6 @@
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
 #include "core/formats/toml_document.h"
-#include "core/numerics/wall_clock.h"
 #include "core/studies/advice/advisor.h"
 #include "core/studies/convergence/convergence.h"
 #include "core/studies/cycles/cycles.h"
@@ -27,6 +26,7 @@
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

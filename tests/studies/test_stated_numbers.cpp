@@ -20,7 +20,7 @@
 #include "core/simulation/reference_frequencies.h"
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady.h"
-#include "core/studies/precision/ensemble.h"
+#include "core/studies/runs/ensemble.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/amounts.h"

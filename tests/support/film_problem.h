@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/physics/film/film_gaps.h"
 #include "core/physics/film/film_grid.h"
 #include "core/physics/film/film_loads.h"
 #include "core/physics/film/film_newton.h"
+#include "core/physics/film/gaps/film_gaps.h"
 #include "core/physics/film/gas_film.h"
 #include "core/physics/slider/recess.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/simulation/equilibria/film_branches.h"
 #include "core/simulation/equilibria/film_equilibria.h"
-#include "core/simulation/small_motions/film_balance.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "tests/support/small_slider.h"
 

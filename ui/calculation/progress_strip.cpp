@@ -7,7 +7,7 @@
 
 #include <QHBoxLayout>
 
-#include "core/numerics/wall_clock.h"
+#include "core/work/wall_clock.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 

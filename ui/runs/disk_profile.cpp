@@ -5,7 +5,7 @@
 #include <array>
 
 #include "core/case/disk_setup.h"
-#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/contact/disk_under_film.h"
 #include "ui/slider/slider_profile.h"
 
 namespace touchdown {

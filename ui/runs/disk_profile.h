@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The heights of the disk of a film case along the slider's centre line, moved with the disk or held still as under the
-// film (core/simulation/static_state/disk_under_film.h). The surface is made on another thread, as that of a long track
+// film (core/simulation/contact/disk_under_film.h). The surface is made on another thread, as that of a long track
 // takes a second.
 #pragma once
 

@@ -10,8 +10,8 @@
 
 #include <QString>
 
-#include "core/numerics/wall_clock.h"
 #include "core/studies/study/study.h"
+#include "core/work/wall_clock.h"
 #include "ui/calculation/calculation_controller.h"
 
 namespace touchdown {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/numerics/vector_clones.h"
-#include "core/physics/film/film_gaps.h"
 #include "core/physics/film/flow_table.h"
+#include "core/physics/film/gaps/film_gaps.h"
 #include "core/physics/film/path_flow.h"
 
 namespace touchdown {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/physics/film/cut_paths.h"
-#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/gaps/film_gaps.h"
 
 namespace touchdown {
 

@@ -12,7 +12,7 @@
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/disk/surface_sampling.h"
 #include "core/simulation/contact/contact_doubts.h"
-#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/contact/disk_under_film.h"
 
 namespace touchdown {
 

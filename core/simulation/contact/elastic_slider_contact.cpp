@@ -8,8 +8,8 @@
 #include "core/case/contact_patches.h"
 #include "core/formats/units.h"
 #include "core/physics/disk/surface_statistics.h"
+#include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_pad.h"
-#include "core/simulation/static_state/disk_under_film.h"
 
 namespace touchdown {
 namespace {

@@ -2,7 +2,7 @@
 //
 // Equilibria of a slider on its film while one value of its case changes, followed by pseudo-arclength
 // (core/numerics/continuation.h) in attitude and parameter. The residual is the force on the slider at an attitude,
-// with the film steady there (core/simulation/small_motions/film_balance.h). Its Jacobian comes from the response of
+// with the film steady there (core/simulation/static_state/film_balance.h). Its Jacobian comes from the response of
 // the film, its derivative with respect to the parameter from a difference.
 //
 //   fold    the branch turns back in the parameter

@@ -8,8 +8,8 @@
 #include <memory>
 #include <utility>
 
-#include "core/simulation/small_motions/film_balance.h"
 #include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {

@@ -2,7 +2,7 @@
 //
 // Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case. Flying: the
 // static state, where it is above d_s. In contact, on the take-off branch: Newton's method with the stiffnesses of film
-// and contact (core/simulation/small_motions/film_balance.h), from the static attitude lowered to several separations
+// and contact (core/simulation/static_state/film_balance.h), from the static attitude lowered to several separations
 // and from known nearby attitudes. An equilibrium that no start leads to is missed.
 //
 // Stability: the oscillations about each (core/simulation/small_motions/small_motions.h); where the static stiffness

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The balance of a slider on its film (core/simulation/small_motions/film_balance.h) while one value p of its case
+// The balance of a slider on its film (core/simulation/static_state/film_balance.h) while one value p of its case
 // changes, as a continuation needs it: G(x, p) and its derivatives, distances from the ends of a law of contact, and
 // the description of an equilibrium. All are dimensionless:
 //
@@ -25,7 +25,7 @@
 #include "core/numerics/cell_grid.h"
 #include "core/numerics/continuation.h"
 #include "core/simulation/equilibria/equilibrium.h"
-#include "core/simulation/small_motions/film_balance.h"
+#include "core/simulation/static_state/film_balance.h"
 
 namespace touchdown {
 

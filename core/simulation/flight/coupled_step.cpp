@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/numerics/backward_difference.h"
-#include "core/numerics/wall_clock.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -29,9 +29,9 @@
 #include <vector>
 
 #include "core/physics/film/film_step.h"
+#include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/flight/film_response.h"
-#include "core/simulation/static_state/disk_under_film.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {

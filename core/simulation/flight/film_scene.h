@@ -13,9 +13,9 @@
 
 #include "core/physics/slider/disk_clearance.h"
 #include "core/physics/slider/minimum_spacing.h"
+#include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/slider_contact.h"
 #include "core/simulation/static_state/disk_on_cells.h"
-#include "core/simulation/static_state/disk_under_film.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {

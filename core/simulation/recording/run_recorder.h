@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/recording/sample_extremes.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/small_motions/small_motions.h"
-#include "core/simulation/static_state/disk_under_film.h"
 #include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {

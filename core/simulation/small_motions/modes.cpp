@@ -6,11 +6,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/small_motions/mode_errors.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

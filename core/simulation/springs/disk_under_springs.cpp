@@ -7,7 +7,7 @@
 #include "core/case/disk_setup.h"
 #include "core/physics/disk/disk_passage.h"
 #include "core/physics/disk/disk_surface_check.h"
-#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/contact/disk_under_film.h"
 
 namespace touchdown {
 

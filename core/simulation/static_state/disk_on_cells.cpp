@@ -10,7 +10,7 @@
 #include "core/physics/disk/disk_passage.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/disk/surface_statistics.h"
-#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/contact/disk_under_film.h"
 
 namespace touchdown {
 

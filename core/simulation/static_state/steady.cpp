@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/case/ridge_check.h"
-#include "core/numerics/wall_clock.h"
 #include "core/physics/film/film_line_multigrid.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/grid_error.h"
@@ -16,6 +15,7 @@
 #include "core/simulation/static_state/ridge_error.h"
 #include "core/simulation/static_state/sensitivity.h"
 #include "core/simulation/static_state/static_check.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

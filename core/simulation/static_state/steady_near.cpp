@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/static_check.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

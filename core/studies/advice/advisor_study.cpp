@@ -7,10 +7,10 @@
 #include <limits>
 #include <utility>
 
-#include "core/numerics/wall_clock.h"
 #include "core/studies/advice/pilot_run.h"
 #include "core/studies/advice/reduced_models.h"
-#include "core/studies/runs/parallel.h"
+#include "core/work/parallel.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

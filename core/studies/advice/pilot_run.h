@@ -11,7 +11,7 @@
 
 #include "core/simulation/small_motions/linear_motion.h"
 #include "core/studies/advice/tail_estimate.h"
-#include "core/studies/runs/parallel.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

@@ -3,7 +3,7 @@
 // The candidates without a film in time: the end of the run that each predicts, and its cost.
 #pragma once
 
-#include "core/studies/runs/parallel.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

@@ -8,15 +8,15 @@
 
 #include "core/case/contact_check.h"
 #include "core/formats/units.h"
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/contact/elastic_pad.h"
 #include "core/simulation/contact/pad_way.h"
 #include "core/simulation/run.h"
 #include "core/studies/convergence/film_convergence_report.h"
 #include "core/studies/convergence/film_convergence_task.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/runs/work_done.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/parallel.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

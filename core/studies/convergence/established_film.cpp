@@ -7,13 +7,13 @@
 #include <Eigen/LU>
 
 #include "core/formats/units.h"
-#include "core/numerics/wall_clock.h"
 #include "core/physics/film/film_grid.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/convergence/node_film.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

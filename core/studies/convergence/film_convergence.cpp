@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/static_state/steady.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -17,8 +17,8 @@
 
 #include "core/case/case.h"
 #include "core/case_files/case_settings.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/study/study.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

@@ -16,7 +16,7 @@
 
 #include "core/case/case_key.h"
 #include "core/studies/cycles/bouncing_run.h"
-#include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/runs/value_ranges.h"
 
 namespace touchdown {
 

@@ -10,13 +10,13 @@
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
-#include "core/numerics/wall_clock.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/studies/cycles/cycle_keys.h"
 #include "core/studies/cycles/cycles_report.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/parallel.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

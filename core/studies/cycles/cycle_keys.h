@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/case/parameters.h"
-#include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/runs/value_ranges.h"
 
 namespace touchdown {
 

@@ -18,8 +18,8 @@
 #include "core/studies/cycles/cycle_keys.h"
 #include "core/studies/cycles/cycles_report.h"
 #include "core/studies/hysteresis/held_steps.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

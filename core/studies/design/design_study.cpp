@@ -10,8 +10,8 @@
 
 #include "core/formats/units.h"
 #include "core/studies/design/design_task.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

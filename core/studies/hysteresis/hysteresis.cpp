@@ -16,9 +16,9 @@
 #include "core/simulation/run.h"
 #include "core/studies/hysteresis/hysteresis_report.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/runs/work_done.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

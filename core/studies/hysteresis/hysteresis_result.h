@@ -12,7 +12,7 @@
 
 #include "core/simulation/equilibria/equilibrium.h"
 #include "core/studies/hysteresis/held_steps.h"
-#include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/runs/value_ranges.h"
 
 namespace touchdown {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/numerics/wall_clock.h"
 #include "core/studies/precision/precision_task.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

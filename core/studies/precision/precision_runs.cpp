@@ -6,11 +6,11 @@
 #include <tuple>
 
 #include "core/formats/units.h"
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "core/studies/precision/precision_pace.h"
 #include "core/studies/precision/precision_task.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/simulation/recording/quantity.h"
-#include "core/studies/precision/ensemble.h"
+#include "core/studies/runs/ensemble.h"
 #include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/runs/trajectory_error.h"

@@ -7,12 +7,12 @@
 
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
-#include "core/numerics/wall_clock.h"
-#include "core/studies/precision/ensemble.h"
 #include "core/studies/precision/precision_report.h"
 #include "core/studies/precision/precision_runs.h"
 #include "core/studies/precision/precision_task.h"
+#include "core/studies/runs/ensemble.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -16,8 +16,8 @@
 #include "core/simulation/run.h"
 #include "core/studies/response/response_report.h"
 #include "core/studies/response/response_sweep.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

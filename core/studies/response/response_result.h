@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "core/simulation/recording/quantity.h"
-#include "core/studies/hysteresis/value_ranges.h"
 #include "core/studies/response/settled_motion.h"
+#include "core/studies/runs/value_ranges.h"
 
 namespace touchdown {
 

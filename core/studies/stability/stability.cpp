@@ -11,13 +11,13 @@
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/run.h"
 #include "core/studies/stability/stability_curves.h"
 #include "core/studies/stability/stability_map.h"
 #include "core/studies/stability/stability_picture.h"
 #include "core/studies/stability/stability_report.h"
 #include "core/studies/study/study_reader.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

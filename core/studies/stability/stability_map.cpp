@@ -7,10 +7,10 @@
 #include <numeric>
 #include <utility>
 
-#include "core/numerics/wall_clock.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/runs/trajectory_error.h"
 #include "core/studies/runs/work_done.h"
+#include "core/work/parallel.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -14,8 +14,8 @@
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/run_statistics.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/runs/work_done.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/studies/precision/ensemble.h"
+#include "core/studies/runs/ensemble.h"
 #include "core/studies/statements/statement_task.h"
 #include "core/studies/study/study.h"
 

@@ -13,7 +13,7 @@
 
 #include "core/case/case.h"
 #include "core/simulation/recording/quantity.h"
-#include "core/studies/precision/ensemble.h"
+#include "core/studies/runs/ensemble.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {

@@ -39,7 +39,7 @@
 //
 // A trajectory that lands in one of two states by a hair proves little. A statement with a `spread` holds where more
 // than half of an ensemble of `starts` does what it says; its share stands with Wilson's interval
-// (core/studies/precision/ensemble.h). All others hold where the run of the case itself does.
+// (core/studies/runs/ensemble.h). All others hold where the run of the case itself does.
 //
 // [[candidate]] changes all cases together, before each statement's own `set`; then each statement is checked with each
 // candidate: a search for lost values.

@@ -22,11 +22,11 @@
 #include <QPolygonF>
 
 #include "core/case_files/case_file.h"
-#include "core/numerics/wall_clock.h"
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
+#include "core/work/wall_clock.h"
 
 namespace touchdown {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/film/gap_sampler.h"
+#include "core/physics/film/gaps/gap_sampler.h"
 
 #include <algorithm>
 #include <cmath>

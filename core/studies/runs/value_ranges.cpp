@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/hysteresis/value_ranges.h"
+#include "core/studies/runs/value_ranges.h"
 
 #include <algorithm>
 

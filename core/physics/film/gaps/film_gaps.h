@@ -2,9 +2,9 @@
 //
 // The recess of a surface on the film's cells. A path runs from one cell centre to the next, across their face; the
 // gaps along it act in series, and neighbouring paths in parallel. Where the recess is smooth, one sample in the middle
-// represents the face. Where an edge or a wall meets it, the face has rows (core/physics/film/cut_rows.h), each divided
-// at its breaks into pieces, exactly where the recess jumps: so the load converges also on grids that ignore the rails.
-// The air in a cell is that under its centre's side of an edge.
+// represents the face. Where an edge or a wall meets it, the face has rows (core/physics/film/gaps/cut_rows.h), each
+// divided at its breaks into pieces, exactly where the recess jumps: so the load converges also on grids that ignore
+// the rails. The air in a cell is that under its centre's side of an edge.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/precision/ensemble.h"
+#include "core/studies/runs/ensemble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
-#include "core/studies/runs/parallel.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/study/study.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 

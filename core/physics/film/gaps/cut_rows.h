@@ -22,8 +22,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/physics/film/film_gaps.h"
-#include "core/physics/film/gap_sampler.h"
+#include "core/physics/film/gaps/film_gaps.h"
+#include "core/physics/film/gaps/gap_sampler.h"
 
 namespace touchdown {
 

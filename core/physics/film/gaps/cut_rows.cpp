@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/film/cut_rows.h"
+#include "core/physics/film/gaps/cut_rows.h"
 
 #include <algorithm>
 #include <array>

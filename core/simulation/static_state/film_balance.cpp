@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/small_motions/film_balance.h"
+#include "core/simulation/static_state/film_balance.h"
 
 #include <algorithm>
 #include <cmath>

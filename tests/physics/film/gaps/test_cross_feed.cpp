@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/gaps/film_gaps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/gaps/film_gaps.h"
 
 namespace touchdown {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/static_state/disk_under_film.h"
+#include "core/simulation/contact/disk_under_film.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/precision/ensemble.h"
+#include "core/studies/runs/ensemble.h"
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/runs/parallel.h"
+#include "core/work/parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/gaps/film_gaps.h"
 
 namespace touchdown {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/physics/film/film_gaps.h"
+#include "core/physics/film/gaps/film_gaps.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "core/physics/film/cut_rows.h"
-#include "core/physics/film/gap_sampler.h"
+#include "core/physics/film/gaps/cut_rows.h"
+#include "core/physics/film/gaps/gap_sampler.h"
 #include "core/physics/slider/recess.h"
 
 namespace touchdown {
