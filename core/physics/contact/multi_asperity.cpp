@@ -40,15 +40,15 @@ struct MultiAsperity::Path {
     MultiAsperityState state(double s) const { return {s, wettedAbove(s)}; }
     double padSeparation(double s) const { return model.padSeparation(state(s)); }
 
-    /// d'(s) = 1 - (F_cr' + F_m')/k_b on the side of s that lies ahead.
-    double slope(double s) const
+    /// -F_cr'(s), and F_m'(s) on the side of s that lies ahead.
+    double pressing(double s) const { return model.area_ * model.contact_.stiffness(s); }
+    double gathering(double s) const
     {
-        const double pressing = model.area_ * model.contact_.stiffness(s);
-        const double gathering =
-            drags(s) ? model.meniscusForce_ * normal((s - lag() - model.planeHeight_) / model.sigma_) / model.sigma_
-                     : 0.0;
-        return 1.0 + (pressing - gathering) / model.bulkStiffness_;
+        return drags(s) ? model.meniscusForce_ * normal((s - lag() - model.planeHeight_) / model.sigma_) / model.sigma_
+                        : 0.0;
     }
+    /// d'(s) = 1 - (F_cr' + F_m')/k_b.
+    double slope(double s) const { return 1.0 + (pressing(s) - gathering(s)) / model.bulkStiffness_; }
 
     /// |zeta - y_s| <= this [m] where d'(s) may be negative: phi((zeta - y_s)/sigma_s) > sigma_s k_b/max |F_m|.
     double foldingHeight() const
@@ -213,10 +213,11 @@ double MultiAsperity::padSeparation(const MultiAsperityState& state) const
     return state.separation - (area_ * contact_.pressure(state.separation) - adhesion) / bulkStiffness_;
 }
 
-double MultiAsperity::stiffness(const MultiAsperityState& state, PadMotion motion) const
+MultiAsperitySlopes MultiAsperity::slopes(const MultiAsperityState& state, PadMotion motion) const
 {
-    const double slope = Path{*this, state, motion}.slope(state.separation);
-    return bulkStiffness_ * (slope - 1.0) / slope;
+    const Path path{*this, state, motion};
+    const double slope = path.slope(state.separation);
+    return {-path.pressing(state.separation) / slope, path.gathering(state.separation) / slope};
 }
 
 double MultiAsperity::reach() const

@@ -44,6 +44,11 @@ struct MultiAsperityForces {
     double total() const { return contact + adhesion; } // F_c [N]
 };
 
+/// Changes of the forces over a small move of d [N/m]; both infinite at a fold.
+struct MultiAsperitySlopes {
+    double contact = 0.0, adhesion = 0.0;
+};
+
 /// A jump at fixed pad separation.
 struct MultiAsperityJump {
     double padSeparation = 0.0; // d [m]
@@ -66,8 +71,8 @@ public:
     MultiAsperityForces forces(const MultiAsperityState& state) const;
     /// d = s - F_c/k_b [m].
     double padSeparation(const MultiAsperityState& state) const;
-    /// -dF_c/dd of a small move from `state` [N/m], k_b (d' - 1)/d' with d'(s); infinite at a fold.
-    double stiffness(const MultiAsperityState& state, PadMotion motion) const;
+    /// Of a small move from `state`, with d'(s): F_cr'(s)/d' and F_m'(s)/d'.
+    MultiAsperitySlopes slopes(const MultiAsperityState& state, PadMotion motion) const;
     /// The first jump ahead, if there is one before all summits are wetted or dry.
     std::optional<MultiAsperityJump> nextJump(const MultiAsperityState& state, PadMotion motion) const;
     /// Energy lost in a jump: the pad rests, and what the forces on the surface do beyond the work of the bulk [J].

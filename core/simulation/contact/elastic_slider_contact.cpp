@@ -7,7 +7,6 @@
 
 #include "core/case/contact_patches.h"
 #include "core/formats/units.h"
-#include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_pad.h"
 
@@ -18,9 +17,6 @@ namespace {
 constexpr double leastPull = 1e-5;
 /// Nothing reaches farther [m].
 constexpr double farthestAway = 1e-6;
-/// Displacement of the surface per step over the length in which it changes by its RMS height [-]: pi steps a wave, the
-/// fewest with which the error of a step sees the wave.
-constexpr double movedPerStep = 2.0;
 
 /// The gap at which the attraction is below a pressure [m].
 double reachOf(const AdhesionLaw& law, double pressure)
@@ -35,18 +31,6 @@ double reachOf(const AdhesionLaw& law, double pressure)
     return far;
 }
 
-double longestStepOf(const Case& c, const DiskTopography& surface, Velocity velocity, const std::function<bool()>& goOn)
-{
-    const double speed = std::hypot(velocity.x, velocity.y);
-    if (!(speed > 0.0)) return std::numeric_limits<double>::infinity();
-    const SurfaceStatistics statistics = surfaceStatistics(c.diskSurface, surface, goOn);
-    const double slope = std::abs(velocity.x) >= std::abs(velocity.y) ? statistics.slopeX : statistics.slopeY;
-    // What changes from cell to cell acts through the mean over many.
-    const double length =
-        slope > 0.0 ? std::max(statistics.rms / slope, c.elastic.cell) : std::numeric_limits<double>::infinity();
-    return movedPerStep * length / speed;
-}
-
 } // namespace
 
 ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
@@ -55,7 +39,7 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
     : case_(c), spacing_(spacing), surface_(surface), pad_(pad), highest_(surface.highest()), lever_(c)
 {
     const Velocity velocity = surfaceVelocity(c, surface);
-    longestStep_ = longestStepOf(c, surface, velocity, goOn);
+    longestStep_ = longestStepOver(c, surface, c.elastic.cell, goOn);
     for (ContactPatch& patch : filmPatches(c, goOn).patches) {
         if (goOn && !goOn()) return;
         const double area = static_cast<double>(patch.grid.cells()) * patch.grid.cellArea();
@@ -102,6 +86,30 @@ const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, do
 bool ElasticSliderContact::outOfReach(const Attitude& attitude) const
 {
     return std::ranges::none_of(parts_, [&](const Part& part) { return part.patch.clearance(attitude) <= part.reach; });
+}
+
+double ElasticSliderContact::reach() const
+{
+    double reach = highest_;
+    for (const Part& part : parts_) reach = std::max(reach, part.reach);
+    return reach;
+}
+
+/// Out of a contact: from pressedBy deeper.
+void ElasticSliderContact::begin(ContactBranch branch, const Attitude& attitude)
+{
+    for (Part& part : parts_) {
+        part.patch.part(attitude, 0.0);
+        part.patch.accept();
+    }
+    if (branch == ContactBranch::TouchDown || !case_.adhesion.acts()) return;
+    constexpr double pressedBy = 1e-9; // [m]
+    Attitude deeper = attitude;
+    for (int step = 4; step >= 0; --step) {
+        deeper.height = attitude.height - pressedBy * step / 4;
+        at(deeper, 0.0);
+        for (Part& part : parts_) part.patch.accept();
+    }
 }
 
 void ElasticSliderContact::accept()

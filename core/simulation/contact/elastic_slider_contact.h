@@ -25,7 +25,9 @@ public:
     const SliderContactForces& at(const Attitude& attitude, double time) override;
     Matrix3 stiffness() const override { return stiffness_; }
     bool outOfReach(const Attitude& attitude) const override;
+    double reach() const override;
     void accept() override;
+    void begin(ContactBranch branch, const Attitude& attitude) override;
 
     double longestStep() const override { return longestStep_; }
     bool deform(std::span<double> height) const override;

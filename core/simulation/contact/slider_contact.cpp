@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/contact/slider_contact.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/physics/disk/surface_statistics.h"
+#include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_slider_contact.h"
-#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/contact/gap_contact.h"
+#include "core/simulation/contact/pad_contact.h"
 
 namespace touchdown {
 
@@ -11,13 +17,28 @@ std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpa
                                                  const PaddedGrid& pad, const std::function<bool()>& goOn)
 {
     switch (c.contact) {
-    case ContactKind::OnoYamane: return std::make_unique<OnoYamaneContact>(c, spacing);
+    case ContactKind::OnoYamane:
+    case ContactKind::MultiAsperity: return std::make_unique<PadContact>(c, makeSeparationLaw(c), spacing);
     case ContactKind::Elastic: return std::make_unique<ElasticSliderContact>(c, spacing, surface, grid, pad, goOn);
-    case ContactKind::Asperity:
-    case ContactKind::MultiAsperity:
+    case ContactKind::Asperity: return std::make_unique<GapContact>(c, spacing, surface, grid, pad, goOn);
     case ContactKind::None: break;
     }
     return nullptr;
+}
+
+double longestStepOver(const Case& c, const DiskTopography& surface, double shortest, const std::function<bool()>& goOn)
+{
+    // Displacement of the surface per step over the length in which it changes by its RMS height [-]: pi steps a wave,
+    // the fewest with which the error of a step sees the wave.
+    constexpr double movedPerStep = 2.0, unbounded = std::numeric_limits<double>::infinity();
+    const Velocity velocity = surfaceVelocity(c, surface);
+    const double speed = std::hypot(velocity.x, velocity.y);
+    if (!(speed > 0.0)) return unbounded;
+    const SurfaceStatistics statistics = surfaceStatistics(c.diskSurface, surface, goOn);
+    const double slope = std::abs(velocity.x) >= std::abs(velocity.y) ? statistics.slopeX : statistics.slopeY;
+    // What changes from cell to cell acts through the mean over many.
+    const double length = slope > 0.0 ? std::max(statistics.rms / slope, shortest) : unbounded;
+    return movedPerStep * length / speed;
 }
 
 RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn)

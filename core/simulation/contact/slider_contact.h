@@ -5,6 +5,7 @@
 // time step may be tried repeatedly.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -22,6 +23,7 @@ namespace touchdown {
 
 class DiskTopography;
 class MinimumSpacing;
+enum class ContactBranch : std::uint8_t;
 struct Case;
 struct PaddedGrid;
 
@@ -50,8 +52,14 @@ public:
     virtual Matrix3 stiffness() const = 0;
     /// Whether nothing acts there at any time; then at() is cheap.
     virtual bool outOfReach(const Attitude& attitude) const = 0;
+    /// The greatest minimum spacing at which a force may act, however the contact was reached [m]; unbounded by
+    /// default.
+    virtual double reach() const { return std::numeric_limits<double>::infinity(); }
     /// The last call's state becomes the accepted one.
     virtual void accept() = 0;
+    /// The state at an attitude that was reached from afar (touch-down) or out of a contact (take-off) becomes the
+    /// accepted one; of a law without such branches, nothing changes.
+    virtual void begin(ContactBranch /*branch*/, const Attitude& /*attitude*/) {}
 
     /// The separation that switches the law, and the interval in which the accepted law holds. cross() takes the law
     /// beyond an end and returns the switch's name: "touch-down".
@@ -86,6 +94,10 @@ public:
 std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpacing& spacing,
                                                  const DiskTopography& surface, const CellGrid& grid,
                                                  const PaddedGrid& pad, const std::function<bool()>& goOn = {});
+
+/// Longest step with which a contact follows a surface that moves over lengths of at least `shortest` [m] [s].
+double longestStepOver(const Case& c, const DiskTopography& surface, double shortest,
+                       const std::function<bool()>& goOn);
 
 /// The first patch that can touch, with its fields; empty where the law has no surfaces.
 RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn = {});

@@ -16,75 +16,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr int mostIterations = 25;     // of Newton
-constexpr int mostHalvings = 8;        // of one of its steps
-constexpr double longestStep = 3e-9;   // of the slider's corners in one of its steps [m]
-constexpr double apart = 1e-11;        // of two equilibria, at the slider's corners [m]
 constexpr double rateTolerance = 1e-5; // of an eigenvalue [-]
-
-class TouchingSearch {
-public:
-    TouchingSearch(FilmBalance& balance, const std::function<bool()>& goOn) : balance_(balance), goOn_(goOn) {}
-
-    TouchingPlaces search(const std::vector<Attitude>& starts)
-    {
-        const std::vector<double> still = balance_.level().pressure;
-        for (const Attitude& start : starts) {
-            if (!goOn_()) break;
-            balance_.level().pressure = still;
-            if (!refine(balance_.body().coordinates(start))) ++result_.givenUp;
-        }
-        balance_.level().pressure = still;
-        return std::move(result_);
-    }
-
-private:
-    /// With the law of the take-off branch at q. False where the search gave up; true without an equilibrium near q.
-    bool refine(Vector3 q)
-    {
-        if (!balance_.solve(q, goOn_)) return false;
-        const auto region = [&] { return balance_.regionOn(ContactBranch::TakeOff); };
-        Vector3 g = balance_.force(region());
-        for (int k = 0; k < mostIterations; ++k) {
-            if (!goOn_()) return false;
-            if (balance_.error(g) <= balance_.setup().steady.loadTolerance) {
-                if (region() != ContactRegion::Apart) add(q, region());
-                return true;
-            }
-            const Vector3 change = balance_.newtonStep(balance_.stiffness(region(), goOn_), g);
-            double share = std::min(1.0, longestStep / std::max(balance_.body().displacement(change), 1e-300));
-            const std::vector<double> before = balance_.level().pressure;
-            bool better = false, solved = false;
-            for (int halving = 0; halving < mostHalvings && !better; ++halving, share *= 0.5) {
-                const Vector3 tried = q + share * change;
-                balance_.level().pressure = before;
-                if (!balance_.solve(tried, goOn_)) {
-                    if (!goOn_()) return false;
-                    continue;
-                }
-                solved = true;
-                const Vector3 there = balance_.force(region());
-                better = balance_.error(there) < balance_.error(g);
-                if (!better) continue;
-                q = tried;
-                g = there;
-            }
-            if (!better) return solved;
-        }
-        return false;
-    }
-
-    void add(const Vector3& q, ContactRegion region)
-    {
-        for (const TouchingPlace& other : result_.found)
-            if (balance_.body().displacement(other.q - q) < apart) return;
-        result_.found.push_back({q, balance_.lowest(region)});
-    }
-
-    FilmBalance& balance_;
-    const std::function<bool()>& goOn_;
-    TouchingPlaces result_;
-};
 
 } // namespace
 
@@ -93,20 +25,6 @@ SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn)
     Case still = attitudeCase(c);
     still.diskSurface = {};
     return steady(still, [&](const SteadyProgress&) { return goOn(); });
-}
-
-TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
-                              const std::function<bool()>& goOn)
-{
-    const OnoYamane& law = balance.setup().onoYamane;
-    const double spacing = balance.spacing(balance.body().coordinates(rest));
-    std::vector<Attitude> starts = near;
-    for (const double target : {law.touchDown, 0.5 * (law.touchDown + law.takeOff), 0.6 * law.touchDown}) {
-        Attitude lowered = rest;
-        lowered.height += target - spacing;
-        starts.push_back(lowered);
-    }
-    return TouchingSearch(balance, goOn).search(starts);
 }
 
 Equilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, std::span<const std::complex<double>> near,

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Equilibria of a slider on its film over a flat disk under Ono and Yamane's characteristic, of one case. Flying: the
-// static state, where it is above d_s. In contact, on the take-off branch: Newton's method with the stiffnesses of film
-// and contact (core/simulation/static_state/film_balance.h), from the static attitude lowered to several separations
-// and from known nearby attitudes. An equilibrium that no start leads to is missed.
+// static state, where it is above d_s. In contact, on the take-off branch:
+// core/simulation/static_state/touching_places.h. An equilibrium that no start leads to is missed.
 //
 // Stability: the oscillations about each (core/simulation/small_motions/small_motions.h); where the static stiffness
 // has a negative determinant a motion grows without oscillating.
@@ -17,6 +16,7 @@
 
 #include "core/simulation/equilibria/equilibrium.h"
 #include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/touching_places.h"
 
 namespace touchdown {
 
@@ -38,18 +38,6 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
 
 /// The static state of a case's film, over a flat disk: grid, and where the suspension exerts its load.
 SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn);
-
-struct TouchingPlace {
-    Vector3 q = Vector3::Zero();
-    ContactRegion region = ContactRegion::Pressed;
-};
-struct TouchingPlaces {
-    std::vector<TouchingPlace> found; // each once
-    int givenUp = 0;                  // as above
-};
-/// Equilibria in contact, from the static attitude set down to several separations and from those of `near`.
-TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
-                              const std::function<bool()>& goOn);
 
 /// The equilibrium at the balance's last place, where it is solved; `near`: the rates of one close by.
 Equilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, std::span<const std::complex<double>> near,

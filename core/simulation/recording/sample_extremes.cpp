@@ -8,7 +8,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double leastShare = 0.02; // of the time between the outer two of three points [-]
+constexpr double nearestShare = 0.02; // of the time between the outer two of three points [-]
 
 } // namespace
 
@@ -20,7 +20,7 @@ void SampleExtremes::add(double time, std::span<const double> values, bool smoot
         most_[i] = std::max(most_[i], values[i]);
     }
     const double h0 = last_.time - before_.time, h1 = time - last_.time; // [s]
-    if (smoothPoints_ == 2 && std::min(h0, h1) > leastShare * (h0 + h1)) {
+    if (smoothPoints_ == 2 && std::min(h0, h1) > nearestShare * (h0 + h1)) {
         for (std::size_t i = 0; i < quantities_; ++i) {
             const double middle = last_.values[i];
             const double rise = (middle - before_.values[i]) / h0, next = (values[i] - middle) / h1;

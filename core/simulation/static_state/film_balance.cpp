@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/case/disk_setup.h"
 #include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
@@ -14,10 +15,12 @@ namespace {
 constexpr double sameForce = 1e-9; // on both sides of a switch, of the preload [-]
 constexpr double sameSlope = 1e-9; // of the stiffness [-]
 
-Case overFlatDisk(Case c)
+/// With the part of the disk's surface that is still, for a contact that sees it, and contact solved in full.
+Case overStillDisk(Case c)
 {
-    c.diskSurface = {};
+    if (c.diskSurface.motion != SurfaceMotion::Still || makeSeparationLaw(c)) c.diskSurface = {};
     c.run.fieldSnapshots = 0;
+    c.elastic.tolerance *= 1e-4; // under a film it is looser: see slider_patch.h
     return c;
 }
 
@@ -29,18 +32,25 @@ std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& gr
     const Recess recess(c.surface, c.slider.length, c.slider.width);
     FilmGaps gaps(recess, grid, goOn);
     if (!goOn()) return nullptr;
-    return std::unique_ptr<FilmBalance>(new FilmBalance(c, recess, std::move(gaps), rest));
+    std::unique_ptr<FilmBalance> balance(new FilmBalance(c, recess, std::move(gaps), rest, goOn));
+    return goOn() ? std::move(balance) : nullptr;
 }
 
-FilmBalance::FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest)
-    : case_(overFlatDisk(c)),
+FilmBalance::FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest, const GoOn& goOn)
+    : case_(overStillDisk(c)),
       spacing_(c.surface, recess),
       body_(case_, rest),
       load_(sliderLoad(case_)),
       level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)),
-      contact_(case_, spacing_),
-      law_(case_.onoYamane)
-{}
+      topography_(diskTopography(case_, goOn)),
+      disk_(case_, topography_, level_->gaps.grid, level_->gaps.pad),
+      surface_(level_->gaps.pad.size(), 0.0),
+      contact_(makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn)),
+      law_(nullptr)
+{
+    contact_->begin(ContactBranch::TouchDown, rest);
+    if (auto* pad = dynamic_cast<PadContact*>(contact_.get())) law_ = pad->characteristic();
+}
 
 FilmBalance::~FilmBalance() = default;
 
@@ -57,23 +67,35 @@ void FilmBalance::startFrom(const FilmBalance& other)
 bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
 {
     q_ = q;
-    level_->film.setAttitude(body_.attitude(q));
+    const Attitude attitude = body_.attitude(q);
+    if (!law_) {
+        if (!contact_->at(attitude, 0.0).problem.empty()) return false;
+        disk_.at(0.0, surface_);
+        const bool deformed = contact_->deform(surface_);
+        level_->film.setSurface(deformed || !disk_.flat() ? std::span<const double>(surface_)
+                                                          : std::span<const double>());
+    }
+    level_->film.setAttitude(attitude);
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
     const FilmSolution film = level_->flying.solveFilm(level_->pressure, options, [&](int, double) { return goOn(); });
     return film.converged;
 }
 
-Vector3 FilmBalance::contactForce(ContactRegion region)
+void FilmBalance::setRegion(ContactRegion region)
 {
-    contact_.setRegion(region);
-    return contact_.at(body_.attitude(q_), 0.0).load();
+    if (law_) law_->setRegion(region);
 }
 
-double FilmBalance::netContactForce(ContactRegion region)
+const SliderContactForces& FilmBalance::contactForces(ContactRegion region)
 {
-    contact_.setRegion(region);
-    const SliderContactForces& forces = contact_.at(body_.attitude(q_), 0.0);
-    return forces.contact + forces.adhesion;
+    setRegion(region);
+    return contact_->at(body_.attitude(q_), 0.0);
+}
+
+ContactRegion FilmBalance::begin(ContactBranch branch, const Vector3& q)
+{
+    contact_->begin(branch, body_.attitude(q));
+    return law_ ? law_->region() : ContactRegion::Pressed;
 }
 
 Vector3 FilmBalance::force(ContactRegion region)
@@ -87,8 +109,25 @@ Vector3 FilmBalance::force(ContactRegion region)
 
 Matrix3 FilmBalance::contactStiffness(ContactRegion region)
 {
-    contactForce(region);
-    return contact_.stiffness();
+    contactForces(region);
+    return case_.contact == ContactKind::Elastic ? slopesOfContact() : contact_->stiffness();
+}
+
+/// By central differences: an elastic contact knows its stiffness roughly.
+Matrix3 FilmBalance::slopesOfContact()
+{
+    constexpr double step = 5e-12; // at the slider's corners [m]
+    const Vector3 size(1.0, 2.0 / case_.slider.length, 2.0 / case_.slider.width);
+    Matrix3 stiffness;
+    for (Eigen::Index m = 0; m < 3; ++m) {
+        Vector3 moved = Vector3::Zero();
+        moved[m] = step * size[m];
+        const Vector3 above = contact_->at(body_.attitude(q_ + moved), 0.0).load();
+        const Vector3 below = contact_->at(body_.attitude(q_ - moved), 0.0).load();
+        stiffness.col(m) = (below - above) / (2.0 * moved[m]);
+    }
+    contact_->at(body_.attitude(q_), 0.0);
+    return stiffness;
 }
 
 Matrix3 FilmBalance::filmStiffness(const GoOn& goOn)
@@ -136,27 +175,25 @@ Vector3 FilmBalance::newtonStep(const Matrix3& stiffness, const Vector3& g) cons
 
 Interval FilmBalance::interval(ContactRegion region)
 {
-    contact_.setRegion(region);
-    return contact_.interval();
+    setRegion(region);
+    return contact_->interval();
 }
 
 ContactRegion FilmBalance::lowest(ContactRegion region)
 {
-    contact_.setRegion(region);
-    return contact_.region();
+    setRegion(region);
+    return law_ ? law_->region() : region;
 }
-
-ContactRegion FilmBalance::regionOn(ContactBranch branch) const { return law_.region(branch, spacing(q_)); }
 
 FilmBalance::Beyond FilmBalance::beyond(ContactRegion region, bool upper)
 {
     const Vector3 here = contactForce(region);
-    const Matrix3 slope = contact_.stiffness();
+    const Matrix3 slope = contact_->stiffness();
     Beyond result;
-    result.name = contact_.cross(upper);
-    result.region = contact_.region();
+    result.name = contact_->cross(upper);
+    result.region = law_ ? law_->region() : region;
     const Vector3 there = contactForce(result.region);
-    const Matrix3 slopeThere = contact_.stiffness();
+    const Matrix3 slopeThere = contact_->stiffness();
     result.jumps = error(there - here) > sameForce;
     result.kinks = std::abs(slopeThere(0, 0) - slope(0, 0)) >
                    sameSlope * std::max(std::abs(slopeThere(0, 0)), std::abs(slope(0, 0)));

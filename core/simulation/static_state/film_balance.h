@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All forces on a slider of one case at an attitude over which its film is steady, under a flat disk and one law of Ono
-// and Yamane's characteristic:
+// All forces on a slider of one case at an attitude over which its film is steady, with its contact:
 //
 //   G(q) = film(q) + contact(q) + load - K (q - q_0),   q = (height of the mass centre, pitch, roll)
 //
 // K of the suspension, q_0 where it exerts its load: the static state of the film alone. Without contact that state
 // itself is sought, and G has no springs. The film's force includes the torques of its shear.
+//
+// The disk is flat, or what stands still under a contact that sees its surface; a surface that moves counts as its mean
+// plane. Regions are those of Ono and Yamane's characteristic; under other laws they are Apart, or anything else in
+// contact, whose branch begin() chooses.
 #pragma once
 
 #include <functional>
 #include <memory>
 
-#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/physics/disk/disk_topography.h"
+#include "core/simulation/contact/disk_under_film.h"
+#include "core/simulation/contact/pad_contact.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
@@ -25,7 +30,7 @@ class FilmBalance {
 public:
     using GoOn = std::function<bool()>;
 
-    /// `c` is valid, with a film and Ono and Yamane's contact; `rest` is q_0. Null where `goOn` ends the making.
+    /// `c` is valid, with a film and a contact; `rest` is q_0. Null where `goOn` ends the making.
     static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                              const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
@@ -42,21 +47,27 @@ public:
     /// The stiffness of small motions about q: with the suspension's springs, also apart.
     Matrix3 stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
     Matrix3 contactStiffness(ContactRegion region);
-    double netContactForce(ContactRegion region); // [N]
+    const SliderContactForces& contactForces(ContactRegion region);
+    double netContactForce(ContactRegion region) { return contactForces(region).load()[0]; } // [N]
     /// |G| as a share of the preload [-].
     double error(const Vector3& force) const;
     /// Newton's step; zero for a held roll.
     Vector3 newtonStep(const Matrix3& stiffness, const Vector3& force) const;
 
-    double spacing(const Vector3& q) const { return spacing_.at(body_.attitude(q)).spacing; }
+    MinimumSpacing::Place nearest(const Vector3& q) const { return spacing_.at(body_.attitude(q)); }
+    double spacing(const Vector3& q) const { return nearest(q).spacing; }
     /// Two without roll.
     Eigen::Index unknowns() const { return body_.holdsRoll() ? 2 : 3; }
     /// Spacings between which a region's law holds [m].
     Interval interval(ContactRegion region);
     /// The lowest region with this one's law.
     ContactRegion lowest(ContactRegion region);
-    /// The region of the pad at the last q, on the touch-down or the take-off branch.
-    ContactRegion regionOn(ContactBranch branch) const;
+    /// The contact as it is at q when that was reached from afar, or out of a contact; the region that then acts.
+    ContactRegion begin(ContactBranch branch, const Vector3& q);
+    /// The greatest spacing at which the contact exerts a force on any branch [m].
+    double reach() const { return contact_->reach(); }
+    bool outOfReach(const Vector3& q) const { return contact_->outOfReach(body_.attitude(q)); }
+    SliderContact& contact() { return *contact_; }
     struct Beyond {
         ContactRegion region;
         std::string name; // "touch-down"
@@ -71,17 +82,22 @@ public:
     const Vector3& place() const { return q_; }
 
 private:
-    FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest);
-    Vector3 contactForce(ContactRegion region);
+    FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest, const GoOn& goOn);
+    void setRegion(ContactRegion region);
+    Vector3 contactForce(ContactRegion region) { return contactForces(region).load(); }
     Matrix3 filmStiffness(const GoOn& goOn);
+    Matrix3 slopesOfContact();
 
     Case case_;
     MinimumSpacing spacing_;
     SliderBody body_;
     SliderLoad load_;
     std::unique_ptr<FilmLevel> level_;
-    OnoYamaneContact contact_;
-    OnoYamaneLaw law_;
+    DiskTopography topography_;
+    DiskUnderFilm disk_;
+    std::vector<double> surface_; // under the film, less the deformation by contact; padded [m]
+    std::unique_ptr<SliderContact> contact_;
+    CharacteristicLaw* law_; // of contact_; null: another one
     Vector3 q_ = Vector3::Zero();
 };
 

@@ -224,7 +224,8 @@ private slots:
                 const auto force = [&](double at) { return model.forces(model.advance(state, at)).total(); };
                 // One-sided, second order.
                 const double slope = (4.0 * force(d + h) - force(d + 2.0 * h) - 3.0 * force(d)) / (2.0 * h);
-                const double stiffness = model.stiffness(state, motion);
+                const MultiAsperitySlopes slopes = model.slopes(state, motion);
+                const double stiffness = -(slopes.contact + slopes.adhesion);
                 QVERIFY2(near(-slope, stiffness, 1e-5 * model.bulkStiffness()),
                          qPrintable(QString("d %1: %2 %3").arg(d).arg(-slope).arg(stiffness)));
             }

@@ -6,7 +6,7 @@
 
 #include <QTest>
 
-#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/contact/pad_contact.h"
 #include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
@@ -94,7 +94,7 @@ private slots:
         const MinimumSpacing spacing(c.surface, recess);
         Case held = c;
         held.initial.branch = ContactBranch::TakeOff;
-        const Vector3 touch = OnoYamaneContact(held, spacing).at(body.attitude(at->q), 0.0).load();
+        const Vector3 touch = PadContact(held, makeSeparationLaw(held), spacing).at(body.attitude(at->q), 0.0).load();
         const Vector3 springs = body.suspension(at->q, Vector3::Zero());
         free.suspension.offsetX = free.suspension.offsetY = 0.0;
         free.suspension.preload = -(springs[0] + touch[0]);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/contact/pad_contact.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/flying_slider.h"
 #include "tests/support/mass_on_a_spring.h"
@@ -216,7 +216,7 @@ private slots:
         c.onoYamane.takeOff = 12e-9;
         const Recess recess(c.surface, c.slider.length, c.slider.width);
         const MinimumSpacing spacing(c.surface, recess);
-        OnoYamaneContact contact(c, spacing);
+        PadContact contact(c, makeSeparationLaw(c), spacing);
         FlyingSlider slider(c, picoAtRest(), byDefault(FilmCoupling(coupling)), {-1e-9, 0.0, 0.0}, &contact);
         QVERIFY(slider.takeAll(1e-7, 5));
         const long long before = allocations;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/contact/ono_yamane_contact.h"
+#include "core/simulation/contact/pad_contact.h"
 
 #include <cmath>
 
@@ -10,7 +10,7 @@
 
 using namespace touchdown;
 
-namespace test_ono_yamane_contact {
+namespace test_pad_contact {
 
 constexpr double length = 1.25e-3, width = 1.0e-3;
 constexpr double pitch = 100e-6;
@@ -37,13 +37,15 @@ Case withPad()
 Attitude at(double spacing, double roll = 0.0) { return {spacing - pitch * (length - edge), pitch, roll}; }
 
 struct Contact {
-    explicit Contact(const Case& c) : recess(c.surface, length, width), spacing(c.surface, recess), law(c, spacing) {}
+    explicit Contact(const Case& c)
+        : recess(c.surface, length, width), spacing(c.surface, recess), law(c, makeSeparationLaw(c), spacing)
+    {}
     Recess recess;
     MinimumSpacing spacing;
-    OnoYamaneContact law;
+    PadContact law;
 };
 
-class TestOnoYamaneContact : public QObject {
+class TestPadContact : public QObject {
     Q_OBJECT
 
 private slots:
@@ -165,8 +167,8 @@ private slots:
     }
 };
 
-TOUCHDOWN_TEST(TestOnoYamaneContact)
+TOUCHDOWN_TEST(TestPadContact)
 
-} // namespace test_ono_yamane_contact
+} // namespace test_pad_contact
 
-#include "test_ono_yamane_contact.moc"
+#include "test_pad_contact.moc"

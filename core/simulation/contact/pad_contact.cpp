@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/contact/pad_contact.h"
+
+#include <utility>
+
+namespace touchdown {
+namespace {
+
+/// Points so near to the nearest one's height bear with it [m].
+constexpr double bearingDepth = 1e-11;
+/// By which the corners move where a stiffness is taken from two loads [m]: far below the bearing depth.
+constexpr double stiffnessStep = 1e-13;
+
+} // namespace
+
+std::unique_ptr<SeparationLaw> makeSeparationLaw(const Case& c)
+{
+    if (c.contact == ContactKind::OnoYamane) return std::make_unique<CharacteristicLaw>(c.onoYamane);
+    if (c.contact == ContactKind::MultiAsperity)
+        return std::make_unique<MultiAsperityLaw>(
+            MultiAsperity(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width));
+    return nullptr;
+}
+
+PadContact::PadContact(const Case& c, std::unique_ptr<SeparationLaw> law, const MinimumSpacing& spacing)
+    : law_(std::move(law)),
+      lever_(c),
+      spacing_(spacing),
+      length_(c.slider.length),
+      width_(c.slider.width),
+      first_(c.initial.branch)
+{}
+
+void PadContact::begin(ContactBranch branch, const Attitude& attitude)
+{
+    law_->begin(branch, separation(attitude));
+    begun_ = true;
+    stiffness_.reset();
+}
+
+const SliderContactForces& PadContact::at(const Attitude& attitude, double)
+{
+    attitude_ = attitude;
+    stiffness_.reset();
+    if (!begun_) law_->begin(first_, separation(attitude));
+    forces_ = {};
+    if (law_->acts()) loadAt(attitude, law_->at(spacing_.bearing(attitude, bearingDepth).spacing), forces_);
+    return forces_;
+}
+
+Vector3 PadContact::loadAt(const Attitude& attitude, const SeparationForces& law, SliderContactForces& forces) const
+{
+    const MinimumSpacing::Place place = spacing_.bearing(attitude, bearingDepth);
+    const Vector3 arms = lever_.arms(place.at.x, place.at.y);
+    const ContactLever::Rubbing rubbing = lever_.rubbing(place.at.x, place.at.y);
+    forces.contact = law.contact.at(place.spacing);
+    forces.adhesion = law.adhesion.at(place.spacing);
+    const double force = forces.contact + forces.adhesion;
+    forces.friction = rubbing.force * forces.contact;
+    forces.pitchTorque = arms[1] * force + rubbing.pitchTorque * forces.contact;
+    forces.rollTorque = arms[2] * force + rubbing.rollTorque * forces.contact;
+    forces.area = law.area;
+    forces.storedEnergy = law.storedEnergy;
+    return forces.load();
+}
+
+// By differences of the law's tangents: the place of the force moves with the attitude, too.
+Matrix3 PadContact::stiffness() const
+{
+    if (stiffness_) return *stiffness_;
+    Matrix3& result = stiffness_.emplace(Matrix3::Zero());
+    if (!law_->acts()) return result;
+    const SeparationForces law = law_->at(spacing_.bearing(attitude_, bearingDepth).spacing);
+    SliderContactForces forces;
+    const Vector3 load = loadAt(attitude_, law, forces);
+    const Vector3 step{stiffnessStep, stiffnessStep / length_, stiffnessStep / width_};
+    for (Eigen::Index m = 0; m < 3; ++m) {
+        Vector3 moved = Vector3::Zero();
+        moved[m] = step[m];
+        // Turning about the mass centre lifts the trailing edge's centre by -L/2 pitch.
+        const Attitude attitude{attitude_.height + moved[0] - 0.5 * length_ * moved[1], attitude_.pitch + moved[1],
+                                attitude_.roll + moved[2]};
+        const Vector3 there = loadAt(attitude, law, forces);
+        result.col(m) = (load - there) / step[m];
+    }
+    return result;
+}
+
+bool PadContact::outOfReach(const Attitude& attitude) const { return law_->outOfReach(separation(attitude)); }
+
+void PadContact::accept()
+{
+    begun_ = true;
+    law_->accept(separation(attitude_));
+    stiffness_.reset();
+}
+
+std::string PadContact::cross(bool upper)
+{
+    begun_ = true;
+    stiffness_.reset();
+    return law_->cross(upper);
+}
+
+} // namespace touchdown

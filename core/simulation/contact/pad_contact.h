@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A law of the separation under a flying slider: d is the minimum spacing above the disk's mean plane, and the force
+// acts there (Chen & Bogy, section 4).
+//
+// Along a trailing edge without roll the nearest point jumps from corner to corner with the slightest roll, and the
+// torque with it. The force therefore acts at the weighted mean of all points within a hundredth of a nanometre of the
+// nearest: our choice. It moves the force by no more than the width of the pad.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/physics/contact/separation_law.h"
+#include "core/physics/slider/minimum_spacing.h"
+#include "core/simulation/contact/contact_lever.h"
+#include "core/simulation/contact/slider_contact.h"
+
+namespace touchdown {
+
+/// The law of the separation that a case names; null where its contact is another.
+std::unique_ptr<SeparationLaw> makeSeparationLaw(const Case& c);
+
+class PadContact final : public SliderContact {
+public:
+    /// The spacing must last. The law begins on `initial.branch` at the attitude that is accepted first.
+    PadContact(const Case& c, std::unique_ptr<SeparationLaw> law, const MinimumSpacing& spacing);
+
+    const SliderContactForces& at(const Attitude& attitude, double time) override;
+    Matrix3 stiffness() const override;
+    bool outOfReach(const Attitude& attitude) const override;
+    double reach() const override { return law_->reach(); }
+    void accept() override;
+    void begin(ContactBranch branch, const Attitude& attitude) override;
+
+    double separation(const Attitude& attitude) const override { return spacing_.at(attitude).spacing; }
+    Interval interval() const override { return law_->interval(); }
+    std::string cross(bool upper) override;
+
+    /// Where the law is Ono and Yamane's; else null.
+    CharacteristicLaw* characteristic() { return dynamic_cast<CharacteristicLaw*>(law_.get()); }
+
+private:
+    Vector3 loadAt(const Attitude& attitude, const SeparationForces& law, SliderContactForces& forces) const;
+
+    std::unique_ptr<SeparationLaw> law_;
+    ContactLever lever_;
+    const MinimumSpacing& spacing_;
+    double length_, width_; // of the slider [m]
+    ContactBranch first_;
+    bool begun_ = false;
+    Attitude attitude_; // of the last call
+    SliderContactForces forces_;
+    mutable std::optional<Matrix3> stiffness_; // at attitude_, once it was asked for
+};
+
+} // namespace touchdown

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/touching_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/simulation/static_state/film_balance.h"
+#include "core/simulation/static_state/film_setup.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr int mostNewtonSteps = 25;        // of Newton
+constexpr int mostStepHalvings = 8;        // of one of its steps
+constexpr double longestNewtonStep = 3e-9; // of the slider's corners in one of its steps [m]
+constexpr double samePlace = 1e-11;        // of two places, at the slider's corners [m]
+
+class TouchingSearch {
+public:
+    TouchingSearch(FilmBalance& balance, ContactBranch branch, const std::function<bool()>& goOn)
+        : balance_(balance), branch_(branch), goOn_(goOn)
+    {}
+
+    TouchingPlaces search(const std::vector<Attitude>& starts)
+    {
+        const std::vector<double> still = balance_.level().pressure;
+        for (const Attitude& start : starts) {
+            if (!goOn_()) break;
+            balance_.level().pressure = still;
+            if (!refine(balance_.body().coordinates(start))) ++result_.givenUp;
+        }
+        balance_.level().pressure = still;
+        return std::move(result_);
+    }
+
+private:
+    /// With the law of the branch at q. False where the search gave up; true without an equilibrium near q.
+    bool refine(Vector3 q)
+    {
+        if (!balance_.solve(q, goOn_)) return false;
+        const auto region = [&] { return balance_.begin(branch_, balance_.place()); };
+        Vector3 g = balance_.force(region());
+        for (int k = 0; k < mostNewtonSteps; ++k) {
+            if (!goOn_()) return false;
+            if (balance_.error(g) <= balance_.setup().steady.loadTolerance) {
+                if (region() != ContactRegion::Apart) add(q, region());
+                return true;
+            }
+            const Vector3 change = balance_.newtonStep(balance_.stiffness(region(), goOn_), g);
+            double share = std::min(1.0, longestNewtonStep / std::max(balance_.body().displacement(change), 1e-300));
+            const std::vector<double> before = balance_.level().pressure;
+            bool better = false, solved = false;
+            for (int halving = 0; halving < mostStepHalvings && !better; ++halving, share *= 0.5) {
+                const Vector3 tried = q + share * change;
+                balance_.level().pressure = before;
+                if (!balance_.solve(tried, goOn_)) {
+                    if (!goOn_()) return false;
+                    continue;
+                }
+                solved = true;
+                const Vector3 there = balance_.force(region());
+                better = balance_.error(there) < balance_.error(g);
+                if (!better) continue;
+                q = tried;
+                g = there;
+            }
+            if (!better) return solved;
+        }
+        return false;
+    }
+
+    void add(const Vector3& q, ContactRegion region)
+    {
+        for (const TouchingPlace& other : result_.found)
+            if (balance_.body().displacement(other.q - q) < samePlace) return;
+        result_.found.push_back({q, balance_.lowest(region), branch_});
+    }
+
+    FilmBalance& balance_;
+    ContactBranch branch_;
+    const std::function<bool()>& goOn_;
+    TouchingPlaces result_;
+};
+
+/// `rest` set down to where the contact alone carries these shares of the load, out of a contact.
+std::vector<Attitude> startsByForce(FilmBalance& balance, const Attitude& rest)
+{
+    constexpr double deepest = 100e-9, located = 1e-11; // below the contact's reach [m]
+    const double load = std::max(std::abs(balance.body().load()[0]), 1e-6);
+    const double reached = balance.spacing(balance.body().coordinates(rest)) - balance.reach();
+    std::vector<Attitude> starts;
+    for (const double share : {0.03, 0.5}) {
+        Attitude lowered = rest;
+        double above = 0.0, below = deepest;
+        while (below - above > located) {
+            const double middle = 0.5 * (above + below);
+            lowered.height = rest.height - reached - middle;
+            balance.contact().begin(ContactBranch::TakeOff, lowered);
+            (balance.contact().at(lowered, 0.0).contact < share * load ? above : below) = middle;
+        }
+        starts.push_back(lowered);
+    }
+    return starts;
+}
+
+} // namespace
+
+TouchingPlaces touchingPlaces(FilmBalance& balance, const std::vector<Attitude>& starts, ContactBranch branch,
+                              const std::function<bool()>& goOn)
+{
+    return TouchingSearch(balance, branch, goOn).search(starts);
+}
+
+TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
+                              const std::function<bool()>& goOn)
+{
+    std::vector<Attitude> starts = near;
+    if (balance.setup().contact == ContactKind::OnoYamane) {
+        const OnoYamane& law = balance.setup().onoYamane;
+        const double spacing = balance.spacing(balance.body().coordinates(rest));
+        for (const double target : {law.touchDown, 0.5 * (law.touchDown + law.takeOff), 0.6 * law.touchDown}) {
+            Attitude lowered = rest;
+            lowered.height += target - spacing;
+            starts.push_back(lowered);
+        }
+    } else {
+        std::ranges::move(startsByForce(balance, rest), std::back_inserter(starts));
+    }
+    return touchingPlaces(balance, starts, ContactBranch::TakeOff, goOn);
+}
+
+} // namespace touchdown
