@@ -21,6 +21,7 @@
 #include "core/case_files/case_text.h"
 #include "core/formats/units.h"
 #include "core/results/steady_writer.h"
+#include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_quantities.h"
 
@@ -141,6 +142,23 @@ std::string forcesText(const Case& c, const SteadyResult& r)
     return text;
 }
 
+/// The state's contact, and the other states.
+std::string contactText(const SteadyResult& r)
+{
+    if (!r.contact) return {};
+    const auto forces = [](const ContactAtRest& at) {
+        if (at.contact == 0.0 && at.adhesion == 0.0) return std::string();
+        return ": contact " + displayedInFull(at.contact, "mN") + ", adhesion " + displayedInFull(at.adhesion, "mN") +
+               ", friction " + displayedInFull(at.friction, "mN");
+    };
+    std::string text = reportRow("contact", r.contact->state + forces(*r.contact));
+    if (r.contact->area > 0.0) text += reportRow("  real area", displayedInFull(r.contact->area, "um^2"));
+    for (const RestingState& other : r.contactStates)
+        text += reportRow("other state", other.contact.state + (other.contact.diverges ? " (unstable)" : "") + " at " +
+                                             displayedInFull(other.minimumSpacing, "nm") + forces(other.contact));
+    return text;
+}
+
 /// Changes per display unit of each parameter.
 std::string sensitivitiesText(const std::vector<Sensitivity>& sensitivities)
 {
@@ -173,6 +191,7 @@ std::string oneText(const Case& c, const SteadyResult& r)
     text += reportRow("roll", withError(r.attitude.roll, r.discretisationError.roll, "urad"));
     text += reportRow("minimum spacing", withError(r.minimumSpacing, r.discretisationError.minimumSpacing, "nm"));
     text += reportRow("", "at " + placeText(r.minimumAt));
+    text += contactText(r);
     text += forcesText(c, r);
     const auto& points = c.surface.pointsOfInterest;
     for (std::size_t i = 0; i < std::min(points.size(), r.interestSpacing.size()); ++i)
@@ -316,7 +335,7 @@ int steadyCommand(CommandArguments arguments)
     const std::vector<SteadySeriesPoint> series = seriesOf(c);
     std::vector<SteadyState> states;
     for (const SteadySeriesPoint& point : series) {
-        SteadyResult result = steady(caseAt(c, point), [&](const SteadyProgress& update) {
+        SteadyResult result = steadyWithContact(caseAt(c, point), [&](const SteadyProgress& update) {
             Progress progress = progressOf(update);
             if (series.size() > 1)
                 progress.activity = "state " + std::to_string(states.size() + 1) + " of " +

@@ -42,6 +42,25 @@ struct DiscretisationError {
     double load = unknown;           // [N]
 };
 
+/// The contact of a slider at rest; zeros in flight.
+struct ContactAtRest {
+    std::string state;         // "flying", "pressed", "held by menisci", "in contact"
+    double contact = 0.0;      // >= 0 [N]
+    double adhesion = 0.0;     // <= 0 [N]
+    double friction = 0.0;     // in the disk's direction [N]
+    double pitchTorque = 0.0;  // of the three about the mass centre, nose up [N m]
+    double rollTorque = 0.0;   // inner edge up [N m]
+    double area = 0.0;         // real area of contact [m^2]; zero where the law has none
+    double peakPressure = 0.0; // of contact [Pa]
+    bool diverges = false;     // a small motion grows without oscillating
+};
+/// One of the static states of a slider with a contact.
+struct RestingState {
+    Attitude attitude;
+    double minimumSpacing = 0.0; // [m]
+    ContactAtRest contact;
+};
+
 struct SteadyResult {
     SteadyStatus status = SteadyStatus::Failed;
     std::string message; // a sentence, when not converged or worth saying
@@ -64,6 +83,11 @@ struct SteadyResult {
     std::size_t unresolvedRidges = 0;    // edges with a ridge narrower than a cell (edge_ridges.h)
     std::vector<double> interestSpacing; // at the surface's points of interest [m]
     std::vector<Attitude> otherEquilibria;
+    std::optional<ContactAtRest> contact;    // of steadyWithContact, where the case has a law of contact
+    std::vector<RestingState> contactStates; // the other static states of that law
+    /// Of the contact, about the mass centre; rows and columns as those of q (slider_body.h); positive: restoring.
+    std::optional<Matrix3> contactStiffness;
+    std::optional<Attitude> suspensionRest; // where the suspension exerts its load; empty: at the attitude
     CellGrid grid;
     std::vector<double> pressure; // absolute, per cell [Pa]
     std::vector<double> gap;      // mean over each cell [m]

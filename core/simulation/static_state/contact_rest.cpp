@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/contact_rest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "core/formats/units.h"
+#include "core/simulation/static_state/film_balance.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/touching_places.h"
+#include "core/work/wall_clock.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double sameState = 1e-10; // of two states, at the slider's corners [m]
+
+/// Half of the lines, of which the first and the last stay.
+std::vector<double> everySecond(const std::vector<double>& lines)
+{
+    std::vector<double> half;
+    for (std::size_t i = 0; i < lines.size(); i += 2) half.push_back(lines[i]);
+    return half;
+}
+
+std::string stateName(const FilmBalance& balance, ContactRegion region)
+{
+    if (balance.setup().contact != ContactKind::OnoYamane) return "in contact";
+    switch (region) {
+    case ContactRegion::Apart: return "flying";
+    case ContactRegion::Pressed: return "pressed";
+    case ContactRegion::Lifting: return "pressed, on the way out";
+    case ContactRegion::Bridged: return "held by menisci";
+    }
+    return {};
+}
+
+class ContactRestSearch {
+public:
+    ContactRestSearch(const Case& c, SteadyResult& result, const SteadyCallback& callback)
+        : case_(c), result_(result), goOn_([this, &callback] {
+              if (!stopped_ && callback && !callback(progressAbout(result_, "contact"))) stopped_ = true;
+              return !stopped_;
+          })
+    {}
+
+    void search()
+    {
+        const bool balanced = result_.balanced();
+        rest_ = balanced ? result_.attitude
+                         : Attitude{case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
+        const std::array<int, 2> cells{case_.film.nodes[0] - 1, case_.film.nodes[1] - 1};
+        const bool finest = balanced || (!result_.pressure.empty() && result_.grid.nx() == cells[0]);
+        grid_ = finest ? result_.grid : unadaptedGrid(case_, cells);
+        balance_ = FilmBalance::make(case_, grid_, rest_, goOn_);
+        if (!balance_) return stop();
+        FilmLevel& level = balance_->level();
+        if (!result_.pressure.empty())
+            level.gaps.pad.pad<double>(finest ? result_.pressure
+                                              : transfer(result_.grid, result_.pressure, level.film.ambient(), grid_),
+                                       level.pressure);
+        const Vector3 q = balance_->body().coordinates(rest_);
+        result_.contact.emplace().state = "flying";
+        const bool above = balanced && result_.status == SteadyStatus::Converged;
+        balance_->begin(ContactBranch::TouchDown, q);
+        flies_ = above && balance_->outOfReach(q);
+        std::vector<TouchingPlace> found;
+        const auto take = [&](TouchingPlaces places) {
+            givenUp_ += places.givenUp;
+            for (TouchingPlace& place : places.found)
+                if (std::ranges::none_of(found, [&](const TouchingPlace& other) {
+                        return balance_->body().displacement(other.q - place.q) < sameState;
+                    }))
+                    found.push_back(place);
+        };
+        // A law that acts in flight: the state that is reached from afar.
+        if (above && !flies_) take(touchingPlaces(*balance_, {rest_}, ContactBranch::TouchDown, goOn_));
+        const bool remembers = makeSeparationLaw(case_) != nullptr || case_.adhesion.acts();
+        if (found.empty() || remembers) take(touchingPlaces(*balance_, rest_, {}, goOn_));
+        if (stopped_) return stop();
+        report(found);
+    }
+
+private:
+    void stop()
+    {
+        result_.status = SteadyStatus::Cancelled;
+        result_.message = "cancelled while contact was sought";
+    }
+
+    struct Found {
+        TouchingPlace place;
+        RestingState state;
+    };
+
+    /// Solves film and contact at a place.
+    std::optional<Found> look(const TouchingPlace& place)
+    {
+        if (!balance_->solve(place.q, goOn_)) return std::nullopt;
+        balance_->begin(place.branch, place.q);
+        const Attitude attitude = balance_->body().attitude(place.q);
+        Found found{place, {attitude, balance_->spacing(place.q), {}}};
+        const SliderContactForces forces = balance_->contactForces(place.region);
+        const Matrix3 still = balance_->stiffnessWithSprings(place.region, goOn_);
+        const bool three = balance_->unknowns() == 3;
+        found.state.contact = {
+            .state = stateName(*balance_, place.region),
+            .contact = forces.contact,
+            .adhesion = forces.adhesion,
+            .friction = forces.friction,
+            .pitchTorque = forces.pitchTorque,
+            .rollTorque = forces.rollTorque,
+            .area = forces.area,
+            .peakPressure = forces.peakPressure,
+            .diverges = (three ? still.determinant() : still(0, 0) * still(1, 1) - still(0, 1) * still(1, 0)) < 0.0};
+        return found;
+    }
+
+    void report(const std::vector<TouchingPlace>& places)
+    {
+        std::vector<Found> states;
+        for (const TouchingPlace& place : places)
+            if (std::optional<Found> found = look(place)) states.push_back(std::move(*found));
+        if (stopped_) return stop();
+        // The one that a slider comes to: stable ones first, then the highest.
+        std::ranges::stable_sort(states, [](const Found& a, const Found& b) {
+            const RestingState &x = a.state, &y = b.state;
+            if (x.contact.diverges != y.contact.diverges) return y.contact.diverges;
+            return x.minimumSpacing > y.minimumSpacing;
+        });
+        std::size_t first = 0;
+        if (!flies_ && !states.empty()) {
+            setState(states.front());
+            first = 1;
+        }
+        for (std::size_t i = first; i < states.size(); ++i) result_.contactStates.push_back(states[i].state);
+        if (!flies_ && states.empty()) {
+            result_.contact.reset();
+            result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
+            result_.message += (result_.message.empty() ? "" : "; ") +
+                               std::string("no state in contact was found from the attitudes that were tried");
+        }
+    }
+
+    /// Makes it the state of the result.
+    void setState(const Found& found)
+    {
+        const RestingState& state = found.state;
+        if (!balance_->solve(found.place.q, goOn_)) return stop();
+        balance_->begin(found.place.branch, found.place.q);
+        FilmLevel& level = balance_->level();
+        SteadyResult& r = result_;
+        r.suspensionRest = rest_;
+        const bool wasFound = r.balanced();
+        r.status = SteadyStatus::Converged;
+        r.message.clear();
+        r.contact = state.contact;
+        r.attitude = state.attitude;
+        const MinimumSpacing::Place nearest = balance_->nearest(found.place.q);
+        r.minimumSpacing = nearest.spacing;
+        r.minimumAt = nearest.at;
+        r.forces = level.loads.forces(level.pressure);
+        const double arm = balance_->body().shearArm();
+        r.shearPitchTorque = -arm * r.forces.shearX;
+        r.shearRollTorque = -arm * r.forces.shearY;
+        r.loadError = balance_->error(balance_->force(found.place.region));
+        const Recess recess(case_.surface, case_.slider.length, case_.slider.width);
+        r.interestSpacing.clear();
+        for (const SurfacePoint& point : case_.surface.pointsOfInterest)
+            r.interestSpacing.push_back(recess.at(point.x, point.y) + level.gaps.lift(r.attitude, point.x, point.y));
+        if (case_.steady.stiffness) r.stiffness = level.flying.stiffness(level.pressure);
+        r.contactStiffness = balance_->contactStiffness(found.place.region);
+        r.sensitivities.clear();
+        r.otherEquilibria.clear();
+        r.discretisationError = errorOf(found);
+        KnownFilm fields = level.known(case_);
+        r.grid = std::move(fields.grid);
+        r.pressure = std::move(fields.pressure);
+        r.gap = std::move(fields.gap);
+        r.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+        const auto note = [&r](const std::string& text) { r.message += (r.message.empty() ? "" : "; ") + text; };
+        if (!wasFound)
+            note("the film alone has no static state, so that the suspension is taken to exert its load at the initial "
+                 "attitude");
+        if (state.contact.diverges) note("the state is unstable: a small motion grows");
+        if (case_.diskSurface.kind != DiskSurfaceKind::Flat && case_.diskSurface.motion == SurfaceMotion::Moving)
+            note("the contact is that of the disk's mean plane; a run shows what its moving surface adds");
+    }
+
+    /// Half of the difference from the state on half of the lines.
+    DiscretisationError errorOf(const Found& found)
+    {
+        DiscretisationError error;
+        if (grid_.nx() % 2 != 0 || grid_.ny() % 2 != 0) return error;
+        const CellGrid half{everySecond(grid_.x), everySecond(grid_.y)};
+        const std::unique_ptr<FilmBalance> coarse = FilmBalance::make(case_, half, rest_, goOn_);
+        if (!coarse) return error;
+        FilmLevel& level = coarse->level();
+        const FilmLevel& fine = balance_->level();
+        level.gaps.pad.pad<double>(
+            transfer(grid_, fine.gaps.pad.unpad<double>(fine.pressure), fine.film.ambient(), half), level.pressure);
+        const TouchingPlaces places = touchingPlaces(*coarse, {found.state.attitude}, found.place.branch, goOn_);
+        if (places.found.empty()) return error;
+        const Vector3 q = places.found.front().q;
+        const Attitude there = coarse->body().attitude(q);
+        constexpr double share = 0.5; // as in grid_error.cpp
+        error.minimumSpacing = share * std::abs(coarse->spacing(q) - found.state.minimumSpacing);
+        error.pitch = share * std::abs(there.pitch - found.state.attitude.pitch);
+        error.roll = share * std::abs(there.roll - found.state.attitude.roll);
+        if (coarse->solve(q, goOn_))
+            error.load = share * std::abs(level.loads.forces(level.pressure).net - result_.forces.net);
+        return error;
+    }
+
+    const Case& case_;
+    SteadyResult& result_;
+    std::function<bool()> goOn_;
+    bool stopped_ = false, flies_ = false;
+    Attitude rest_;
+    CellGrid grid_;
+    std::unique_ptr<FilmBalance> balance_;
+    int givenUp_ = 0;
+};
+
+} // namespace
+
+SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
+{
+    const double start = wallClock();
+    SteadyResult result = steady(c, callback);
+    if (c.contact == ContactKind::None || c.steady.fixedAttitude || result.status == SteadyStatus::Cancelled)
+        return result;
+    ContactRestSearch(c, result, callback).search();
+    result.wallSeconds = wallClock() - start;
+    return result;
+}
+
+} // namespace touchdown
