@@ -32,6 +32,14 @@ GapLaw::GapLaw(const Asperities& asperities, const ElasticPair& pair, const Adhe
     reach_ = std::max(reach_, reachOfAttraction(*adhesion_));
 }
 
+GapForces GapLaw::pressures(double gap) const
+{
+    GapForces forces;
+    if (gap < asperities_.reach()) forces.contact = asperities_.pressure(gap);
+    if (adhesion_) forces.adhesion = adhesion_->pressure(gap);
+    return forces;
+}
+
 GapForces GapLaw::at(double gap) const
 {
     GapForces forces;

@@ -29,6 +29,8 @@ public:
     GapLaw(const Asperities& asperities, const ElasticPair& pair, const Adhesion& adhesion = {});
 
     GapForces at(double gap) const;
+    /// The pressures alone.
+    GapForces pressures(double gap) const;
     /// Nothing acts from this gap on [m]; of an attraction, less than 1e-6 of its largest value.
     double reach() const { return reach_; }
     /// Over which the pressures change near a gap [m].

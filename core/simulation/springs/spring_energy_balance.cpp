@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace touchdown {
 
@@ -35,6 +36,10 @@ void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode m
 
 double SpringEnergyBalance::workAlong(double to)
 {
+    if (model_.hasGapLaw()) {
+        const double from = std::exchange(separation_, to);
+        return model_.gapEnergy(from) - model_.gapEnergy(to);
+    }
     double work = 0.0;
     double at = separation_;
     constexpr int mostRegions = 8; // of one step; there are four
@@ -68,6 +73,7 @@ void SpringEnergyBalance::add(double time, const SpringModel::State& y, SpringMo
     gained_[0] += simpson([](P p) { return p.suspension + p.frontDashpot + p.rearDashpot; });
     gained_[2] += simpson([](P p) { return p.friction; });
     gained_[3] += simpson([](P p) { return p.disk; });
+    if (model_.hasGapLaw()) gained_[1] += workAlong(model_.guards(y.head<2>(), last.height)[SpringModel::Pad]);
     if (hasContact_) {
         const Interval holds = law_.interval(region_);
         // A switch that was located ends a step on the boundary; the next one begins with the law beyond.

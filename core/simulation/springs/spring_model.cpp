@@ -84,7 +84,13 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
         }
     }
 
-    const double contactStiffness = hasContact_ ? c.onoYamane.contactStiffness : 0.0;
+    if (c.contact == ContactKind::Asperity) {
+        gapLaw_ = std::make_shared<GapLaw>(c.asperity, c.elastic.pair, c.adhesion);
+        padArea_ = c.pad.length * c.pad.width;
+    }
+    const double contactStiffness = hasContact_ ? c.onoYamane.contactStiffness
+                                    : gapLaw_   ? std::abs(padForces(c.asperity.planeHeight).contactSlope)
+                                                : 0.0;
     const double bearing = s.frontStiffness + s.rearStiffness + suspension.stiffness;
     const double turning =
         s.frontStiffness * square(frontDistance_) + s.rearStiffness * square(rearDistance_) + suspension.pitchStiffness;
@@ -102,6 +108,7 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
     double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) +
                     suspension.pitchStiffness * square(static_[1]);
     if (hasContact_) stored += contactEnergyBound();
+    if (gapLaw_) stored += std::abs(gapEnergy(separation(initial_))) + std::abs(gapEnergy(c.asperity.planeHeight));
     energyBound_ = 1e4 * (energy(initial_) + stored);
 }
 
@@ -163,6 +170,22 @@ double SpringModel::period(const Eigen::Matrix<double, 2, 4>& jacobian) const
     return largest > 0.0 ? std::min(period_, 2.0 * std::numbers::pi / std::sqrt(largest)) : period_;
 }
 
+GapForces SpringModel::padForces(double d) const
+{
+    GapForces forces = gapLaw_->at(d);
+    for (double GapForces::*part : {&GapForces::contact, &GapForces::adhesion, &GapForces::contactSlope,
+                                    &GapForces::adhesionSlope, &GapForces::area, &GapForces::energy})
+        forces.*part *= padArea_;
+    return forces;
+}
+
+SpringModel::State SpringModel::pressed(const State& rate, double d) const
+{
+    const GapForces pressures = gapLaw_->pressures(d);
+    const double net = padArea_ * pressures.total(), rubbing = friction_.noseDown() * padArea_ * pressures.contact;
+    return {rate[0], rate[1], rate[2] + net * inverseMass_, rate[3] - (padDistance_ * net + rubbing) * inverseInertia_};
+}
+
 double SpringModel::contactEnergyBound() const
 {
     const OnoYamane& p = case_.onoYamane;
@@ -212,15 +235,27 @@ SpringModel::Powers SpringModel::powers(const State& y, Mode mode, const Under& 
         powers.friction = -friction_.noseDown() * real * y[3];
         powers.disk += net * under.rate[Pad];
     }
+    if (gapLaw_) {
+        const GapForces forces = padForces(at[Pad]);
+        powers.contact = forces.total() * rate[Pad];
+        powers.friction = -friction_.noseDown() * forces.contact * y[3];
+        powers.disk += forces.total() * under.rate[Pad];
+    }
     return powers;
 }
 
-Eigen::Matrix<double, 2, 4> SpringModel::jacobian(double frontSpacing, double rearSpacing, Mode mode) const
+Eigen::Matrix<double, 2, 4> SpringModel::jacobianAt(const Guards& at, Mode mode) const
 {
     Eigen::Matrix<double, 2, 4> j = linear_;
-    const double front = mode.frontSpring ? front_.tangent(frontSpacing) : 0.0;
-    const double rear = mode.rearSpring ? rear_.tangent(rearSpacing) : 0.0;
-    const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
+    const double front = mode.frontSpring ? front_.tangent(at[Front]) : 0.0;
+    const double rear = mode.rearSpring ? rear_.tangent(at[Rear]) : 0.0;
+    ContactRow contact = contactRows_[static_cast<std::size_t>(mode.contact)];
+    if (gapLaw_) {
+        const GapForces forces = padForces(at[Pad]);
+        const double net = forces.contactSlope + forces.adhesionSlope;
+        contact.z1 = net * inverseMass_;
+        contact.theta1 = -(padDistance_ * net + friction_.noseDown() * forces.contactSlope) * inverseInertia_;
+    }
     j(0, 0) += (front + rear) * inverseMass_ + contact.z1;
     j(0, 1) += (front * frontDistance_ - rear * rearDistance_) * inverseMass_ - contact.z1 * padDistance_;
     j(1, 0) += (front * frontDistance_ - rear * rearDistance_) * inverseInertia_ + contact.theta1;
@@ -281,14 +316,21 @@ const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(cons
          [](S s) { return s.under[Rear]; }},
         {{"disk_power", "W", "uW", "Power of the moving surface of the disk on the slider"},
          [](S s) { return s.diskPower; }}};
+    static const List summits{{{"contact_area", "m^2", "um^2", "Real area of contact"}, [](S s) { return s.area; }}};
     const auto both = [](List list, const List& more) {
         list.insert(list.end(), more.begin(), more.end());
         return list;
     };
-    static const std::array<List, 4> lists{free, both(free, touching), both(free, uneven),
-                                           both(both(free, touching), uneven)};
+    static const List pressed = both(touching, summits);
+    static const std::array<List, 6> lists{free,
+                                           both(free, touching),
+                                           both(free, pressed),
+                                           both(free, uneven),
+                                           both(both(free, touching), uneven),
+                                           both(both(free, pressed), uneven)};
     const bool surface = c.diskSurface.kind != DiskSurfaceKind::Flat;
-    return lists[(c.contact == ContactKind::OnoYamane ? 1 : 0) + (surface ? 2 : 0)];
+    const std::size_t law = c.contact == ContactKind::OnoYamane ? 1 : c.contact == ContactKind::Asperity ? 2 : 0;
+    return lists[law + (surface ? 3 : 0)];
 }
 
 void SpringModel::observe(const State& y, Mode mode, const Under& under, double* values) const
@@ -313,6 +355,15 @@ void SpringModel::observe(const State& y, Mode mode, const Under& under, double*
         s.friction = friction_.coefficient * s.contact;
         s.frictionPower = 0.0 - friction_.noseDown() * s.contact * y[3]; // it presses the nose down; 0 without contact
         s.stored = contact_.storedEnergy(mode.contact, s.d);
+    }
+    if (gapLaw_) {
+        const GapForces forces = padForces(s.d);
+        s.contact = forces.contact;
+        s.adhesion = forces.adhesion;
+        s.friction = friction_.coefficient * s.contact;
+        s.frictionPower = 0.0 - friction_.noseDown() * s.contact * y[3];
+        s.stored = forces.energy;
+        s.area = forces.area;
     }
     if (case_.diskSurface.kind != DiskSurfaceKind::Flat) {
         s.under = under.height;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The 2-DOF slider of Ono & Yamane (Chen & Bogy, section 4, equations (1)-(5), Fig. 9): two lumped air springs,
-// the suspension, and the five-parameter contact at a pad.
+// the suspension, and the contact at a pad: the five parameters, or a pressure of the gap.
 //
 //   z_f = z + d_f theta,  z_r = z - d_r theta,  d = z - d_h theta
 //   M z''     = F_f + F_r + F_c - k (z - z_0) - c z'
@@ -18,6 +18,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@
 #include "core/case/case.h"
 #include "core/numerics/interval.h"
 #include "core/physics/contact/coulomb_friction.h"
+#include "core/physics/contact/gap_law.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/physics/film/air_spring.h"
 #include "core/simulation/recording/quantity.h"
@@ -104,10 +106,10 @@ public:
     /// Derivatives of (z'', theta'') by the state.
     Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const
     {
-        return jacobian(frontSpacing(y), rearSpacing(y), mode);
+        return jacobianAt({separation(y), frontSpacing(y), rearSpacing(y)}, mode);
     }
-    /// At these spacings of the air springs [m].
-    Eigen::Matrix<double, 2, 4> jacobian(double front, double rear, Mode mode) const;
+    /// At these spacings [m].
+    Eigen::Matrix<double, 2, 4> jacobianAt(const Guards& at, Mode mode) const;
 
     /// Shortest time scale of the motion about the static state and in contact [s].
     double shortestPeriod() const { return period_; }
@@ -115,6 +117,10 @@ public:
     double period(const State& y, Mode mode) const { return period(jacobian(y, mode)); }
     /// An energy that a sane run stays far below [J].
     double energyBound() const { return energyBound_; }
+    /// Whether the pad's contact is a law of the gap, which is smooth and keeps no memory; its energy at d [m], zero
+    /// far away [J].
+    bool hasGapLaw() const { return gapLaw_ != nullptr; }
+    double gapEnergy(double d) const { return padForces(d).energy; }
 
     /// "touch-down", "rear spring lost", ...: the switch of a guard from one mode to another.
     std::string eventName(int guard, Mode before, Mode after) const;
@@ -159,6 +165,7 @@ private:
         double airForce, kinetic, air, suspension;                          // [N], energies [J]
         double contact = 0.0, adhesion = 0.0, friction = 0.0, stored = 0.0; // [N], the last [J]
         double frictionPower = 0.0;                                         // [W]
+        double area = 0.0;                                                  // of contact [m^2]
         Guards under = Guards::Zero();                                      // w [m]
         double diskPower = 0.0;                                             // [W]
     };
@@ -178,8 +185,10 @@ private:
         const double pitch = ((linear_(1, 1) * theta + (contact.theta0 + contact.theta1 * d)) +
                               (linear_(1, 2) * y[2] + linear_(1, 3) * y[3])) +
                              (frontPitch_ * front + rearPitch_ * rear);
-        return {y[2], y[3], vertical, pitch};
+        return gapLaw_ ? pressed({y[2], y[3], vertical, pitch}, d) : State{y[2], y[3], vertical, pitch};
     }
+    /// With the forces of the law of the gap at the pad.
+    State pressed(const State& rate, double d) const;
     /// With the forces by which the dashpots follow a surface that rises at these rates [m/s].
     State pushed(const State& rate, const Guards& rising) const
     {
@@ -199,6 +208,8 @@ private:
     double separation(const State& y) const { return (y[0] - still_.height[Pad]) - padDistance_ * y[1]; }
     double frontSpacing(const State& y) const { return (y[0] - still_.height[Front]) + frontDistance_ * y[1]; }
     double rearSpacing(const State& y) const { return (y[0] - still_.height[Rear]) - rearDistance_ * y[1]; }
+    /// Of the law of the gap over the pad: forces [N], their slopes [N/m], energy [J], area [m^2].
+    GapForces padForces(double d) const;
     /// An energy of the order of the largest that the contact law stores or gives, or more [J].
     double contactEnergyBound() const;
     double suspensionEnergy(const State& y) const;
@@ -217,6 +228,8 @@ private:
     AirSpring front_;
     AirSpring rear_;
     OnoYamaneLaw contact_;
+    std::shared_ptr<const GapLaw> gapLaw_; // over a flat pad, parallel to the disk; null: another contact, or none
+    double padArea_ = 0.0;                 // [m^2]
     CoulombFriction friction_;
     bool hasContact_;
     double frontDistance_, rearDistance_, padDistance_;          // [m]

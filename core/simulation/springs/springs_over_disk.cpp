@@ -47,14 +47,14 @@ std::array<SpringModel::Guards, 5> SpringsOverDisk::guardPath(const std::array<S
 double SpringsOverDisk::period(const State& y, Mode mode) const
 {
     const Guards at = guards(y.head<3>());
-    const double own = model_.period(model_.jacobian(at[SpringModel::Front], at[SpringModel::Rear], mode));
+    const double own = model_.period(model_.jacobianAt(at, mode));
     return std::min(own, passageParts * disk_.longestStep());
 }
 
 Eigen::Matrix<double, 3, 6> SpringsOverDisk::jacobian(const State& y, Mode mode) const
 {
     const Guards at = guards(y.head<3>());
-    const Eigen::Matrix<double, 2, 4> j = model_.jacobian(at[SpringModel::Front], at[SpringModel::Rear], mode);
+    const Eigen::Matrix<double, 2, 4> j = model_.jacobianAt(at, mode);
     Eigen::Matrix<double, 3, 6> all = Eigen::Matrix<double, 3, 6>::Zero();
     all.topLeftCorner<2, 2>() = j.leftCols<2>();
     all.block<2, 2>(0, 3) = j.rightCols<2>();

@@ -106,7 +106,7 @@ private:
         const SpringModel::Guards at = model_.guards(y.head<2>(), disk_.at(y[2]).height);
         Eigen::Matrix4d a = Eigen::Matrix4d::Zero();
         a(0, 2) = a(1, 3) = 1.0;
-        a.bottomRows<2>() = model_.jacobian(at[SpringModel::Front], at[SpringModel::Rear], mode);
+        a.bottomRows<2>() = model_.jacobianAt(at, mode);
         return a;
     }
 

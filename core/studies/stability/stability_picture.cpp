@@ -56,7 +56,7 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     }
     c.run.integrator = IntegratorKind::Dopri5;
     c.run.tolerance = referenceTolerance;
-    std::vector<std::string> wanted{"front_spacing", "rear_spacing"};
+    std::vector<std::string> wanted{"front_spacing", "rear_spacing", "flying_height"};
     if (c.contact == ContactKind::OnoYamane) wanted.push_back("contact_force");
     const MeasuredRun run = measureRun(c, wanted, goOn);
     if (run.summary.status == RunStatus::Cancelled) return false;
@@ -67,10 +67,11 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     for (std::size_t i = 0; i < run.time.size(); ++i) {
         const auto value = [&](std::size_t column) { return run.columns[column][i]; };
         const double front = value(0), rear = value(1); // above the disk under them [m]
-        const bool contact = wanted.size() > 2 && value(2) != 0.0;
+        const bool contact = wanted.size() > 3 && value(3) != 0.0;
         const SpringModel::Mode mode{front > c.springs.cutoff, rear > c.springs.cutoff,
                                      contact ? ContactRegion::Pressed : ContactRegion::Apart};
-        LocalMotion here{contact ? "in contact" : "closest to the disk", ratesOf(model.jacobian(front, rear, mode))};
+        LocalMotion here{contact ? "in contact" : "closest to the disk",
+                         ratesOf(model.jacobianAt({value(2), front, rear}, mode))};
         LocalMotion& most = contact ? touching : flying;
         if (most.rates.empty() || here.fastest() > most.fastest()) most = std::move(here);
     }
