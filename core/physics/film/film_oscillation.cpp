@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/physics/film/film_oscillation.h"
 
+#include "core/physics/film/film_slopes.h"
 #include "core/physics/film/gas_film.h"
 
 namespace touchdown {
@@ -14,7 +15,7 @@ constexpr int restart = 50;
 
 } // namespace
 
-FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
+FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p, const FilmSlopes* slopes)
     : film_(film),
       stencil_(film.pad()),
       multigrid_(film.pad()),
@@ -27,9 +28,14 @@ FilmOscillation::FilmOscillation(const GasFilm& film, std::span<const double> p)
         film.setStencil(stencil_);
         stencil_.setStorage(film.volumes());
     }
-    AttitudeWork work(film.gaps());
-    film.attitudeColumns(p, columns_, work);
-    film.attitudeStorageColumns(p, storage_, work);
+    if (slopes) {
+        columns_ = slopes->flow;
+        storage_ = slopes->storage;
+    } else {
+        AttitudeWork work(film.gaps());
+        film.attitudeColumns(p, columns_, work);
+        film.attitudeStorageColumns(p, storage_, work);
+    }
     for (auto& response : response_) response.assign(film.pad().size(), Complex{});
 }
 

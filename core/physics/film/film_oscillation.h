@@ -25,11 +25,13 @@
 namespace touchdown {
 
 class GasFilm;
+struct FilmSlopes;
 
 class FilmOscillation {
 public:
-    /// The film must be linearised at p (padded), its steady state, without storage.
-    FilmOscillation(const GasFilm& film, std::span<const double> p);
+    /// The film must be linearised at p (padded), its steady state, without storage. `slopes`: where the disk's surface
+    /// follows the attitude.
+    FilmOscillation(const GasFilm& film, std::span<const double> p, const FilmSlopes* slopes = nullptr);
 
     /// Z(s): rows by force, columns by height, pitch, roll. `byPressure` (padded) and `byAttitude` are the forces'
     /// derivatives. `converged` becomes false where a linear system was not solved. Only the first `columns` are

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/simulation/small_motions/small_motions.h"
-#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/contact_rest.h"
 
 namespace touchdown {
 
@@ -42,12 +42,13 @@ std::vector<Complex> coarserRates(const Case& c, const SteadyResult& fine, doubl
     there.initial.roll = fine.attitude.roll;
     const std::string stage =
         "modes on " + std::to_string(there.film.nodes[0]) + " x " + std::to_string(there.film.nodes[1]) + " nodes";
-    const SteadyResult state = steady(there, [&](const SteadyProgress&) { return goOn(stage); });
+    const SteadyResult state = steadyWithContact(there, [&](const SteadyProgress&) { return goOn(stage); });
     if (state.status != SteadyStatus::Converged) return {};
-    StaticFilm film(there, state);
-    SmallMotions solver(film.level, film.body);
     bool goesOn = true;
     const auto ask = [&] { return goesOn = goesOn && goOn(stage); };
+    RestingSlider slider(there, state, ask);
+    if (!slider.valid()) return {};
+    SmallMotions solver(slider.level(), slider.body(), slider.contactStiffness(), slider.filmSlopes());
     solver.ask(ask);
     std::vector<Complex> rates;
     for (const SmallMotions::Mode& mode : solver.find(

@@ -8,7 +8,7 @@
 
 #include "core/simulation/small_motions/mode_errors.h"
 #include "core/simulation/small_motions/small_motions.h"
-#include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/work/wall_clock.h"
 
@@ -60,13 +60,19 @@ std::string doubtfulModes(const ModesResult& result)
 ModesResult modes(const Case& c, const SteadyCallback& callback)
 {
     ModesResult result;
-    result.steady = steady(c, callback);
+    result.steady = steadyWithContact(c, callback);
     result.status = result.steady.status;
     result.message = result.steady.message;
     if (result.status != SteadyStatus::Converged) return result;
 
-    StaticFilm film(c, result.steady);
-    SmallMotions solver(film.level, film.body);
+    RestingSlider slider(c, result.steady,
+                         [&] { return !callback || callback(progressAbout(result.steady, "contact")); });
+    if (!slider.valid()) {
+        result.status = SteadyStatus::Cancelled;
+        result.message = "cancelled while the modes were sought";
+        return result;
+    }
+    SmallMotions solver(slider.level(), slider.body(), slider.contactStiffness(), slider.filmSlopes());
     std::string stage;
     double reported = 0.0;
     const auto report = [&](const std::string& doing) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/physics/film/film_oscillation.h"
+#include "core/physics/film/film_slopes.h"
 #include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
@@ -31,14 +32,15 @@ auto nearest(std::vector<SmallMotions::Mode>& modes, Complex rate)
 
 } // namespace
 
-SmallMotions::SmallMotions(FilmLevel& level, const SliderBody& body, const Matrix3& contact)
+SmallMotions::SmallMotions(FilmLevel& level, const SliderBody& body, const Matrix3& contact, const FilmSlopes* slopes)
     : level_(level), body_(body), contact_(contact)
 {
     std::vector<double> residual(level.pressure.size());
     level.film.linearise(level.pressure, residual);
-    oscillation_ = std::make_unique<FilmOscillation>(level.film, level.pressure);
+    oscillation_ = std::make_unique<FilmOscillation>(level.film, level.pressure, slopes);
     FilmLoads::Derivatives forces;
     level.loads.derivatives(level.pressure, forces);
+    if (slopes) forces.byAttitude = slopes->forces;
     // The torques of the shear are part of the balance.
     for (std::size_t k = 0; k < 3; ++k) {
         byPressure_[k] = forces.byPressure[k];

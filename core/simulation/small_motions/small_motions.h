@@ -27,13 +27,16 @@ class SliderBody;
 struct Case;
 struct CellGrid;
 struct FilmLevel;
+struct FilmSlopes;
 
 class SmallMotions {
 public:
     using Complex = std::complex<double>;
 
-    /// The level's film is steady; level and body must last. `contact`: its stiffness about the mass centre.
-    SmallMotions(FilmLevel& level, const SliderBody& body, const Matrix3& contact = Matrix3::Zero());
+    /// The level's film is steady; level and body must last. `contact`: its stiffness about the mass centre. `slopes`:
+    /// where the disk's surface follows the attitude.
+    SmallMotions(FilmLevel& level, const SliderBody& body, const Matrix3& contact = Matrix3::Zero(),
+                 const FilmSlopes* slopes = nullptr);
     ~SmallMotions();
 
     /// Also asked within the solution of a linear system; if it returns false the results are invalid.

@@ -115,7 +115,9 @@ private:
             .rollTorque = forces.rollTorque,
             .area = forces.area,
             .peakPressure = forces.peakPressure,
-            .diverges = (three ? still.determinant() : still(0, 0) * still(1, 1) - still(0, 1) * still(1, 0)) < 0.0};
+            .diverges = (three ? still.determinant() : still(0, 0) * still(1, 1) - still(0, 1) * still(1, 0)) < 0.0,
+            .region = place.region,
+            .branch = place.branch};
         return found;
     }
 
@@ -131,12 +133,13 @@ private:
             if (x.contact.diverges != y.contact.diverges) return y.contact.diverges;
             return x.minimumSpacing > y.minimumSpacing;
         });
-        std::size_t first = 0;
-        if (!flies_ && !states.empty()) {
-            setState(states.front());
-            first = 1;
-        }
-        for (std::size_t i = first; i < states.size(); ++i) result_.contactStates.push_back(states[i].state);
+        const bool preferred =
+            case_.initial.branch == ContactBranch::TakeOff && !states.empty() && !states.front().state.contact.diverges;
+        const bool touches = (!flies_ || preferred) && !states.empty();
+        if (touches && flies_)
+            result_.contactStates.push_back({result_.attitude, result_.minimumSpacing, *result_.contact});
+        if (touches) setState(states.front());
+        for (std::size_t i = touches ? 1 : 0; i < states.size(); ++i) result_.contactStates.push_back(states[i].state);
         if (!flies_ && states.empty()) {
             result_.contact.reset();
             result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
@@ -155,6 +158,7 @@ private:
         SteadyResult& r = result_;
         r.suspensionRest = rest_;
         const bool wasFound = r.balanced();
+        const Vector3 ofForces = errorOfForces();
         r.status = SteadyStatus::Converged;
         r.message.clear();
         r.contact = state.contact;
@@ -175,7 +179,7 @@ private:
         r.contactStiffness = balance_->contactStiffness(found.place.region);
         r.sensitivities.clear();
         r.otherEquilibria.clear();
-        r.discretisationError = errorOf(found);
+        r.discretisationError = errorOf(found, ofForces);
         KnownFilm fields = level.known(case_);
         r.grid = std::move(fields.grid);
         r.pressure = std::move(fields.pressure);
@@ -190,8 +194,41 @@ private:
             note("the contact is that of the disk's mean plane; a run shows what its moving surface adds");
     }
 
-    /// Half of the difference from the state on half of the lines.
-    DiscretisationError errorOf(const Found& found)
+    /// By which the grid may miss force and torques of the film, as far as the state of the film alone tells.
+    Vector3 errorOfForces() const
+    {
+        const DiscretisationError& e = result_.discretisationError;
+        if (!result_.balanced() || !result_.stiffness || std::isnan(e.load)) return Vector3::Zero();
+        const Matrix3& film = *result_.stiffness;
+        return {e.load, std::abs(film(1, 1)) * e.pitch, std::abs(film(2, 2)) * e.roll};
+    }
+
+    /// Half of the difference from the state on half of the lines; at least what an error of the film's forces moves
+    /// the slider against film, contact and suspension.
+    DiscretisationError errorOf(const Found& found, const Vector3& ofForces)
+    {
+        DiscretisationError error = differenceFromCoarser(found);
+        Matrix3 stiffness = balance_->stiffnessWithSprings(found.place.region, goOn_);
+        if (balance_->unknowns() == 2) {
+            stiffness.row(2).setZero();
+            stiffness.col(2).setZero();
+            stiffness(2, 2) = 1.0;
+        }
+        const auto moved = [&](const Vector3& direction) {
+            const Vector3 byForces = solvePartialPivoting(stiffness.transpose(), direction).cwiseAbs();
+            return byForces.head(balance_->unknowns()).dot(ofForces.head(balance_->unknowns()));
+        };
+        const SurfacePoint at = result_.minimumAt;
+        const Vector3 spacing(1.0, 0.5 * case_.slider.length - at.x, 0.5 * case_.slider.width - at.y);
+        error.minimumSpacing = std::max(error.minimumSpacing, moved(spacing));
+        error.pitch = std::max(error.pitch, moved({0.0, 1.0, 0.0}));
+        error.roll = std::max(error.roll, moved({0.0, 0.0, 1.0}));
+        error.load = std::max(error.load, ofForces[0]);
+        return error;
+    }
+
+    /// NaN where the coarser grid has no such state.
+    DiscretisationError differenceFromCoarser(const Found& found)
     {
         DiscretisationError error;
         if (grid_.nx() % 2 != 0 || grid_.ny() % 2 != 0) return error;
@@ -226,6 +263,31 @@ private:
 };
 
 } // namespace
+
+RestingSlider::RestingSlider(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn)
+{
+    if (!state.contact || !state.contact->acts()) {
+        flying_ = std::make_unique<StaticFilm>(c, state);
+        return;
+    }
+    touching_ = FilmBalance::make(c, state.grid, state.suspensionRest.value_or(state.attitude), goOn);
+    valid_ = touching_ != nullptr;
+    if (!valid_) return;
+    FilmLevel& level = touching_->level();
+    level.gaps.pad.pad<double>(state.pressure, level.pressure);
+    const Vector3 q = touching_->body().coordinates(state.attitude);
+    touching_->begin(state.contact->branch, q);
+    valid_ = touching_->solve(q, goOn);
+    if (valid_) contact_ = touching_->contactStiffness(state.contact->region);
+}
+
+RestingSlider::~RestingSlider() = default;
+
+FilmLevel& RestingSlider::level() { return flying_ ? flying_->level : touching_->level(); }
+
+const FilmSlopes* RestingSlider::filmSlopes() { return touching_ ? touching_->filmSlopes() : nullptr; }
+
+const SliderBody& RestingSlider::body() const { return flying_ ? flying_->body : touching_->body(); }
 
 SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
 {

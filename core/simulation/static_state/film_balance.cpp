@@ -64,18 +64,25 @@ void FilmBalance::startFrom(const FilmBalance& other)
     pad.pad<double>(known, level_->pressure);
 }
 
-bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
+/// The contact is at the attitude.
+void FilmBalance::setSurface(const Attitude& attitude)
 {
-    q_ = q;
-    const Attitude attitude = body_.attitude(q);
     if (!law_) {
-        if (!contact_->at(attitude, 0.0).problem.empty()) return false;
         disk_.at(0.0, surface_);
         const bool deformed = contact_->deform(surface_);
         level_->film.setSurface(deformed || !disk_.flat() ? std::span<const double>(surface_)
                                                           : std::span<const double>());
     }
     level_->film.setAttitude(attitude);
+}
+
+bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
+{
+    q_ = q;
+    const Attitude attitude = body_.attitude(q);
+    slopes_.reset();
+    if (!law_ && !contact_->at(attitude, 0.0).problem.empty()) return false;
+    setSurface(attitude);
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
     const FilmSolution film = level_->flying.solveFilm(level_->pressure, options, [&](int, double) { return goOn(); });
     return film.converged;
@@ -110,28 +117,65 @@ Vector3 FilmBalance::force(ContactRegion region)
 Matrix3 FilmBalance::contactStiffness(ContactRegion region)
 {
     contactForces(region);
-    return case_.contact == ContactKind::Elastic ? slopesOfContact() : contact_->stiffness();
+    if (case_.contact != ContactKind::Elastic) return contact_->stiffness();
+    followElastic();
+    return elasticStiffness_;
 }
 
-/// By central differences: an elastic contact knows its stiffness roughly.
-Matrix3 FilmBalance::slopesOfContact()
+/// By central differences: an elastic contact knows its stiffness roughly, and deforms the disk under the film.
+void FilmBalance::followElastic()
 {
+    if (slopes_) return;
     constexpr double step = 5e-12; // at the slider's corners [m]
-    const Vector3 size(1.0, 2.0 / case_.slider.length, 2.0 / case_.slider.width);
-    Matrix3 stiffness;
-    for (Eigen::Index m = 0; m < 3; ++m) {
-        Vector3 moved = Vector3::Zero();
-        moved[m] = step * size[m];
-        const Vector3 above = contact_->at(body_.attitude(q_ + moved), 0.0).load();
-        const Vector3 below = contact_->at(body_.attitude(q_ - moved), 0.0).load();
-        stiffness.col(m) = (below - above) / (2.0 * moved[m]);
+    constexpr double rate = 1e6;   // of storage [1/s]
+    GasFilm& film = level_->film;
+    const std::vector<double>& p = level_->pressure;
+    const Attitude at = body_.attitude(q_);
+    const std::size_t size = p.size();
+    std::vector<double> history(size), plain(size), stored(size);
+    for (std::size_t i = 0; i < size; ++i) history[i] = rate * film.volumes()[i] * p[i];
+    FilmSlopes& slopes = slopes_.emplace();
+    Matrix3 byAttitude = Matrix3::Zero(); // of the contact
+    for (std::size_t m = 0; m < 3; ++m) {
+        slopes.flow[m].assign(size, 0.0);
+        slopes.storage[m].assign(size, 0.0);
+        const double way = m == 0 ? step : 2.0 * step / (m == 1 ? case_.slider.length : case_.slider.width);
+        for (const double sign : {1.0, -1.0}) {
+            const double per = sign / (2.0 * way);
+            Attitude moved = at;
+            (m == 0 ? moved.height : m == 1 ? moved.pitch : moved.roll) += sign * way;
+            byAttitude.col(static_cast<Eigen::Index>(m)) -= per * contact_->at(moved, 0.0).load();
+            setSurface(moved);
+            film.setStorage(0.0, {});
+            film.residual(p, plain);
+            film.setStorage(rate, history);
+            film.residual(p, stored);
+            film.setStorage(0.0, {});
+            for (std::size_t i = 0; i < size; ++i) {
+                slopes.flow[m][i] += per * plain[i];
+                slopes.storage[m][i] += per * (stored[i] - plain[i]) / rate;
+            }
+            const std::array<double, 5> forces = level_->loads.loadAndShear(p);
+            for (std::size_t k = 0; k < 5; ++k) slopes.forces[k][m] += per * forces[k];
+        }
     }
-    contact_->at(body_.attitude(q_), 0.0);
-    return stiffness;
+    // From the mass centre's height: the trailing edge's falls by half the length times the pitch.
+    byAttitude.col(1) -= 0.5 * case_.slider.length * byAttitude.col(0);
+    elasticStiffness_ = byAttitude;
+    contact_->at(at, 0.0);
+    setSurface(at);
+}
+
+const FilmSlopes* FilmBalance::filmSlopes()
+{
+    if (case_.contact != ContactKind::Elastic) return nullptr;
+    followElastic();
+    return &*slopes_;
 }
 
 Matrix3 FilmBalance::filmStiffness(const GoOn& goOn)
 {
+    level_->flying.setSlopes(filmSlopes());
     Matrix3 sum = level_->flying.balanceStiffness(level_->pressure, goOn);
     // From the mass centre's height: the trailing edge's falls by half the length times the pitch.
     sum.col(1) -= 0.5 * case_.slider.length * sum.col(0);

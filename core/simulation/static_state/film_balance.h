@@ -14,8 +14,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/physics/disk/disk_topography.h"
+#include "core/physics/film/film_slopes.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/pad_contact.h"
 #include "core/simulation/static_state/slider_body.h"
@@ -68,6 +71,8 @@ public:
     double reach() const { return contact_->reach(); }
     bool outOfReach(const Vector3& q) const { return contact_->outOfReach(body_.attitude(q)); }
     SliderContact& contact() { return *contact_; }
+    /// Of the film at the last q, where an elastic contact deforms the disk; else null.
+    const FilmSlopes* filmSlopes();
     struct Beyond {
         ContactRegion region;
         std::string name; // "touch-down"
@@ -86,7 +91,9 @@ private:
     void setRegion(ContactRegion region);
     Vector3 contactForce(ContactRegion region) { return contactForces(region).load(); }
     Matrix3 filmStiffness(const GoOn& goOn);
-    Matrix3 slopesOfContact();
+    void setSurface(const Attitude& attitude);
+    /// Sets slopes_ and elasticStiffness_ at the last q.
+    void followElastic();
 
     Case case_;
     MinimumSpacing spacing_;
@@ -97,7 +104,9 @@ private:
     DiskUnderFilm disk_;
     std::vector<double> surface_; // under the film, less the deformation by contact; padded [m]
     std::unique_ptr<SliderContact> contact_;
-    CharacteristicLaw* law_; // of contact_; null: another one
+    CharacteristicLaw* law_;           // of contact_; null: another one
+    std::optional<FilmSlopes> slopes_; // of an elastic contact, at the last q, as its stiffness
+    Matrix3 elasticStiffness_ = Matrix3::Zero();
     Vector3 q_ = Vector3::Zero();
 };
 

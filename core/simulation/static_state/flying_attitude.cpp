@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/film/film_slopes.h"
 #include "core/physics/film/gas_film.h"
 #include "core/physics/slider/minimum_spacing.h"
 
@@ -86,7 +87,12 @@ double FlyingAttitude::linearise(std::span<const double> p, const Attitude& atti
     film_.setAttitude(attitude);
     film_.linearise(p, residual_);
     loads_.derivatives(p, forces_);
-    film_.attitudeColumns(p, columns_, attitudeWork_);
+    if (slopes_) {
+        columns_ = slopes_->flow;
+        forces_.byAttitude = slopes_->forces;
+    } else {
+        film_.attitudeColumns(p, columns_, attitudeWork_);
+    }
     imbalance_ = imbalanceOf(forces_.value, attitude);
     for (std::size_t k = 0; k < 3; ++k) {
         balanceRows_[k] = forces_.byPressure[k];

@@ -26,6 +26,7 @@
 namespace touchdown {
 
 class MinimumSpacing;
+struct FilmSlopes;
 
 struct AttitudeOptions {
     double filmTolerance = 1e-7; // FilmCase::tolerance [-]
@@ -61,6 +62,9 @@ public:
     {
         return solveFilm_ ? solveFilm_(p, options, monitor) : newton_.solve(p, options, monitor);
     }
+
+    /// From now on these are the film's slopes, at its present attitude; null: its own. They must last.
+    void setSlopes(const FilmSlopes* slopes) { slopes_ = slopes; }
 
     /// From far: the film is solved at each attitude, which follows the forces until Newton's method converges.
     AttitudeSolution approach(std::span<double> p, Attitude& attitude, const AttitudeOptions& options,
@@ -125,6 +129,7 @@ private:
     AttitudeWork attitudeWork_;
     std::array<std::vector<double>, 3> columns_, responses_, balanceRows_;
     std::vector<double> residual_, right_, filmStep_, best_;
+    const FilmSlopes* slopes_ = nullptr;
     Vector3 imbalance_ = Vector3::Zero();
     bool hasResponses_ = false;
 };

@@ -14,6 +14,7 @@
 #include "core/case/case.h"
 #include "core/numerics/cell_grid.h"
 #include "core/numerics/small_matrix.h"
+#include "core/physics/contact/ono_yamane.h"
 #include "core/physics/film/film_forces.h"
 #include "core/physics/slider/attitude.h"
 
@@ -53,6 +54,10 @@ struct ContactAtRest {
     double area = 0.0;         // real area of contact [m^2]; zero where the law has none
     double peakPressure = 0.0; // of contact [Pa]
     bool diverges = false;     // a small motion grows without oscillating
+    // How the state is found again: the region of Ono and Yamane's law, or the branch on which another was reached.
+    ContactRegion region = ContactRegion::Apart;
+    ContactBranch branch = ContactBranch::TouchDown;
+    bool acts() const { return contact != 0.0 || adhesion != 0.0; }
 };
 /// One of the static states of a slider with a contact.
 struct RestingState {
