@@ -49,6 +49,18 @@ Json attitudeJson(const Attitude& a)
             {"roll", jsonNumber(a.roll)}};
 }
 
+Json otherStateJson(const RestingState& other)
+{
+    Json json = attitudeJson(other.attitude);
+    json["contact_state"] = other.contact.state;
+    json["unstable"] = other.contact.diverges;
+    json["minimum_spacing"] = jsonNumber(other.minimumSpacing);
+    json["contact_force"] = jsonNumber(other.contact.contact);
+    json["intermolecular_force"] = jsonNumber(other.contact.adhesion);
+    json["friction_force"] = jsonNumber(other.contact.friction);
+    return json;
+}
+
 Json sensitivitiesJson(const std::vector<Sensitivity>& sensitivities)
 {
     Json result = Json::array();
@@ -82,8 +94,8 @@ std::string jsonMessage(const Case& c, const SteadyResult& r)
     if (const std::string reason = leftOut(c); !reason.empty()) add(reason);
     if (!isKnown(r))
         add("null because there is no solution");
-    else
-        add("null because a static state is of the film alone: contact_force, intermolecular_force");
+    else if (r.contact.state.empty())
+        add("null because no law of contact has a part in it: contact_force, intermolecular_force");
     if (isKnown(r) && std::isnan(r.discretisationError.minimumSpacing))
         add("null because no coarser grid has a solution to compare with: discretisation_error");
     return message;
@@ -145,14 +157,14 @@ std::string forcesText(const Case& c, const SteadyResult& r)
 /// The state's contact, and the other states.
 std::string contactText(const SteadyResult& r)
 {
-    if (!r.contact) return {};
+    if (r.contact.state.empty()) return {};
     const auto forces = [](const ContactAtRest& at) {
         if (at.contact == 0.0 && at.adhesion == 0.0) return std::string();
         return ": contact " + displayedInFull(at.contact, "mN") + ", adhesion " + displayedInFull(at.adhesion, "mN") +
                ", friction " + displayedInFull(at.friction, "mN");
     };
-    std::string text = reportRow("contact", r.contact->state + forces(*r.contact));
-    if (r.contact->area > 0.0) text += reportRow("  real area", displayedInFull(r.contact->area, "um^2"));
+    std::string text = reportRow("contact", r.contact.state + forces(r.contact));
+    if (r.contact.area > 0.0) text += reportRow("  real area", displayedInFull(r.contact.area, "um^2"));
     for (const RestingState& other : r.contactStates)
         text += reportRow("other state", other.contact.state + (other.contact.diverges ? " (unstable)" : "") + " at " +
                                              displayedInFull(other.minimumSpacing, "nm") + forces(other.contact));
@@ -269,11 +281,15 @@ SteadyResult withoutFields(SteadyResult result)
 
 std::string leftOut(const Case& c)
 {
-    const bool touches = c.contact != ContactKind::None;
-    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat;
+    const bool held = c.steady.fixedAttitude;
+    const bool touches = c.contact != ContactKind::None && held;
+    // A contact that sees a disk which stands still rests on it.
+    const bool seen = !held && c.diskSurface.motion == SurfaceMotion::Still &&
+                      (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity);
+    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat || seen;
     if (!touches && flat) return {};
     const std::string what = !touches ? "disk.surface has" : flat ? "contact has" : "contact and disk.surface have";
-    return "of the film alone, over a flat disk: " + what + " no part in it";
+    return (touches ? "of the film alone, over a flat disk: " : "over a flat disk: ") + what + " no part in it";
 }
 
 Json matrixJson(const Matrix3& m)
@@ -296,8 +312,13 @@ Json steadyObject(const Case& c, const SteadyResult& r)
     for (const auto& [quantity, value] : steadyQuantities(r))
         if (!quantity.name.ends_with("_error")) json[quantity.name] = known ? jsonNumber(value) : Json(nullptr);
     json["minimum_spacing_at"] = place(r.minimumAt, known);
-    json["contact_force"] = nullptr;
-    json["intermolecular_force"] = nullptr;
+    const bool touches = known && !r.contact.state.empty();
+    json["contact_state"] = touches ? Json(r.contact.state) : Json(nullptr);
+    for (const char* name : {"contact_force", "intermolecular_force", "friction_force"})
+        if (!touches) json[name] = nullptr;
+    json["contact_stiffness"] = r.contactStiffness ? matrixJson(*r.contactStiffness) : Json(nullptr);
+    json["other_states"] = Json::array();
+    for (const RestingState& other : r.contactStates) json["other_states"].push_back(otherStateJson(other));
     json["centre_of_positive_pressure"] = place(f.centreOfPositive, known && f.positive > 0.0);
     json["centre_of_negative_pressure"] = place(f.centreOfNegative, known && f.negative < 0.0);
     json["maximum_pressure_at"] = place(f.maximumAt, known);

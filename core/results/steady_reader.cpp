@@ -83,6 +83,19 @@ void readSensitivities(const Hdf5Group& state, SteadyResult& result)
     }
 }
 
+void readOther(const Hdf5Group& group, SteadyResult& result)
+{
+    const auto number = [&](const char* name) { return numbers(group, name, 1).front(); };
+    RestingState& other = result.contactStates.emplace_back();
+    other.contact.state = group.attribute("contact_state");
+    other.contact.diverges = group.numberAttribute("unstable") != 0.0;
+    other.attitude = {number("nominal_trailing_edge_height"), number("pitch"), number("roll")};
+    other.minimumSpacing = number("minimum_spacing");
+    other.contact.contact = number("contact_force");
+    other.contact.adhesion = number("intermolecular_force");
+    other.contact.friction = number("friction_force");
+}
+
 SteadyResult readState(const Hdf5Group& state)
 {
     SteadyResult result;
@@ -93,6 +106,7 @@ SteadyResult readState(const Hdf5Group& state)
     result.wallSeconds = state.numberAttribute("wall_seconds");
     result.residual = state.numberAttribute("residual");
     result.loadError = state.numberAttribute("load_error");
+    result.contact.state = state.attribute("contact_state");
     for (const SteadyQuantity& each : steadyQuantities(result))
         if (state.has(each.quantity.name))
             setSteadyQuantity(result, each.quantity.name, numbers(state, each.quantity.name, 1).front());
@@ -106,6 +120,10 @@ SteadyResult readState(const Hdf5Group& state)
         result.stiffness.emplace();
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) (*result.stiffness)(i, j) = values[static_cast<std::size_t>(3 * i + j)];
+    }
+    if (state.has("other_states")) {
+        const Hdf5Group others = state.group("other_states");
+        for (const std::string& number : others.names()) readOther(others.group(number), result);
     }
     if (state.has("points_of_interest")) {
         const std::vector<double> values = state.get("points_of_interest").numbers();

@@ -69,6 +69,26 @@ void writeSensitivities(const Hdf5Group& state, const std::vector<Sensitivity>& 
                       (each.unit.empty() ? "" : " per " + each.unit));
 }
 
+/// The other states of a slider with contact.
+void writeOthers(const Hdf5Group& state, const std::vector<RestingState>& others)
+{
+    if (others.empty()) return;
+    const Hdf5Group group = state.create("other_states");
+    int number = 0;
+    for (const RestingState& other : others) {
+        const Hdf5Group each = group.create(std::to_string(++number));
+        each.set("contact_state", other.contact.state);
+        each.set("unstable", std::int64_t{other.contact.diverges});
+        each.put("nominal_trailing_edge_height", other.attitude.height, "m", "Height of the trailing edge's centre");
+        each.put("pitch", other.attitude.pitch, "rad", "Pitch");
+        each.put("roll", other.attitude.roll, "rad", "Roll");
+        each.put("minimum_spacing", other.minimumSpacing, "m", "Minimum spacing");
+        each.put("contact_force", other.contact.contact, "N", "Real contact force");
+        each.put("intermolecular_force", other.contact.adhesion, "N", "Adhesion force");
+        each.put("friction_force", other.contact.friction, "N", "Friction force");
+    }
+}
+
 constexpr std::array<std::string_view, 4> askedFor{"nominal_trailing_edge_height", "pitch", "roll", "minimum_spacing"};
 
 void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& result)
@@ -95,6 +115,12 @@ void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& resul
     if (result.stiffness)
         state.table("stiffness", 3, 3, Matrix3(result.stiffness->transpose()).data(), "SI",
                     "Stiffness of the film: force, pitch and roll torque (rows) by height, pitch and roll (columns)");
+    if (result.contactStiffness)
+        state.table("contact_stiffness", 3, 3, Matrix3(result.contactStiffness->transpose()).data(), "SI",
+                    "Stiffness of the contact: force, pitch and roll torque (rows) by height of the mass centre, pitch "
+                    "and roll (columns)");
+    if (!result.contact.state.empty()) state.set("contact_state", result.contact.state);
+    writeOthers(state, result.contactStates);
     writeInterest(state, c.surface.pointsOfInterest, result.interestSpacing);
     writeSensitivities(state, result.sensitivities);
     writeFields(state, result);

@@ -52,13 +52,24 @@ void pass(auto& stream, Passed<std::optional<Matrix3>> auto& matrix)
         if (present) matrix.emplace(numbers.data());
 }
 
+void pass(auto& stream, Passed<ContactAtRest> auto& at)
+{
+    stream(at.state, at.contact, at.adhesion, at.friction, at.pitchTorque, at.rollTorque, at.area, at.peakPressure,
+           at.diverges, at.region, at.branch);
+}
+
+void pass(auto& stream, Passed<RestingState> auto& state)
+{
+    stream(state.attitude, state.minimumSpacing, state.contact);
+}
+
 void pass(auto& stream, Passed<SteadyResult> auto& state)
 {
     stream(state.status, state.message, state.iterations, state.solves, state.wallSeconds, state.residual,
            state.loadError, state.attitude, state.minimumSpacing, state.minimumAt, state.forces, state.shearPitchTorque,
            state.shearRollTorque, state.stiffness, state.sensitivities, state.discretisationError,
-           state.unresolvedRidges, state.interestSpacing, state.otherEquilibria, state.grid, state.pressure, state.gap,
-           state.recess);
+           state.unresolvedRidges, state.interestSpacing, state.otherEquilibria, state.contact, state.contactStates,
+           state.contactStiffness, state.grid, state.pressure, state.gap, state.recess);
 }
 
 void pass(auto& stream, Passed<StoredSteady> auto& stored)

@@ -90,7 +90,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
       maps_(new FieldsView(this)),
       compare_(new ComparePage(this)),
       modes_(new ModesPage(touchdown::modes, this)),
-      series_(new SeriesPage(steady, this))
+      series_(new SeriesPage(steadyWithContact, this))
 {
     for (const QString& name :
          {tr("Surface"), tr("Pressure"), tr("Gap"), tr("Recess"), tr("Compare"), tr("Modes"), tr("Series")})

@@ -40,9 +40,12 @@ QString remarksOn(const Case& c, const ModesResult& result)
     if (c.steady.fixedAttitude && !result.modes.empty())
         sentences << ModesPage::tr("The attitude is held: the forces need not balance there.");
     if (!result.modes.empty())
-        sentences << ModesPage::tr(
-            "Small motions on the film alone over a flat disk, without contact. Errors of the damping "
-            "are those of the grid, estimated from coarser ones.");
+        sentences << (result.steady.contact.acts()
+                          ? ModesPage::tr("Small motions on the film and the contact of the static state, over a disk "
+                                          "that does not move up and down.")
+                          : ModesPage::tr("Small motions on the film alone over a flat disk, without contact.")) +
+                         QLatin1Char(' ') +
+                         ModesPage::tr("Errors of the damping are those of the grid, estimated from coarser ones.");
     return sentences.join(QLatin1Char(' '));
 }
 

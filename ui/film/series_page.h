@@ -10,6 +10,7 @@
 #include <QTableWidget>
 #include <QToolButton>
 
+#include "core/simulation/static_state/contact_rest.h"
 #include "ui/film/series_controller.h"
 #include "ui/film/series_file.h"
 #include "ui/film/series_plots.h"
@@ -24,7 +25,7 @@ class SeriesPage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SeriesPage(SteadyController::Solver solver = steady, QWidget* parent = nullptr);
+    explicit SeriesPage(SteadyController::Solver solver = steadyWithContact, QWidget* parent = nullptr);
 
     /// The case as it is edited.
     void setCase(const Case& c);

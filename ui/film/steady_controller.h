@@ -10,7 +10,7 @@ class SteadyController : public SolverController<SteadyResult> {
     Q_OBJECT
 
 public:
-    /// `solver` is `touchdown::steady` or a stand-in of a test.
+    /// `solver` is `touchdown::steadyWithContact` or a stand-in of a test.
     explicit SteadyController(Solver solver, QObject* parent = nullptr) : SolverController(std::move(solver), parent) {}
 
 signals:

@@ -78,6 +78,23 @@ AttitudeSection forces(const Case& c, const SteadyResult& r, const QLocale& loca
              {tr("Roll torque"), torque(f.rollTorque)}}};
 }
 
+/// What the contact carries; the other states that the law has.
+AttitudeSection contact(const SteadyResult& r, const QLocale& locale)
+{
+    AttitudeSection section{tr("Contact"), {tr("Minimum spacing"), tr("Contact"), tr("Adhesion"), tr("Friction")}, {}};
+    const auto add = [&](const ContactAtRest& at, double spacing) {
+        const auto milli = [&](double newtons) { return withError(newtons, 0.0, "mN", locale); };
+        const QString state = QString::fromStdString(at.state);
+        section.rows.push_back({at.diverges ? tr("%1, unstable").arg(state) : state,
+                                withError(spacing, 0.0, "nm", locale), milli(at.contact), milli(at.adhesion),
+                                milli(at.friction)});
+    };
+    if (r.contact.state.empty()) return section;
+    add(r.contact, r.minimumSpacing);
+    for (const RestingState& other : r.contactStates) add(other.contact, other.minimumSpacing);
+    return section;
+}
+
 AttitudeSection stiffness(const SteadyResult& r, const QLocale& locale)
 {
     AttitudeSection section{
@@ -196,8 +213,9 @@ std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult&
 {
     std::vector<AttitudeSection> sections;
     if (!result.pressure.empty()) {
-        sections = {attitude(result, locale),  interest(c, result, locale),   forces(c, result, locale),
-                    stiffness(result, locale), sensitivities(result, locale), equilibria(result, locale)};
+        sections = {attitude(result, locale),  interest(c, result, locale), contact(result, locale),
+                    forces(c, result, locale), stiffness(result, locale),   sensitivities(result, locale),
+                    equilibria(result, locale)};
         std::erase_if(sections, [](const AttitudeSection& section) { return section.rows.empty(); });
         if (const QString state = notFoundText(result); !state.isEmpty())
             sections.insert(sections.begin(),

@@ -19,6 +19,7 @@
 #include <QStatusBar>
 
 #include "core/case_files/case_file.h"
+#include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/steady.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -62,7 +63,7 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
       casePanel_(new CasePanel(*edits_, this)),
       aboutCase_(new AboutCasePane(this)),
       runs_(new RunWindow(this)),
-      film_(new FilmWindow(steady, actions_->solve, this)),
+      film_(new FilmWindow(steadyWithContact, actions_->solve, this)),
       studies_(new StudyWindow(std::move(studies), this)),
       messages_(new MessageStrip(this)),
       startCard_(new StartCard(this))

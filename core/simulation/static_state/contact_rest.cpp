@@ -16,7 +16,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double sameState = 1e-10; // of two states, at the slider's corners [m]
+constexpr double sameState = 1e-10;          // of two states, at the slider's corners [m]
+constexpr double farthestAttraction = 20e-9; // from which surfaces attract each other enough to be looked at [m]
 
 /// Half of the lines, of which the first and the last stay.
 std::vector<double> everySecond(const std::vector<double>& lines)
@@ -63,7 +64,7 @@ public:
                                               : transfer(result_.grid, result_.pressure, level.film.ambient(), grid_),
                                        level.pressure);
         const Vector3 q = balance_->body().coordinates(rest_);
-        result_.contact.emplace().state = "flying";
+        result_.contact.state = "flying";
         const bool above = balanced && result_.status == SteadyStatus::Converged;
         balance_->begin(ContactBranch::TouchDown, q);
         flies_ = above && balance_->outOfReach(q);
@@ -82,6 +83,25 @@ public:
         if (found.empty() || remembers) take(touchingPlaces(*balance_, rest_, {}, goOn_));
         if (stopped_) return stop();
         report(found);
+    }
+
+    /// From the state in contact that the result is. False where none is found there.
+    bool searchNear()
+    {
+        rest_ = result_.suspensionRest.value_or(result_.attitude);
+        grid_ = result_.grid;
+        balance_ = FilmBalance::make(case_, grid_, rest_, goOn_);
+        if (!balance_) return stop(), true;
+        FilmLevel& level = balance_->level();
+        level.gaps.pad.pad<double>(result_.pressure, level.pressure);
+        const TouchingPlaces near = touchingPlaces(*balance_, {result_.attitude}, result_.contact.branch, goOn_);
+        if (stopped_) return stop(), true;
+        if (near.found.empty()) return false;
+        const std::optional<Found> found = look(near.found.front());
+        if (!found) return false;
+        result_.contactStates.clear();
+        setState(*found, false);
+        return true;
     }
 
 private:
@@ -137,19 +157,19 @@ private:
             case_.initial.branch == ContactBranch::TakeOff && !states.empty() && !states.front().state.contact.diverges;
         const bool touches = (!flies_ || preferred) && !states.empty();
         if (touches && flies_)
-            result_.contactStates.push_back({result_.attitude, result_.minimumSpacing, *result_.contact});
+            result_.contactStates.push_back({result_.attitude, result_.minimumSpacing, result_.contact});
         if (touches) setState(states.front());
         for (std::size_t i = touches ? 1 : 0; i < states.size(); ++i) result_.contactStates.push_back(states[i].state);
         if (!flies_ && states.empty()) {
-            result_.contact.reset();
+            result_.contact = {};
             result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
             result_.message += (result_.message.empty() ? "" : "; ") +
                                std::string("no state in contact was found from the attitudes that were tried");
         }
     }
 
-    /// Makes it the state of the result.
-    void setState(const Found& found)
+    /// Makes it the state of the result. `inFull`: with the error of the grid.
+    void setState(const Found& found, bool inFull = true)
     {
         const RestingState& state = found.state;
         if (!balance_->solve(found.place.q, goOn_)) return stop();
@@ -175,11 +195,12 @@ private:
         r.interestSpacing.clear();
         for (const SurfacePoint& point : case_.surface.pointsOfInterest)
             r.interestSpacing.push_back(recess.at(point.x, point.y) + level.gaps.lift(r.attitude, point.x, point.y));
+        r.stiffness.reset();
         if (case_.steady.stiffness) r.stiffness = level.flying.stiffness(level.pressure);
         r.contactStiffness = balance_->contactStiffness(found.place.region);
         r.sensitivities.clear();
         r.otherEquilibria.clear();
-        r.discretisationError = errorOf(found, ofForces);
+        r.discretisationError = inFull ? errorOf(found, ofForces) : DiscretisationError{};
         KnownFilm fields = level.known(case_);
         r.grid = std::move(fields.grid);
         r.pressure = std::move(fields.pressure);
@@ -266,7 +287,7 @@ private:
 
 RestingSlider::RestingSlider(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn)
 {
-    if (!state.contact || !state.contact->acts()) {
+    if (!state.contact.acts()) {
         flying_ = std::make_unique<StaticFilm>(c, state);
         return;
     }
@@ -276,9 +297,9 @@ RestingSlider::RestingSlider(const Case& c, const SteadyResult& state, const std
     FilmLevel& level = touching_->level();
     level.gaps.pad.pad<double>(state.pressure, level.pressure);
     const Vector3 q = touching_->body().coordinates(state.attitude);
-    touching_->begin(state.contact->branch, q);
+    touching_->begin(state.contact.branch, q);
     valid_ = touching_->solve(q, goOn);
-    if (valid_) contact_ = touching_->contactStiffness(state.contact->region);
+    if (valid_) contact_ = touching_->contactStiffness(state.contact.region);
 }
 
 RestingSlider::~RestingSlider() = default;
@@ -288,6 +309,29 @@ FilmLevel& RestingSlider::level() { return flying_ ? flying_->level : touching_-
 const FilmSlopes* RestingSlider::filmSlopes() { return touching_ ? touching_->filmSlopes() : nullptr; }
 
 const SliderBody& RestingSlider::body() const { return flying_ ? flying_->body : touching_->body(); }
+
+bool actsInFlight(const Case& c, double spacing)
+{
+    if (const std::unique_ptr<SeparationLaw> law = makeSeparationLaw(c)) {
+        law->begin(ContactBranch::TouchDown, spacing);
+        return law->acts() && !law->outOfReach(spacing);
+    }
+    switch (c.contact) {
+    case ContactKind::Asperity: return spacing < GapLaw(c.asperity, c.elastic.pair, c.adhesion).reach();
+    case ContactKind::Elastic: return spacing <= (c.adhesion.acts() ? farthestAttraction : 0.0);
+    default: return false;
+    }
+}
+
+std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback)
+{
+    SteadyResult result = from;
+    Case near = c;
+    near.steady.stiffness = near.steady.sensitivities = false;
+    ContactRestSearch search(near, result, callback);
+    if (!search.searchNear()) return std::nullopt;
+    return result;
+}
 
 SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
 {

@@ -26,6 +26,12 @@ struct StaticFilm;
 /// SteadyResult::contactStates. Of a case without contact, or at a fixed attitude: `steady`.
 SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback = {});
 
+/// The state in contact of a case that was changed a little, near to `from`, one in contact, on its grid; nothing where
+/// none is found nearby. For the attitude alone, as steadyNear.
+std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback = {});
+/// Whether the case's contact exerts a force on a slider that flies at this minimum spacing [m], and came from afar.
+bool actsInFlight(const Case& c, double spacing);
+
 /// Film, slider and contact at a converged static state, for motions about it. Neither copied nor moved.
 class RestingSlider {
 public:

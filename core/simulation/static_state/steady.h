@@ -45,7 +45,7 @@ struct DiscretisationError {
 
 /// The contact of a slider at rest; zeros in flight.
 struct ContactAtRest {
-    std::string state;         // "flying", "pressed", "held by menisci", "in contact"
+    std::string state;         // "flying", "pressed", "held by menisci", "in contact"; "": no contact was sought
     double contact = 0.0;      // >= 0 [N]
     double adhesion = 0.0;     // <= 0 [N]
     double friction = 0.0;     // in the disk's direction [N]
@@ -88,7 +88,7 @@ struct SteadyResult {
     std::size_t unresolvedRidges = 0;    // edges with a ridge narrower than a cell (edge_ridges.h)
     std::vector<double> interestSpacing; // at the surface's points of interest [m]
     std::vector<Attitude> otherEquilibria;
-    std::optional<ContactAtRest> contact;    // of steadyWithContact, where the case has a law of contact
+    ContactAtRest contact;                   // of steadyWithContact; no state without a law of contact
     std::vector<RestingState> contactStates; // the other static states of that law
     /// Of the contact, about the mass centre; rows and columns as those of q (slider_body.h); positive: restoring.
     std::optional<Matrix3> contactStiffness;

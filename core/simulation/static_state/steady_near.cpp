@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/static_check.h"
 #include "core/work/wall_clock.h"
@@ -113,9 +114,14 @@ SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& f
         if (auto grid = movedGrid(from.grid, before.surface, c.surface)) {
             SteadyResult moved = from;
             moved.grid = std::move(*grid);
-            result = followed(c, moved, callback);
+            result = from.contact.acts() ? touchingNear(c, moved, callback) : followed(c, moved, callback);
+            // A slider that came down to its contact.
+            if (result && !from.contact.acts() && !from.contact.state.empty() &&
+                actsInFlight(c, result->minimumSpacing))
+                result.reset();
+            if (result && !from.contact.acts()) result->contact.state = from.contact.state;
         }
-    if (!result) result = steady(c, callback);
+    if (!result) result = from.contact.state.empty() ? steady(c, callback) : steadyWithContact(c, callback);
     result->wallSeconds = wallClock() - start;
     return *result;
 }

@@ -12,8 +12,9 @@ auto numbersOf(auto& r)
 {
     auto& f = r.forces;
     auto& e = r.discretisationError;
+    auto& t = r.contact;
     using Number = std::pair<Quantity, decltype(&r.minimumSpacing)>;
-    return std::vector<Number>{
+    std::vector<Number> numbers{
         {{"nominal_trailing_edge_height", "m", "nm", "Height of the trailing edge's centre, recess 0"},
          &r.attitude.height},
         {{"pitch", "rad", "urad", "Pitch, leading edge up"}, &r.attitude.pitch},
@@ -37,6 +38,18 @@ auto numbersOf(auto& r)
         {{"roll_error", "rad", "urad", "Estimated error of the grid in the roll"}, &e.roll},
         {{"load_error", "N", "gf", "Estimated error of the grid in the load"}, &e.load},
     };
+    if (t.state.empty()) return numbers;
+    numbers.insert(
+        numbers.end(),
+        {{{"contact_force", "N", "mN", "Real contact force"}, &t.contact},
+         {{"intermolecular_force", "N", "mN", "Adhesion force, of menisci or molecules"}, &t.adhesion},
+         {{"friction_force", "N", "mN", "Friction force, in the disk's direction"}, &t.friction},
+         {{"contact_pitch_torque", "N m", "uN m", "Torque of contact, adhesion and friction, nose up"}, &t.pitchTorque},
+         {{"contact_roll_torque", "N m", "uN m", "Torque of contact, adhesion and friction, inner edge up"},
+          &t.rollTorque},
+         {{"contact_area", "m^2", "um^2", "Real area of contact; 0 where the law has none"}, &t.area},
+         {{"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure; 0 where the law has none"}, &t.peakPressure}});
+    return numbers;
 }
 
 Quantity ridgesNumber()

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/contact_rest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <QTest>
+
+#include "core/simulation/run.h"
+#include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_balance.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "tests/support/small_slider.h"
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace test_contact_rest {
+
+const std::function<bool()> always = [] { return true; };
+
+/// A small slider that its preload presses below its flying height, onto a pad of asperities or menisci.
+Case pressed(ContactKind contact)
+{
+    Case c = test::smallSlider(33);
+    c.film.grid = GridKind::Graded;
+    c.contact = contact;
+    c.onoYamane = {.meniscusForce = 2e-3,
+                   .contactStiffness = 3e6,
+                   .initialContactForce = 3e-3,
+                   .touchDown = 12e-9,
+                   .takeOff = 14e-9,
+                   .friction = 0.3};
+    c.asperity = {.radius = 2e-6, .density = 8e12, .heightDeviation = 0.8e-9, .planeHeight = 11e-9, .friction = 0.3};
+    c.meniscus = {.surfaceTension = 0.02, .filmThickness = 1e-9, .breakingLength = 2e-9};
+    c.pad.length = c.pad.width = 15e-6;
+    c.elastic.friction = 0.3;
+    c.elastic.cell = 2e-6;
+    c.run.fieldSnapshots = 0;
+    return c;
+}
+
+/// Where the run of the case ends that starts at the state with its pitch raised by `raised` [rad].
+std::vector<std::pair<std::string, double>> endOfRun(const Case& c, const SteadyResult& state, double raised, double duration)
+{
+    Case there = c;
+    there.initial.state = InitialState::Given;
+    there.initial.nominalTrailingEdgeHeight = state.attitude.height;
+    there.initial.pitch = state.attitude.pitch + raised;
+    there.initial.roll = state.attitude.roll;
+    there.initial.branch = state.contact.branch;
+    there.run.duration = duration;
+    there.run.sampleInterval = 0.1e-6;
+    const Summary summary = run(there, {});
+    return summary.final;
+}
+
+double valueOf(const std::vector<std::pair<std::string, double>>& values, const std::string& name)
+{
+    for (const auto& [quantity, value] : values)
+        if (quantity == name) return value;
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+class TestContactRest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void forcesBalance_data()
+    {
+        QTest::addColumn<int>("contact");
+        QTest::newRow("ono-yamane") << int(ContactKind::OnoYamane);
+        QTest::newRow("asperity") << int(ContactKind::Asperity);
+        QTest::newRow("multi-asperity") << int(ContactKind::MultiAsperity);
+    }
+    /// Film, contact and preload, to the tolerance; and the run stays there.
+    void forcesBalance()
+    {
+        QFETCH(int, contact);
+        const Case c = pressed(static_cast<ContactKind>(contact));
+        const SteadyResult state = steadyWithContact(c);
+        QCOMPARE(state.status, SteadyStatus::Converged);
+        QVERIFY2(state.contact.contact > 1e-4, qPrintable(QString::number(state.contact.contact)));
+        const double carried = state.forces.net + state.contact.contact + state.contact.adhesion;
+        QVERIFY2(std::abs(carried - c.suspension.preload) < 1e-5 * c.suspension.preload,
+                 qPrintable(QString::number(carried / c.suspension.preload)));
+        QVERIFY(state.contact.friction > 0.29 * state.contact.contact);
+        const std::vector<std::pair<std::string, double>> end = endOfRun(c, state, 0.0, 20e-6);
+        QVERIFY2(std::abs(valueOf(end, "minimum_spacing") - state.minimumSpacing) < 2e-12,
+                 qPrintable(QString::number(valueOf(end, "minimum_spacing") - state.minimumSpacing)));
+        QVERIFY(std::abs(valueOf(end, "pitch") - state.attitude.pitch) < 2e-3 * state.attitude.pitch);
+    }
+
+    /// Far above its contact a slider flies as without one.
+    void fliesWhereItIsOutOfReach()
+    {
+        Case c = pressed(ContactKind::Asperity);
+        c.asperity.planeHeight = -10e-9;
+        const SteadyResult state = steadyWithContact(c), alone = steady(c);
+        QCOMPARE(QString::fromStdString(state.contact.state), QStringLiteral("flying"));
+        QCOMPARE(state.minimumSpacing, alone.minimumSpacing);
+        QCOMPARE(state.contact.contact, 0.0);
+        QVERIFY(state.contactStates.empty());
+    }
+
+    /// Menisci that hold a slider which also flies: both states are named, and initial.branch chooses.
+    void namesBothStates()
+    {
+        Case c = pressed(ContactKind::OnoYamane);
+        c.onoYamane = {.meniscusForce = 6e-3,
+                       .contactStiffness = 5e6,
+                       .initialContactForce = 1e-3,
+                       .touchDown = 5e-9,
+                       .takeOff = 20e-9,
+                       .friction = 0.3};
+        const SteadyResult flying = steadyWithContact(c);
+        QCOMPARE(QString::fromStdString(flying.contact.state), QStringLiteral("flying"));
+        QVERIFY(!flying.contactStates.empty());
+        const auto stable =
+            std::ranges::find_if(flying.contactStates, [](const RestingState& s) { return !s.contact.diverges; });
+        QVERIFY(stable != flying.contactStates.end());
+        c.initial.branch = ContactBranch::TakeOff;
+        const SteadyResult held = steadyWithContact(c);
+        QVERIFY(std::abs(held.minimumSpacing - stable->minimumSpacing) < 1e-13);
+        QVERIFY(
+            std::ranges::any_of(held.contactStates, [](const RestingState& s) { return s.contact.state == "flying"; }));
+    }
+
+    /// Motions about a state in contact ring as the run does: the period between maxima of the pitch.
+    void modesRingAsTheRunDoes()
+    {
+        Case c = pressed(ContactKind::Asperity);
+        const ModesResult found = modes(c);
+        QCOMPARE(found.status, SteadyStatus::Converged);
+        QVERIFY(found.steady.contact.acts());
+        const AirBearingMode& fastest = found.modes.back();
+        // Started along the mode's shape, so small that the contact stays linear.
+        Case ring = c;
+        const double reach = 2e-12; // at the corners [m]
+        ring.initial.state = InitialState::Given;
+        ring.initial.nominalTrailingEdgeHeight =
+            found.steady.attitude.height + reach * (fastest.shape[0][0] - 0.5 * c.slider.length * fastest.shape[1][0]);
+        ring.initial.pitch = found.steady.attitude.pitch + reach * fastest.shape[1][0];
+        ring.initial.roll = found.steady.attitude.roll + reach * fastest.shape[2][0];
+        ring.run.duration = 12.0 / fastest.frequency;
+        ring.run.sampleInterval = 0.02 / fastest.frequency;
+        ring.run.stepError = 1e-15;
+        std::vector<double> crossings;
+        double lastTime = 0.0, last = 0.0;
+        std::size_t column = 0;
+        run(ring, [&](const RunUpdate& update) {
+            for (std::size_t i = 0; i < update.quantities.size(); ++i)
+                if (update.quantities[i].name == "minimum_spacing") column = i;
+            for (std::size_t i = 0; i < update.samples.count(); ++i) {
+                const double time = update.samples.time[i];
+                const double value = update.samples.values[column][i] - found.steady.minimumSpacing;
+                if (last < 0.0 && value >= 0.0) crossings.push_back(std::lerp(lastTime, time, last / (last - value)));
+                last = value;
+                lastTime = time;
+            }
+            return true;
+        });
+        QVERIFY(crossings.size() > 5);
+        const double period = (crossings[5] - crossings[1]) / 4.0;
+        QVERIFY2(std::abs(period * fastest.frequency - 1.0) < 0.02,
+                 qPrintable(QString("%1 %2").arg(1.0 / period).arg(fastest.frequency)));
+    }
+
+    void stopsWhenAsked()
+    {
+        int left = 40;
+        const SteadyResult state =
+            steadyWithContact(pressed(ContactKind::Asperity), [&](const SteadyProgress&) { return left-- > 0; });
+        QCOMPARE(state.status, SteadyStatus::Cancelled);
+    }
+};
+
+TOUCHDOWN_TEST(TestContactRest)
+
+} // namespace test_contact_rest
+
+#include "test_contact_rest.moc"
