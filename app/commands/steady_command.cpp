@@ -250,7 +250,7 @@ SteadyResult withoutFields(SteadyResult result)
 
 std::string leftOut(const Case& c)
 {
-    const bool touches = c.contact != ContactKind::None;
+    const bool touches = c.contact != noContact;
     const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat;
     if (!touches && flat) return {};
     const std::string what = !touches ? "disk.surface has" : flat ? "contact has" : "contact and disk.surface have";

@@ -5,6 +5,7 @@
 
 #include "core/case/contact_check.h"
 #include "core/case/contact_law.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/ridge_check.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
@@ -34,7 +35,7 @@ struct Spring {
 void checkSpacing(const Case& c, const Spring& spring, std::vector<CaseProblem>& problems)
 {
     if (spring.stiffness <= 0.0) return;
-    const double arm = c.onoYamane.padDistance + spring.distance;
+    const double arm = c.springs.padDistance + spring.distance;
     const double still = c.springs.flyingHeight + arm * c.springs.pitch;
     const double start = c.initial.flyingHeight + arm * c.initial.pitch;
     const auto check = [&](const std::string& state, double spacing, const std::string& group) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_kind.h"
 #include "core/case/contact_law.h"
 #include "core/case/contact_patches.h"
 #include "core/formats/decimal.h"
@@ -129,6 +130,15 @@ bool checkSliderPatches(const Case& c, double& cells, Problems& problems)
     return true;
 }
 
+void checkMenisci(const Case& c, Problems& problems)
+{
+    if (c.meniscus.breakingLength < c.meniscus.filmThickness)
+        problems.push_back({"meniscus.breaking_length",
+                            inNanometres(c.meniscus.breakingLength) + " must be at least meniscus.film_thickness (" +
+                                inNanometres(c.meniscus.filmThickness) + ")",
+                            {"meniscus.film_thickness"}});
+}
+
 } // namespace
 
 void checkPatch(const Case& c, Problems& problems)
@@ -172,14 +182,7 @@ void checkContact(const Case& c, Problems& problems)
     case ContactKind::OnoYamane: checkCharacteristic(c, problems); break;
     case ContactKind::Elastic: checkElasticPad(c, problems); break;
     case ContactKind::Asperity: break;
-    case ContactKind::MultiAsperity:
-        if (c.meniscus.breakingLength < c.meniscus.filmThickness)
-            problems.push_back({"meniscus.breaking_length",
-                                inNanometres(c.meniscus.breakingLength) +
-                                    " must be at least meniscus.film_thickness (" +
-                                    inNanometres(c.meniscus.filmThickness) + ")",
-                                {"meniscus.film_thickness"}});
-        break;
+    case ContactKind::MultiAsperity: checkMenisci(c, problems); break;
     }
 }
 
@@ -216,8 +219,8 @@ void checkFilmContact(const Case& c, Problems& problems)
         // The search needs a valid surface.
         if (problems.empty() && !checkSliderPatches(c, patchCells, problems)) return;
         break;
-    case ContactKind::Asperity:
-    case ContactKind::MultiAsperity: break;
+    case ContactKind::Asperity: break;
+    case ContactKind::MultiAsperity: checkMenisci(c, problems); break;
     }
     const double values = mapsOfFilm * filmCells + patchFields(c) * patchCells;
     const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/contact_law.h"
 
+#include <algorithm>
 #include <array>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/formats/words.h"
 
@@ -10,11 +12,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr std::string_view padAlone = "it acts on a pad alone, in model \"contact\"";
-
 double noFriction(const Case&) { return 0.0; }
 double elasticFriction(const Case& c) { return c.elastic.friction; }
 double asperityFriction(const Case& c) { return c.asperity.friction; }
+double noReach(const Case&) { return 0.0; }
+/// Three in 100,000 summits are higher.
+double highestSummit(const Case& c) { return c.asperity.planeHeight + 4.0 * c.asperity.heightDeviation; }
 bool neverPulls(const Case&) { return false; }
 bool alwaysPulls(const Case&) { return true; }
 
@@ -28,14 +31,16 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .meaning = "Slider and disk do not touch.",
                 .refusal = {.contact = "a pad alone has no other force"},
                 .friction = noFriction,
-                .adheres = neverPulls};
+                .adheres = neverPulls,
+                .reach = noReach};
     case ContactKind::OnoYamane:
         return {.name = "ono-yamane",
                 .label = "Ono & Yamane",
                 .meaning =
                     "Straight lines for contact force and menisci, which differ between touch-down and take-off.",
                 .friction = [](const Case& c) { return c.onoYamane.friction; },
-                .adheres = alwaysPulls};
+                .adheres = alwaysPulls,
+                .reach = [](const Case& c) { return std::max(c.onoYamane.touchDown, c.onoYamane.takeOff); }};
     case ContactKind::Elastic:
         return {.name = "elastic",
                 .label = "elastic",
@@ -44,23 +49,29 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .refusal = {.springs = "it acts between surfaces given point by point, which springs do not have"},
                 .friction = elasticFriction,
                 .adheres = [](const Case& c) { return c.adhesion.acts(); },
+                .reach = noReach,
+                .remembers = true,
                 .recordsArea = true,
                 .recordsSurfaces = true};
     case ContactKind::Asperity:
         return {.name = "asperity",
                 .label = "asperities",
                 .meaning = "Contact of many summits, by the statistics of the surface.",
-                .refusal = {.springs = padAlone, .film = padAlone},
                 .friction = asperityFriction,
                 .adheres = neverPulls,
+                .reach = highestSummit,
                 .recordsArea = true};
     case ContactKind::MultiAsperity:
         return {.name = "multi-asperity",
                 .label = "Ono & Yamane, full",
                 .meaning = "Many summits with menisci on a pad that deforms, the full model of Ono & Yamane.",
-                .refusal = {.springs = padAlone, .film = padAlone},
+                .refusal = {.springs = "it remembers how far menisci have formed, which the integrators of the springs "
+                                       "do not follow; `touchdown run` of the pad, with model = \"contact\", fits the "
+                                       "five parameters that contact = \"ono-yamane\" takes"},
                 .friction = asperityFriction,
                 .adheres = alwaysPulls,
+                .reach = [](const Case& c) { return highestSummit(c) + c.meniscus.breakingLength; },
+                .remembers = true,
                 .recordsArea = true};
     }
     return {}; // beyond the last enumerator
@@ -106,10 +117,18 @@ std::optional<std::string> contactRefusal(const Case& c)
            toText(c, *findParameter("model")) + "\": " + std::string(why) + "; allowed is one of " + joined(allowed);
 }
 
+bool contactActs(const Case& c) { return contactLaw(c).whyNot(c.model).empty(); }
+
 std::optional<OnoYamane> characteristic(const Case& c)
 {
     if (c.contact != ContactKind::OnoYamane) return {};
     return c.onoYamane;
+}
+
+std::optional<double> cycleWork(const Case& c)
+{
+    const auto law = characteristic(c);
+    return law ? std::optional(OnoYamaneLaw(*law).cycleWork()) : std::nullopt;
 }
 
 } // namespace touchdown

@@ -19,18 +19,22 @@ struct LawRefusal {
 };
 
 struct ContactLaw {
-    std::string_view name{};                  // in case files: "ono-yamane"
-    std::string_view label{};                 // in the window
-    std::string_view meaning{};               // one sentence
-    LawRefusal refusal{};                     // by model
-    double (*friction)(const Case&){};        // Coulomb's coefficient [-]
-    bool (*adheres)(const Case&){};           // whether it also pulls
-    bool recordsArea = false;                 // real area of contact
-    bool recordsSurfaces = false;             // peak pressure and smallest gap
-    std::string_view whyNot(ModelKind) const; // the refusal of this model
+    std::string_view name{};           // in case files: "ono-yamane"
+    std::string_view label{};          // in the window
+    std::string_view meaning{};        // one sentence
+    LawRefusal refusal{};              // by model
+    double (*friction)(const Case&){}; // Coulomb's coefficient [-]
+    bool (*adheres)(const Case&){};    // whether it also pulls
+    double (*reach)(const Case&){};    // separation up to which it acts; 0 where no length stands for it [m]
+    bool remembers = false;            // more of its past than the branch of a characteristic
+    bool recordsArea = false;          // real area of contact
+    bool recordsSurfaces = false;      // acts on cells of the surfaces: peak pressure, smallest gap, maps
+
+    /// The refusal of this model.
+    std::string_view whyNot(ModelKind model) const;
 };
 
-/// In the order of the enumerators.
+/// In the order of the enumerators (core/case/contact_kind.h).
 std::span<const ContactLaw> contactLaws();
 const ContactLaw& contactLaw(ContactKind kind);
 const ContactLaw& contactLaw(const Case& c);
@@ -38,7 +42,12 @@ const ContactLaw& contactLaw(const Case& c);
 /// A sentence without the key, where the law of a case cannot act in its model: why not, and which laws can.
 std::optional<std::string> contactRefusal(const Case& c);
 
+/// Whether the law of a case acts in its model.
+bool contactActs(const Case& c);
+
 /// The five parameters of Ono and Yamane; none where another law acts.
 std::optional<OnoYamane> characteristic(const Case& c);
+/// The work W of their cycle (core/physics/contact/ono_yamane.h) [J].
+std::optional<double> cycleWork(const Case& c);
 
 } // namespace touchdown

@@ -3,8 +3,10 @@
 // What a case says about itself, and the choice of its models.
 #include <array>
 
+#include "core/case/contact_kind.h"
 #include "core/case/contact_law.h"
 #include "core/case/parameter_builders.h"
+#include "core/physics/contact/asperity_model.h"
 
 namespace touchdown {
 
@@ -32,7 +34,23 @@ std::string contactMeanings()
                 models += (models.empty() ? " (" : ", ") + std::string(modelNames[i]);
         help += " " + std::string(law.name) + models + "): " + std::string(law.meaning);
     }
-    return help + " The default is none for a film case and elastic for a contact case.";
+    return help + " greenwood-williamson and elastic-plastic are read as asperity with that asperity.model. The "
+                  "default is none for a film case and elastic for a contact case.";
+}
+
+/// The laws of one summit are known by their own names: each stands for "asperity" with that asperity.model.
+Parameter contactChoice()
+{
+    Parameter contact = choice("contact", "contact", contactNames(), at(&Case::contact), always,
+                               contactMeanings().c_str(), "paper, section 2 and Fig. 3");
+    contact.spellings = {asperityModelNames.begin(), asperityModelNames.end()};
+    contact.set = [setLaw = contact.set](Case& c, const ParameterValue& value) {
+        const auto model = std::ranges::find(asperityModelNames, std::get<std::string>(value));
+        if (model == asperityModelNames.end()) return setLaw(c, value);
+        c.contact = ContactKind::Asperity;
+        c.asperity.model = static_cast<AsperityModel>(model - asperityModelNames.begin());
+    };
+    return contact;
 }
 
 } // namespace
@@ -46,8 +64,7 @@ std::vector<Parameter> descriptionParameters()
                "the generalised Reynolds equation under the slider's surface, contact = no air bearing: a pad moves "
                "towards the disk and back.",
                "the paper's third model, Fig. 9, and its first, section 2"),
-        choice("contact", "contact", contactNames(), at(&Case::contact), always, contactMeanings().c_str(),
-               "paper, section 2 and Fig. 3"),
+        contactChoice(),
         integer("degrees_of_freedom", "degrees of freedom", between(2, 3), at(&Case::degreesOfFreedom), withBearing,
                 "Free motions of the slider: 2 = height and pitch, 3 = height, pitch and roll. The springs have 2. A "
                 "film case has 3 by default; with 2 the slider keeps its initial roll.",

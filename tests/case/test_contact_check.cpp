@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -28,6 +29,9 @@ private slots:
         row("take-off below touch-down", {"contact=ono-yamane", "ono_yamane.take_off=2 nm"}, "ono_yamane.take_off",
             "d_e = 2 nm must be at least");
         row("bridges shorter than the film", {"contact=multi-asperity", "meniscus.breaking_length=0.4 nm"},
+            "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
+        row("bridges shorter than the film under a slider",
+            {"model=film", "degrees_of_freedom=3", "contact=multi-asperity", "meniscus.breaking_length=0.4 nm"},
             "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
         row("their like in another contact", {"meniscus.breaking_length=0.4 nm"}, "", "");
         row("a pad of half cells", {"pad.length=20.1 um"}, "pad.length",

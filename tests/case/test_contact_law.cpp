@@ -5,7 +5,9 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -25,7 +27,7 @@ private slots:
             const std::string name(law.name);
             QVERIFY2(names.insert(law.name).second && labels.insert(law.label).second, name.c_str());
             QVERIFY2(law.meaning.ends_with('.'), name.c_str());
-            QVERIFY2(law.friction != nullptr && law.adheres != nullptr, name.c_str());
+            QVERIFY2(law.friction && law.adheres && law.reach, name.c_str());
             // A law that acts nowhere could not be chosen.
             QVERIFY2(std::ranges::any_of(models, [&](ModelKind model) { return law.whyNot(model).empty(); }),
                      name.c_str());
@@ -69,6 +71,23 @@ private slots:
             if (law) QCOMPARE(law->takeOff, 6e-9);
         }
     }
+    /// People know the laws of one summit by their own names. They are read, and written as "asperity" and its model.
+    void lawsOfOneSummitAreReadByTheirNames()
+    {
+        const Parameter &contact = *findParameter("contact"), &model = *findParameter("asperity.model");
+        for (const std::string& name : model.choices) {
+            Case c;
+            c.contact = noContact;
+            QCOMPARE(setFromText(c, contact, name).value_or(""), std::string());
+            QVERIFY(c.contact == ContactKind::Asperity);
+            QCOMPARE(toText(c, contact), std::string("asperity"));
+            QCOMPARE(toText(c, model), name);
+            QVERIFY(contact.help.find(name) != std::string::npos);
+        }
+        Case c;
+        QVERIFY(setFromText(c, contact, "greenwood").has_value());
+        QVERIFY(c == Case());
+    }
     void frictionIsThatOfTheLaw()
     {
         Case c;
@@ -79,6 +98,17 @@ private slots:
         QCOMPARE(friction(ContactKind::Elastic), 0.2);
         QCOMPARE(friction(ContactKind::Asperity), 0.4);
         QCOMPARE(friction(ContactKind::MultiAsperity), 0.4);
+    }
+    void actsUpToItsReach()
+    {
+        Case c;
+        c.onoYamane.takeOff = 6e-9;
+        c.asperity.planeHeight = 2e-9, c.asperity.heightDeviation = 0.25e-9, c.meniscus.breakingLength = 1.5e-9;
+        const auto reach = [&](ContactKind kind) { return contactLaw(kind).reach(c); };
+        QCOMPARE(reach(ContactKind::OnoYamane), 6e-9);
+        QCOMPARE(reach(ContactKind::Asperity), 3e-9); // four deviations above the plane
+        QCOMPARE(reach(ContactKind::MultiAsperity), 4.5e-9);
+        QCOMPARE(reach(ContactKind::None), 0.0);
     }
     void elasticSurfacesPullWithAdhesionOnly()
     {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_file.h"
 
+#include "core/case/contact_kind.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"

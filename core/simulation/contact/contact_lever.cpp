@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/case/contact_kind.h"
+
 namespace touchdown {
 
 CoulombFriction frictionOf(const Case& c)

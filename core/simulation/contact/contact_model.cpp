@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/case/contact_kind.h"
 #include "core/numerics/interval.h"
 #include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/characteristic_fit.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/contact/slider_contact.h"
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/contact/elastic_slider_contact.h"
 #include "core/simulation/contact/ono_yamane_contact.h"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/contact/contact_lever.h"
 
 namespace touchdown {
@@ -33,7 +34,7 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
       hasContact_(c.contact == ContactKind::OnoYamane),
       frontDistance_(c.springs.frontDistance),
       rearDistance_(c.springs.rearDistance),
-      padDistance_(c.onoYamane.padDistance),
+      padDistance_(c.springs.padDistance),
       inverseMass_(1.0 / c.slider.mass),
       inverseInertia_(1.0 / c.slider.pitchInertia)
 {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_kind.h"
+#include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
 #include "core/simulation/recording/last_sample.h"
 #include "core/simulation/springs/spring_integration.h"
