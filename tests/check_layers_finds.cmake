@@ -69,6 +69,11 @@ write(ui/film/browser.cpp 1 "auto* text = new QTextBrowser(this);\n")
 write(ui/film/help.cpp 1 "button->setWhatsThis(name);\n")
 write(ui/film/fine_document.cpp 2 "OwnDocument text;\nQTextDocument* document();\n")
 
+# The parameters of one contact law.
+write(ui/film/law.cpp 1 "const double height = run->value.onoYamane.takeOff;\n")
+write(core/case/fine_law.cpp 1 "const double height = c.onoYamane.takeOff;\n")
+write(ui/film/fine_law.cpp 1 "const auto law = characteristic(c); // not case.h's member\n")
+
 foreach(number RANGE 1 51)
     write(app/terminal/file${number}.h 1 "")
 endforeach()
@@ -104,6 +109,7 @@ foreach(expected
         "ui/film/document.cpp: a document of HTML"
         "ui/film/browser.cpp: a document of HTML"
         "ui/film/help.cpp: uses setWhatsThis"
+        "ui/film/law.cpp: reads the parameters of one contact law"
         "app/terminal: holds 51 files, at most 50 are allowed")
     string(FIND "${text}" "${expected}" place)
     if(place EQUAL -1)
@@ -111,7 +117,7 @@ foreach(expected
     endif()
 endforeach()
 foreach(allowed "core/case/leads_in" "core/case/leads_out" "type Single" "planned.cpp" "longer.cpp: has"
-        "longest.cpp: has" "class Large0" "fine_tips" "fine_document")
+        "longest.cpp: has" "class Large0" "fine_tips" "fine_document" "fine_law")
     string(FIND "${text}" "${allowed}" place)
     if(NOT place EQUAL -1)
         list(APPEND problems "reported: ${allowed}")

@@ -175,7 +175,7 @@ std::string figureRows(const Case& c, const std::vector<RunFigure>& figures)
     std::string text;
     for (const RunFigure& figure : figures) {
         const Quantity& quantity = figure.quantity;
-        if (c.contact == ContactKind::None && quantity.name.starts_with("contact_")) continue;
+        if (c.contact == noContact && quantity.name.starts_with("contact_")) continue;
         std::string label = quantity.name;
         std::ranges::replace(label, '_', ' ');
         const std::string unit = quantity.displayUnit == "1" ? "" : quantity.displayUnit;

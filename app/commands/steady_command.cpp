@@ -16,6 +16,7 @@
 #include "app/terminal/report_text.h"
 #include "app/terminal/stop_signals.h"
 #include "app/terminal/text_table.h"
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
@@ -282,7 +283,7 @@ SteadyResult withoutFields(SteadyResult result)
 std::string leftOut(const Case& c)
 {
     const bool held = c.steady.fixedAttitude;
-    const bool touches = c.contact != ContactKind::None && held;
+    const bool touches = c.contact != noContact && held;
     // A contact that sees a disk which stands still rests on it.
     const bool seen = !held && c.diskSurface.motion == SurfaceMotion::Still &&
                       (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity);

@@ -3,6 +3,8 @@
 // The air around the slider, its slip at the walls, and the disk that drags it along.
 #include "core/case/parameter_builders.h"
 
+#include "core/physics/film/slip_model.h"
+
 namespace touchdown {
 
 using namespace parameter_builders;

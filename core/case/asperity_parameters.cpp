@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Contact of a statistical rough surface, and the menisci on its summits.
+#include "core/case/contact_kind.h"
 #include "core/case/parameter_builders.h"
+#include "core/physics/contact/asperity_model.h"
 
 namespace touchdown {
 
@@ -12,14 +14,14 @@ namespace {
 constexpr const char* assumed = "assumed: the paper gives only the five fitted parameters";
 
 bool withYield(const Case& c) { return withAsperities(c) && c.asperity.model == AsperityModel::ElasticPlastic; }
-bool withMenisci(const Case& c) { return withContactModel(c) && c.contact == ContactKind::MultiAsperity; }
+bool withMenisci(const Case& c) { return c.contact == ContactKind::MultiAsperity && contactActs(c); }
 
 } // namespace
 
 std::vector<Parameter> asperityParameters()
 {
     return {
-        choice("asperity.model", "model", {"greenwood-williamson", "elastic-plastic"},
+        choice("asperity.model", "model", {asperityModelNames.begin(), asperityModelNames.end()},
                at(&Case::asperity, &Asperities::model), withAsperities,
                "Law of one summit: greenwood-williamson = elastic, elastic-plastic = the summit yields when it is "
                "pressed far enough.",

@@ -4,6 +4,8 @@
 #include "core/case/parameters.h"
 
 #include "core/case/contact_check.h"
+#include "core/case/contact_law.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/ridge_check.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
@@ -33,7 +35,7 @@ struct Spring {
 void checkSpacing(const Case& c, const Spring& spring, std::vector<CaseProblem>& problems)
 {
     if (spring.stiffness <= 0.0) return;
-    const double arm = c.onoYamane.padDistance + spring.distance;
+    const double arm = c.springs.padDistance + spring.distance;
     const double still = c.springs.flyingHeight + arm * c.springs.pitch;
     const double start = c.initial.flyingHeight + arm * c.initial.pitch;
     const auto check = [&](const std::string& state, double spacing, const std::string& group) {
@@ -98,12 +100,7 @@ void checkSprings(const Case& c, std::vector<CaseProblem>& problems)
     if (c.degreesOfFreedom != 2)
         problems.push_back(
             {"degrees_of_freedom", "must be 2 with model \"springs\", which has height and pitch only", {"model"}});
-    if (c.contact == ContactKind::OnoYamane) checkCharacteristic(c.onoYamane, problems);
-    if (c.contact != ContactKind::OnoYamane && c.contact != ContactKind::None)
-        problems.push_back({"contact",
-                            "must be \"none\" or \"ono-yamane\" with model \"springs\"; elastic belongs to models "
-                            "\"film\" and \"contact\", asperity and multi-asperity to model \"contact\"",
-                            {"model"}});
+    checkCharacteristic(c, problems);
     const SpringsCase& s = c.springs;
     checkSpacing(c, {"front", "springs.front_distance", s.frontStiffness, s.frontDistance}, problems);
     checkSpacing(c, {"rear", "springs.rear_distance", s.rearStiffness, -s.rearDistance}, problems);
@@ -187,6 +184,7 @@ std::string unusedMessage(const Case& c, const Parameter& parameter)
 std::vector<CaseProblem> checkCombinations(const Case& c)
 {
     std::vector<CaseProblem> problems;
+    if (const auto refused = contactRefusal(c)) problems.push_back({"contact", *refused, {"model"}});
     switch (c.model) {
     case ModelKind::Springs: checkSprings(c, problems); break;
     case ModelKind::Film: checkFilm(c, problems); break;
@@ -202,7 +200,7 @@ std::vector<CaseProblem> checkCombinations(const Case& c)
 std::vector<CaseProblem> caseWarnings(const Case& c)
 {
     std::vector<CaseProblem> warnings;
-    if (c.contact == ContactKind::OnoYamane) warnOfCreatedEnergy(c.onoYamane, warnings);
+    if (const auto law = characteristic(c)) warnOfCreatedEnergy(*law, warnings);
     if (c.model == ModelKind::Film) warnOfRidges(c, warnings);
     return warnings;
 }

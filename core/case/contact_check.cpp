@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/case/contact_patches.h"
 #include "core/formats/decimal.h"
 #include "core/formats/units.h"
@@ -128,6 +130,15 @@ bool checkSliderPatches(const Case& c, double& cells, Problems& problems)
     return true;
 }
 
+void checkMenisci(const Case& c, Problems& problems)
+{
+    if (c.meniscus.breakingLength < c.meniscus.filmThickness)
+        problems.push_back({"meniscus.breaking_length",
+                            inNanometres(c.meniscus.breakingLength) + " must be at least meniscus.film_thickness (" +
+                                inNanometres(c.meniscus.filmThickness) + ")",
+                            {"meniscus.film_thickness"}});
+}
+
 } // namespace
 
 void checkPatch(const Case& c, Problems& problems)
@@ -137,13 +148,13 @@ void checkPatch(const Case& c, Problems& problems)
     checkSide("pad.width", c.pad.width, c.elastic.cell, problems);
 }
 
-void checkCharacteristic(const OnoYamane& parameters, Problems& problems)
+void checkCharacteristic(const Case& c, Problems& problems)
 {
-    if (parameters.takeOff < parameters.touchDown)
+    const auto law = characteristic(c);
+    if (law && law->takeOff < law->touchDown)
         problems.push_back({"ono_yamane.take_off",
-                            "d_e = " + inNanometres(parameters.takeOff) +
-                                " must be at least ono_yamane.touch_down (d_s = " + inNanometres(parameters.touchDown) +
-                                ")",
+                            "d_e = " + inNanometres(law->takeOff) +
+                                " must be at least ono_yamane.touch_down (d_s = " + inNanometres(law->touchDown) + ")",
                             {"ono_yamane.touch_down"}});
 }
 
@@ -167,23 +178,11 @@ void checkContact(const Case& c, Problems& problems)
                                 inNanometres(c.approach.start) + ")",
                             {"approach.start"}});
     switch (c.contact) {
-    case ContactKind::None:
-        problems.push_back({"contact",
-                            "must not be \"none\" with model \"contact\"; allowed is one of ono-yamane, elastic, "
-                            "asperity, multi-asperity",
-                            {"model"}});
-        break;
-    case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
+    case ContactKind::None: break;
+    case ContactKind::OnoYamane: checkCharacteristic(c, problems); break;
     case ContactKind::Elastic: checkElasticPad(c, problems); break;
     case ContactKind::Asperity: break;
-    case ContactKind::MultiAsperity:
-        if (c.meniscus.breakingLength < c.meniscus.filmThickness)
-            problems.push_back({"meniscus.breaking_length",
-                                inNanometres(c.meniscus.breakingLength) +
-                                    " must be at least meniscus.film_thickness (" +
-                                    inNanometres(c.meniscus.filmThickness) + ")",
-                                {"meniscus.film_thickness"}});
-        break;
+    case ContactKind::MultiAsperity: checkMenisci(c, problems); break;
     }
 }
 
@@ -214,19 +213,14 @@ void checkFilmContact(const Case& c, Problems& problems)
     double patchCells = 0.0;
     switch (c.contact) {
     case ContactKind::None: break;
-    case ContactKind::OnoYamane: checkCharacteristic(c.onoYamane, problems); break;
+    case ContactKind::OnoYamane: checkCharacteristic(c, problems); break;
     case ContactKind::Elastic:
         if (problems.size() == before) checkSampling(c, problems);
         // The search needs a valid surface.
         if (problems.empty() && !checkSliderPatches(c, patchCells, problems)) return;
         break;
-    case ContactKind::Asperity:
-    case ContactKind::MultiAsperity:
-        problems.push_back({"contact",
-                            "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
-                            "multi-asperity belong to model \"contact\"",
-                            {"model"}});
-        break;
+    case ContactKind::Asperity: break;
+    case ContactKind::MultiAsperity: checkMenisci(c, problems); break;
     }
     const double values = mapsOfFilm * filmCells + patchFields(c) * patchCells;
     const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";

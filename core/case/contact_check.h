@@ -23,7 +23,7 @@ void checkDiskSurface(const DiskSurface& surface, std::vector<CaseProblem>& prob
 void checkMovingDisk(const Case& c, std::vector<CaseProblem>& problems);
 
 /// d_e >= d_s, wherever the simplified characteristic is used.
-void checkCharacteristic(const OnoYamane& parameters, std::vector<CaseProblem>& problems);
+void checkCharacteristic(const Case& c, std::vector<CaseProblem>& problems);
 /// W < 0 (core/physics/contact/ono_yamane.h).
 void warnOfCreatedEnergy(const OnoYamane& parameters, std::vector<CaseProblem>& warnings);
 

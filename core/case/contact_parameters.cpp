@@ -53,7 +53,7 @@ std::vector<Parameter> contactParameters()
                "Coulomb friction coefficient on the real contact force.", "assumed: Table II of the paper is lost"),
         // Without contact too: flying heights are measured at the pad.
         number("ono_yamane.pad_distance", "pad distance", "d_h", millimetres, within(1),
-               at(&Case::onoYamane, &OnoYamane::padDistance), withSprings,
+               at(&Case::springs, &SpringsCase::padDistance), withSprings,
                "Distance from the mass centre back to the contact pad, where the flying height is measured.",
                "assumed: Table II of the paper is lost; the paper's d_h is a signed coordinate"),
         choice("ono_yamane.take_off_shape", "take-off shape", {takeOffShapeNames.begin(), takeOffShapeNames.end()},

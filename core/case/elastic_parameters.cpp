@@ -3,6 +3,8 @@
 // Elastic contact and adhesion of surfaces that are given point by point.
 #include "core/case/parameter_builders.h"
 
+#include "core/physics/contact/adhesion_kind.h"
+
 namespace touchdown {
 
 using namespace parameter_builders;

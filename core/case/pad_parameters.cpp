@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pad of the model "contact", and how it moves.
+// The pad of the model "contact", and how it moves; the size of a pad with asperities under a flying slider.
 #include "core/case/parameter_builders.h"
 
 namespace touchdown {
@@ -13,7 +13,7 @@ constexpr double longestPatch = 1e-2; // [m]
 
 bool withPatch(const Case& c) { return withPadSurfaces(c) && c.pad.shape != PadShape::Slider; }
 /// The statistical laws use only the size of the pad.
-bool withSize(const Case& c) { return withPatch(c) || withAsperities(c); }
+bool withSize(const Case& c) { return withPatch(c) || withAsperityPad(c); }
 bool withSphere(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Sphere; }
 
 } // namespace

@@ -5,6 +5,9 @@
 // list parameters.
 #pragma once
 
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 
 #include <algorithm>
@@ -40,18 +43,24 @@ inline constexpr const char* lostTable =
 
 inline bool always(const Case&) { return true; }
 inline bool withContactModel(const Case& c) { return c.model == ModelKind::Contact; }
-inline bool withOnoYamane(const Case& c) { return c.contact == ContactKind::OnoYamane; }
+inline bool withOnoYamane(const Case& c) { return characteristic(c).has_value(); }
 inline bool withSprings(const Case& c) { return c.model == ModelKind::Springs; }
 inline bool withFilm(const Case& c) { return c.model == ModelKind::Film; }
 /// Surfaces given point by point and the forces between them, for a pad or a flying slider.
-inline bool withSurfaces(const Case& c) { return !withSprings(c) && c.contact == ContactKind::Elastic; }
+inline bool withSurfaces(const Case& c) { return c.contact == ContactKind::Elastic && contactActs(c); }
 inline bool withPadSurfaces(const Case& c) { return withContactModel(c) && withSurfaces(c); }
 /// Springs and film take the disk's surface into account with every kind of contact.
 inline bool withDiskSurface(const Case& c) { return withSprings(c) || withFilm(c) || withSurfaces(c); }
 inline bool withUnevenDisk(const Case& c) { return withDiskSurface(c) && c.diskSurface.kind != DiskSurfaceKind::Flat; }
+/// Summits, by the statistics of the surface.
 inline bool withAsperities(const Case& c)
 {
-    return withContactModel(c) && (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity);
+    return (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity) && contactActs(c);
+}
+/// They act on a pad of a given size. Under a film, those without menisci act over the whole surface of the slider.
+inline bool withAsperityPad(const Case& c)
+{
+    return withAsperities(c) && !(withFilm(c) && c.contact == ContactKind::Asperity);
 }
 /// The pad is the whole air bearing surface.
 inline bool withSliderPad(const Case& c) { return withPadSurfaces(c) && c.pad.shape == PadShape::Slider; }
@@ -67,8 +76,8 @@ inline bool withAdaptiveSpringStep(const Case& c) { return withSprings(c) && !wi
 /// A run is repeated with smaller steps.
 inline bool withStepCheck(const Case& c)
 {
-    return withFixedSpringStep(c) || (withSprings(c) && c.contact == ContactKind::OnoYamane && withUnevenDisk(c) &&
-                                      c.diskSurface.motion == SurfaceMotion::Moving);
+    return withFixedSpringStep(c) ||
+           (withSprings(c) && withOnoYamane(c) && withUnevenDisk(c) && c.diskSurface.motion == SurfaceMotion::Moving);
 }
 inline bool withNewmark(const Case& c) { return withSprings(c) && c.run.integrator == IntegratorKind::Newmark; }
 inline bool withFixedStep(const Case& c)

@@ -143,11 +143,11 @@ std::optional<std::string> setFromText(Case& target, const Parameter& parameter,
     if (parameter.kind == ParameterKind::Text) return setText(target, parameter, text);
     const std::string_view value = trimmed(text);
     if (parameter.kind == ParameterKind::Choice) {
-        for (const std::string& name : parameter.choices) {
-            if (name != value) continue;
-            parameter.set(target, name);
-            return {};
-        }
+        for (const auto* names : {&parameter.choices, &parameter.spellings})
+            if (std::ranges::find(*names, value) != names->end()) {
+                parameter.set(target, std::string(value));
+                return {};
+            }
         return inQuotes(value) + " is not known: allowed is " + allowedRange(parameter);
     }
     if (parameter.kind == ParameterKind::Boolean) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/parameters.h"
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameter_builders.h"
 #include "core/formats/nearest_name.h"
 
@@ -51,7 +52,7 @@ Case defaultsOf(ModelKind model)
     Case c;
     c.model = model;
     if (model == ModelKind::Film) {
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         c.degreesOfFreedom = 3;
         c.run.duration = 0.5e-3;
     }

@@ -37,8 +37,9 @@ struct Parameter {
     int stride = 0;               // List: distance of the allowed whole numbers, from `minimum` on; 0: any number
     std::size_t minimumCount = 0; // List: how many numbers
     std::size_t maximumCount = 0;
-    std::vector<std::string> choices{}; // Choice: the names
-    std::string help{};                 // the effect, in a sentence
+    std::vector<std::string> choices{};   // Choice: the names
+    std::vector<std::string> spellings{}; // Choice: further names that are read, but never written
+    std::string help{};                   // the effect, in a sentence
     std::string source{}; // of the parameter or its default; contains "assumed" if the paper's value is lost
     std::function<ParameterValue(const Case&)> get{};
     std::function<void(Case&, const ParameterValue&)> set{}; // the value's alternative must fit the kind

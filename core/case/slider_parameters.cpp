@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* typicalPico = "assumed: Table II of the paper is lost; a typical pico slider";
 
-bool withThickness(const Case& c) { return withFilm(c) || withContactModel(c) || (withSprings(c) && withOnoYamane(c)); }
+bool withThickness(const Case& c) { return withFilm(c) || (c.contact != noContact && contactActs(c)); }
 
 } // namespace
 

@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "core/case/case.h"
+#include "core/case/contact_law.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/simulation/equilibria/spring_equilibria.h"
@@ -56,7 +56,8 @@ std::vector<ReferenceFrequency> referenceFrequencies(const Case& c)
 {
     std::vector<ReferenceFrequency> list;
     if (c.model == ModelKind::Contact) return list;
-    const bool hasContact = c.contact == ContactKind::OnoYamane && c.onoYamane.contactStiffness > 0.0;
+    const auto law = characteristic(c);
+    const bool hasContact = law && law->contactStiffness > 0.0;
     std::vector<double> contact;
     if (c.model == ModelKind::Springs) {
         const SpringModel model(c);
@@ -64,7 +65,7 @@ std::vector<ReferenceFrequency> referenceFrequencies(const Case& c)
         const std::vector<double> pressed = springFrequencies(model, ContactRegion::Pressed);
         if (hasContact && !pressed.empty()) contact = {pressed.back()};
     } else if (hasContact) {
-        contact = {std::sqrt(c.onoYamane.contactStiffness / c.slider.mass) / radiansPerCycle};
+        contact = {std::sqrt(law->contactStiffness / c.slider.mass) / radiansPerCycle};
     }
     addNumbered(list, FrequencyKind::Wave, "wave", waveFrequencies(c));
     addNumbered(list, FrequencyKind::Contact, "contact", contact);

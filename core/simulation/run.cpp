@@ -3,8 +3,10 @@
 
 #include <algorithm>
 
+#include "core/case/contact_law.h"
 #include "core/case/contact_patches.h"
 #include "core/case/disk_setup.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/numerics/cvode.h"
 #include "core/simulation/contact/contact_model.h"
@@ -44,7 +46,7 @@ std::vector<Quantity> recordedQuantities(const Case& c)
 bool recordsFields(const Case& c)
 {
     return c.run.fieldSnapshots > 0 &&
-           (c.model == ModelKind::Film || (c.model == ModelKind::Contact && c.contact == ContactKind::Elastic));
+           (c.model == ModelKind::Film || (c.model == ModelKind::Contact && contactLaw(c).recordsSurfaces));
 }
 
 std::vector<RecordedFields> recordedFields(const Case& c, const std::function<bool()>& goOn)
@@ -123,7 +125,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
     }
     summary.model = toText(c, *findParameter("model"));
     addModulation(c, summary);
-    if (c.contact == ContactKind::OnoYamane) addCharacteristicFigures(c.onoYamane, summary);
+    if (const auto law = characteristic(c)) addCharacteristicFigures(*law, summary);
     for (const CaseProblem& warning : caseWarnings(c)) summary.warnings.push_back(warning.message);
     for (const InputProblem& warning : disk.warnings) summary.warnings.push_back(warning.text());
     return summary;

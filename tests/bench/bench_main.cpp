@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "app/terminal/freed_memory.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"

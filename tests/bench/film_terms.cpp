@@ -8,6 +8,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_settings.h"
+#include "core/physics/film/slip_model.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/convergence/node_film.h"

@@ -58,8 +58,6 @@ private slots:
         row("springs that roll", {"degrees_of_freedom=3"}, "degrees_of_freedom", "must be 2 with model \"springs\"");
         const QStringList film{"model=film", "contact=none", "degrees_of_freedom=3"};
         row("a film that touches", {"model=film"}, "", "");
-        row("a film with a statistical surface", {"model=film", "contact=asperity"}, "contact",
-            "must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"");
         row("a film with roll held", {"model=film", "contact=none"}, "", "");
         row("springs that a film does not have",
             film + QStringList{"springs.cutoff=9.72 nm", "run.integrator=rk4", "run.step=3 ms"}, "", "");

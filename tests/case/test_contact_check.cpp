@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -28,6 +29,9 @@ private slots:
         row("take-off below touch-down", {"contact=ono-yamane", "ono_yamane.take_off=2 nm"}, "ono_yamane.take_off",
             "d_e = 2 nm must be at least");
         row("bridges shorter than the film", {"contact=multi-asperity", "meniscus.breaking_length=0.4 nm"},
+            "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
+        row("bridges shorter than the film under a slider",
+            {"model=film", "degrees_of_freedom=3", "contact=multi-asperity", "meniscus.breaking_length=0.4 nm"},
             "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
         row("their like in another contact", {"meniscus.breaking_length=0.4 nm"}, "", "");
         row("a pad of half cells", {"pad.length=20.1 um"}, "pad.length",
@@ -59,7 +63,7 @@ private slots:
             "must be at most run.duration");
         row("a spectrum that is not there", {"spectrum.start=2 ms"}, "", "");
         row("springs in elastic contact", {"model=springs"}, "contact",
-            "must be \"none\" or \"ono-yamane\" with model \"springs\"");
+            "must not be \"elastic\" with model \"springs\": it acts between surfaces");
         const QStringList film{"model=film", "degrees_of_freedom=3"};
         row("a film in elastic contact", film + QStringList{"elastic.cell=0.5 um"}, "", "");
         row("a pad that a film does not have",
@@ -67,8 +71,6 @@ private slots:
         row("a film over a characteristic without hysteresis",
             film + QStringList{"contact=ono-yamane", "ono_yamane.take_off=2 nm"}, "ono_yamane.take_off",
             "d_e = 2 nm must be at least");
-        row("a film in contact with summits", film + QStringList{"contact=multi-asperity"}, "contact",
-            "asperity and multi-asperity belong to model \"contact\"");
         row("a film over no roughness",
             film + QStringList{"contact=none", "disk.surface.kind=rough", "disk.surface.rms=0"}, "disk.surface.rms",
             "must be above 0");

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

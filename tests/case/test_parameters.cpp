@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case/parameters.h"
 
+#include "core/case/contact_kind.h"
+#include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
 
 #include <QTest>
 
 #include <set>
 
+#include "core/physics/contact/adhesion_kind.h"
+#include "core/physics/contact/asperity_model.h"
+#include "core/physics/film/slip_model.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -263,6 +268,19 @@ private slots:
                                          << "run.integrator=newmark" << true;
         QTest::newRow("beta of rk4") << "run.newmark_beta"
                                      << "run.integrator=rk4" << false;
+        const auto ofSprings = [](const char* key, const char* contact, bool used) {
+            QTest::addRow("%s of springs with contact %s", key, contact)
+                << key << "contact=" + QString(contact) << used;
+        };
+        for (const char* key : {"asperity.density", "asperity.friction", "elastic.slider_modulus", "pad.length",
+                                "pad.width", "slider.thickness"}) {
+            ofSprings(key, "asperity", true);
+            ofSprings(key, "none", false);
+            ofSprings(key, "multi-asperity", false); // refused
+        }
+        ofSprings("meniscus.film_thickness", "asperity", false);
+        ofSprings("initial.branch", "asperity", false);
+        ofSprings("elastic.cell", "elastic", false); // refused
         const auto ofFilm = [](const char* name, const char* key, const char* choice, bool used) {
             QTest::newRow(name) << key << (QString("model=film contact=none degrees_of_freedom=3 ") + choice).trimmed()
                                 << used;
@@ -298,6 +316,13 @@ private slots:
         ofFilm("characteristic", "ono_yamane.meniscus_force", "contact=ono-yamane", true);
         ofFilm("pad distance of a characteristic", "ono_yamane.pad_distance", "contact=ono-yamane", false);
         ofFilm("elasticity", "elastic.modulus", "contact=elastic", true);
+        ofFilm("summits", "asperity.density", "contact=asperity", true);
+        ofFilm("elasticity of summits", "elastic.modulus", "contact=asperity", true);
+        ofFilm("a pad, where summits are everywhere", "pad.length", "contact=asperity", false);
+        ofFilm("a pad of summits with menisci", "pad.width", "contact=multi-asperity", true);
+        ofFilm("its menisci", "meniscus.surface_tension", "contact=multi-asperity", true);
+        ofFilm("its shape", "pad.shape", "contact=multi-asperity", false);
+        ofFilm("its way", "approach.start", "contact=multi-asperity", false);
         ofFilm("adhesion", "adhesion.hamaker_a", "contact=elastic adhesion.kind=van-der-waals", true);
         ofFilm("search of patches", "elastic.patch_reach", "contact=elastic", true);
         ofFilm("search of patches without surfaces", "elastic.patch_pitch", "contact=ono-yamane", false);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/case_file.h"
 
+#include "core/case/contact_kind.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
@@ -134,9 +136,10 @@ private slots:
         row("a table for a value", "[slider.mass]\nx = 1", "a.toml:1: slider.mass: is a value, not a table");
         row("a model of a later version", "model = 'foil'",
             "a.toml:1: model: \"foil\" is not known: allowed is one of springs, film, contact");
-        row("a film over summits", "model = 'film'\ncontact = 'asperity'",
-            "a.toml:2: contact: must be \"none\", \"ono-yamane\" or \"elastic\" with model \"film\"; asperity and "
-            "multi-asperity belong to model \"contact\"");
+        row("a pad without contact", "model = 'contact'\ncontact = 'none'",
+            "a.toml:2: contact: must not be \"none\" with model \"contact\": a pad alone has no other force; allowed "
+            "is "
+            "one of ono-yamane, elastic, asperity, multi-asperity");
         row("springs that roll", "degrees_of_freedom = 3",
             "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch only");
         row("a number for a list", "[film]\nnodes = 97",

@@ -48,6 +48,21 @@ private slots:
         QCOMPARE(unusedOf(document), QStringList());
     }
 
+    /// A law of one summit by its own name: the file keeps it, and a setting is written as "asperity" and its model.
+    void readsFurtherSpellings()
+    {
+        CaseDocument document = parseCase("model = 'contact'\ncontact = 'elastic-plastic'\n", "case.toml");
+        QVERIFY(document.valid() && document.unused.empty());
+        QCOMPARE(toText(document.value, *findParameter("contact")), std::string("asperity"));
+        QCOMPARE(toText(document.value, *findParameter("asperity.model")), std::string("elastic-plastic"));
+        applySettings(document, {"run.duration=1 ms"});
+        QVERIFY(document.text.find("contact = 'elastic-plastic'") != std::string::npos);
+        applySettings(document, {"contact=greenwood-williamson"});
+        const CaseDocument back = parseCase(document.text, "case.toml");
+        QVERIFY(back.valid() && back.value == document.value);
+        QCOMPARE(toText(back.value, *findParameter("asperity.model")), std::string("greenwood-williamson"));
+    }
+
     void aSettingMayGiveItAnEffect()
     {
         CaseDocument document = parseCase(film, "case.toml");

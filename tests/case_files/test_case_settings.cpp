@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "tests/support/test_program.h"

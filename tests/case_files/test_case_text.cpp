@@ -105,7 +105,7 @@ private slots:
     void theModelChanges()
     {
         Case c = defaultsOf(ModelKind::Film);
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         c.degreesOfFreedom = 2;
         QCOMPARE(updateCaseText("# notes\nmodel = \"springs\"\ncontact = \"none\"\n", c),
                  std::string("# notes\nmodel = \"film\"\ncontact = \"none\"\ndegrees_of_freedom = 2\n"));

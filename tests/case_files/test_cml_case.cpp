@@ -12,6 +12,7 @@
 #include "core/case_files/case_reader.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
+#include "core/physics/film/slip_model.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"
@@ -97,7 +98,7 @@ private:
 void makeSensible(Case& c)
 {
     c.model = ModelKind::Film;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.air.slip.accommodation = 1.0;
     c.steady.skews.resize(c.steady.skews.empty() ? 0 : c.steady.radii.size());
     c.surface.taperLength = std::min(c.surface.taperLength, c.slider.length);

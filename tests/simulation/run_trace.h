@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/numerics/cvode.h"
 #include "core/simulation/run.h"
 
@@ -50,10 +51,10 @@ struct Trace {
 inline Case massOnASpring()
 {
     Case c;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.slider.mass = 1e-6;
     c.springs.frontStiffness = c.springs.rearStiffness = 0.0;
-    c.springs.frontDistance = c.springs.rearDistance = c.onoYamane.padDistance = 0.0;
+    c.springs.frontDistance = c.springs.rearDistance = c.springs.padDistance = 0.0;
     c.springs.flyingHeight = c.initial.flyingHeight = 10e-9;
     c.springs.pitch = c.initial.pitch = 0.0;
     c.suspension = {.stiffness = 1e3, .pitchStiffness = 0.0, .dampingRatio = 0.0, .pitchDampingRatio = 0.0};

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/case/case.h"
+#include "core/case/contact_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -20,7 +21,7 @@ Case springsAlone()
 {
     Case c;
     c.model = ModelKind::Springs;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.suspension.stiffness = c.suspension.pitchStiffness = 0.0;
     c.suspension.dampingRatio = c.suspension.pitchDampingRatio = 0.0;
     c.springs.frontDampingRatio = c.springs.rearDampingRatio = 0.0;
@@ -76,7 +77,7 @@ void TestReferenceFrequencies::contactOfAPressedPad()
     c.contact = ContactKind::OnoYamane;
     c.springs.frontStiffness = c.springs.rearStiffness = 1e-6;
     c.onoYamane.friction = 0.0;
-    const double d = c.onoYamane.padDistance;
+    const double d = c.springs.padDistance;
     const double expected =
         std::sqrt(c.onoYamane.contactStiffness * (1.0 / c.slider.mass + d * d / c.slider.pitchInertia)) / twoPi;
     const std::vector<double> found = of(c, FrequencyKind::Contact);
@@ -103,7 +104,7 @@ void TestReferenceFrequencies::wavesOfAMovingDisk()
 {
     Case c;
     c.model = ModelKind::Film;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.disk = {100.0, 23e-3, 0.0, VelocityField::Rotating};
     c.diskSurface.kind = DiskSurfaceKind::Waves;
     c.diskSurface.waveAmplitudes = {1e-9};

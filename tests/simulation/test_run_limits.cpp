@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where methods and models end: runs that fail say so, and runs that only look like failures do not.
+#include "core/case/contact_kind.h"
+#include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
 
@@ -195,7 +197,7 @@ private slots:
     void aLostSpringWithoutContact()
     {
         Case c;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         c.initial.verticalVelocity = -1.0;
         c.run.duration = 0.2e-3; // the suspension brings it back after 1.6 ms
         const Summary summary = run(c);

@@ -10,6 +10,7 @@
 #include <QFile>
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/numerics/cvode.h"
 #include "tests/simulation/run_trace.h"
@@ -212,6 +213,7 @@ private slots:
                          .rearStiffness = 0.9e6,
                          .frontDistance = 0.31e-3,
                          .rearDistance = 0.37e-3,
+                         .padDistance = 0.41e-3,
                          .frontDampingRatio = 0.03,
                          .rearDampingRatio = 0.04,
                          .cutoff = 2.6e-9,
@@ -226,7 +228,6 @@ private slots:
                            .touchDown = 2.8e-9,
                            .takeOff = 5.7e-9,
                            .friction = 0.45,
-                           .padDistance = 0.41e-3,
                            .takeOffShape = TakeOffShape::Constant};
             c.initial = {.flyingHeight = 60e-9,
                          .pitch = 40e-6,
@@ -240,6 +241,7 @@ private slots:
                          .rearStiffness = 1.2e6,
                          .frontDistance = 0.45e-3,
                          .rearDistance = 0.52e-3,
+                         .padDistance = 0.58e-3,
                          .frontDampingRatio = 0.02,
                          .rearDampingRatio = 0.03,
                          .cutoff = 0.5e-9,
@@ -252,7 +254,6 @@ private slots:
                            .touchDown = 3e-9,
                            .takeOff = 5e-9,
                            .friction = 0.3,
-                           .padDistance = 0.58e-3,
                            .takeOffShape = TakeOffShape::Linear};
             c.initial = {.flyingHeight = 2e-9,
                          .pitch = 100e-6,

@@ -3,6 +3,7 @@
 // Places that the recipes of core/README.md name, and that someone who follows one can forget.
 #include <QtTest>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/physics/film/slip.h"
@@ -52,6 +53,23 @@ private slots:
             QVERIFY(!setFromText(c, *findParameter("run.integrator"), name));
             const bool isCompared = compared.find('"' + name + '"') != std::string::npos;
             QVERIFY2(isCompared || !reasonNotToRun(c).empty(), name.c_str());
+        }
+    }
+
+    /// The table of the help says in which models a law acts.
+    void contactLawsAreExplained()
+    {
+        const QString help = textOf("resources/help/contact.html");
+        for (const ContactLaw& law : contactLaws()) {
+            QStringList models;
+            for (const ModelKind model : {ModelKind::Springs, ModelKind::Film, ModelKind::Contact}) {
+                Case c;
+                c.model = model;
+                if (law.whyNot(model).empty()) models << QString::fromStdString(toText(c, *findParameter("model")));
+            }
+            const QString name = QString::fromUtf8(law.name.data(), qsizetype(law.name.size()));
+            const QString row = "<tr><td><i>" + name + "</i></td><td>" + models.join(", ") + "</td>";
+            QVERIFY2(help.contains(row), qPrintable(row));
         }
     }
 

@@ -29,7 +29,7 @@ inline Case relaySlider()
     c.suspension.pitchStiffness = 0.05;
     c.suspension.dampingRatio = 0.02;
     c.suspension.pitchDampingRatio = 0.03;
-    c.onoYamane.padDistance = 0.0;
+    c.springs.padDistance = 0.0;
     c.onoYamane.contactStiffness = 0.0;
     c.initial.flyingHeight = 20e-9;
     c.initial.pitch = 0.0;

@@ -45,7 +45,7 @@ struct ImpactOscillator {
                      .pitch = 0.0,
                      .potential = PotentialBelowCutoff::Held};
         c.suspension.stiffness = 0.0;
-        c.onoYamane.meniscusForce = c.onoYamane.friction = c.onoYamane.padDistance = 0.0;
+        c.onoYamane.meniscusForce = c.onoYamane.friction = c.springs.padDistance = 0.0;
         c.onoYamane.initialContactForce = 0.0;
         c.onoYamane.touchDown = c.onoYamane.takeOff = height - gap * wave;
         c.onoYamane.contactStiffness = kappa * stiffness;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/equilibria/film_branches.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/static_state/film_balance.h"

@@ -48,7 +48,7 @@ public:
         Case c;
         c.title = "Random slider " + std::to_string(seed_);
         c.model = ModelKind::Film;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         c.degreesOfFreedom = 3;
         drawBody(c);
         c.disk.radius = rounded(uniform(15e-3, 42e-3), 1e-5);

@@ -18,7 +18,7 @@ inline Case smallSlider(int nodes = 65)
 {
     Case c;
     c.model = ModelKind::Film;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.degreesOfFreedom = 3;
     c.slider = {.mass = 0.9e-6,
                 .pitchInertia = 8e-14,

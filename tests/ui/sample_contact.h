@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "core/case/contact_kind.h"
 #include "ui/runs/run_record.h"
 
 namespace touchdown {

@@ -41,7 +41,7 @@ inline Case sampleFilmCase()
     Case c;
     c.title = "A slider of our own";
     c.model = ModelKind::Film;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.slider.length = 0.85e-3;
     c.slider.width = 0.70e-3;
     c.surface = sampleSurface();

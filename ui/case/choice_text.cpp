@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include "core/case/contact_law.h"
+
 namespace touchdown {
 
 namespace {
@@ -14,19 +16,12 @@ struct Row {
     const char *name, *meaning;
 };
 
+/// But for the laws of contact, which core/case/contact_law.h describes.
 constexpr Row rows[]{
     {"model", "springs", "two springs", "Two nonlinear springs and dashpots stand for the air bearing (Ono & Yamane)."},
     {"model", "film", "air film",
      "The film of air under the slider's surface is solved (generalised Reynolds equation)."},
     {"model", "contact", "contact only", "Without air: a pad moves towards the disk and back."},
-
-    {"contact", "none", "none", "Slider and disk do not touch."},
-    {"contact", "ono-yamane", "Ono & Yamane",
-     "Straight lines for contact force and menisci, which differ between touch-down and take-off."},
-    {"contact", "elastic", "elastic",
-     "The surfaces as they are, on a grid, with their elastic deformation and intermolecular adhesion."},
-    {"contact", "asperity", "asperities", "Contact of many summits, by the statistics of the surface."},
-    {"contact", "multi-asperity", "Ono & Yamane, full", "Many summits with menisci on a pad that deforms."},
 
     {"springs.potential", "held", "constant", "Below d_1 a spring keeps the energy that it has at d_1."},
     {"springs.potential", "as-printed", "as printed",
@@ -138,10 +133,13 @@ constexpr Row rows[]{
 
 ChoiceText choiceText(std::string_view key, std::string_view choice)
 {
+    const auto tr = [](const char* text) { return QCoreApplication::translate("Choice", text); };
+    if (key == "contact")
+        for (const ContactLaw& law : contactLaws())
+            if (law.name == choice) return {tr(law.label.data()), tr(law.meaning.data())};
     const auto* row =
         std::ranges::find_if(rows, [&](const Row& each) { return each.key == key && each.choice == choice; });
     if (row == std::end(rows)) return {};
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Choice", text); };
     return {tr(row->name), tr(row->meaning)};
 }
 

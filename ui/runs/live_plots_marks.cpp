@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
 #include "ui/plot/plot_group.h"
@@ -27,6 +29,7 @@ constexpr std::size_t mostMarks = 20000; // of events; the plot draws one for ea
 void LivePlots::updateMarks()
 {
     const RunRecord* run = runs_.newestShown();
+    const std::optional<OnoYamane> law = run ? characteristic(run->value) : std::nullopt;
     std::vector<EventMark> marks;
     std::vector<ReferenceLine> spacing;
     std::vector<ReferenceLine> pitch;
@@ -43,9 +46,9 @@ void LivePlots::updateMarks()
                                                          QString::fromStdString(formatQuantity(value, "nm")))};
             };
             if (c.model == ModelKind::Springs) spacing.push_back(line("d₁", c.springs.cutoff));
-            if (c.contact == ContactKind::OnoYamane) {
-                spacing.push_back(line("dₛ", c.onoYamane.touchDown));
-                spacing.push_back(line("dₑ", c.onoYamane.takeOff));
+            if (law) {
+                spacing.push_back(line("dₛ", law->touchDown));
+                spacing.push_back(line("dₑ", law->takeOff));
             }
             if (c.model == ModelKind::Springs) pitch.push_back({c.springs.pitch, tr("static")});
         }
@@ -57,16 +60,17 @@ void LivePlots::updateMarks()
     PlotWidget* forces = plot(QStringLiteral("force_separation"));
     forces->setPointMarks(run ? eventPoints(*run) : std::vector<PointMark>());
     std::vector<ShadedArea> areas;
-    if (run && run->value.contact == ContactKind::OnoYamane) areas = cycleAreas(run->value.onoYamane);
-    if (run && run->finished() && run->value.contact == ContactKind::MultiAsperity) {
+    if (law) areas = cycleAreas(*law);
+    const bool hasLoop = run && run->finished() && run->value.model == ModelKind::Contact;
+    if (hasLoop && run->value.contact == ContactKind::MultiAsperity) {
         const MinMaxPyramid* separation = run->pyramid("minimum_spacing");
         const MinMaxPyramid* force = run->pyramid("net_contact_force");
         if (separation && force) areas = cycleAreas(*separation, *force);
     }
     forces->setShadedAreas(std::move(areas));
     // A slider falls from heights without contact forces.
-    const bool falls = run && run->value.model == ModelKind::Springs && run->value.contact == ContactKind::OnoYamane;
-    forces->setMostX(falls ? std::optional(2.0 * run->value.onoYamane.takeOff) : std::nullopt);
+    const double reach = run && run->value.model == ModelKind::Springs ? contactLaw(run->value).reach(run->value) : 0.0;
+    forces->setMostX(reach > 0.0 ? std::optional(2.0 * reach) : std::nullopt);
     plot(QStringLiteral("spacing"))->setReferenceLines(spacing);
     plot(QStringLiteral("pitch"))->setReferenceLines(pitch);
 }

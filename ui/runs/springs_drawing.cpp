@@ -6,6 +6,7 @@
 
 #include <QPainterPath>
 
+#include "core/case/contact_law.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/translate.h"
 
@@ -18,7 +19,7 @@ constexpr int coils = 7;                           // of a drawn spring
 constexpr double coilWidth = 9.0;                  // [px]
 constexpr double levelWidth = 16.0;                // of the disk's height under a foot, to each side [px]
 constexpr double padMiddle = 0.78, padHalf = 0.15; // of the width of the pad's picture
-constexpr double padReachInDe = 3.0;               // heights of the pad's picture, in take-off heights
+constexpr double reachesShown = 3.0;               // heights of the pad's picture, in reaches of the contact law
 
 void paintCoils(QPainter& painter, const QPointF& foot, const QPointF& head)
 {
@@ -37,15 +38,15 @@ void paintCoils(QPainter& painter, const QPointF& foot, const QPointF& head)
 SpringsDrawing::SpringsDrawing(const Case& c)
     : frontDistance_(c.springs.frontDistance),
       rearDistance_(c.springs.rearDistance),
-      padDistance_(c.onoYamane.padDistance)
+      padDistance_(c.springs.padDistance)
 {
     const double ahead = std::max(frontDistance_, -padDistance_), behind = std::max(rearDistance_, padDistance_);
     const double beyond = overhang * std::max(ahead + behind, 1e-6);
     length_ = ahead + behind + beyond; // at the rear it ends with its outermost point: nothing is lower
     centre_ = ahead + beyond;
-    if (c.contact != ContactKind::OnoYamane) return;
-    contact_ = c.onoYamane;
-    reach_ = padReachInDe * std::max({contact_->takeOff, contact_->touchDown, 1e-10});
+    if (c.contact == noContact || !contactActs(c)) return;
+    characteristic_ = characteristic(c);
+    reach_ = reachesShown * std::max(contactLaw(c).reach(c), 1e-10);
 }
 
 void SpringsDrawing::paintSprings(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawing,
@@ -72,7 +73,7 @@ void SpringsDrawing::paintSprings(QPainter& painter, const PlotTheme& theme, con
         paintCoils(painter, drawing.toPixel(along, height), drawing.toPixel(along, std::max(bottom, height)));
         painter.restore();
     }
-    if (!contact_) return;
+    if (reach_ == 0.0) return;
     const double bottom = leading + (trailing - leading) * pad / length_;
     painter.drawRect(QRectF(drawing.toPixel(pad, bottom) - QPointF(7.0, 5.0), QSizeF(14.0, 5.0)));
 }
@@ -80,7 +81,7 @@ void SpringsDrawing::paintSprings(QPainter& painter, const PlotTheme& theme, con
 void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& area, double separation,
                               bool pressed) const
 {
-    if (!contact_) return;
+    if (reach_ == 0.0) return;
     const double line = painter.fontMetrics().height();
     const QSizeF size(0.34 * area.width(), std::min(area.height() - 16.0, std::max(0.46 * area.height(), 8.0 * line)));
     const QRectF frame(QPointF(area.right() - size.width() - 8.0, area.top() + 8.0), size);
@@ -99,12 +100,14 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
         painter.drawText(QRectF(left, y - line, inner.width(), line), Qt::AlignLeft | Qt::AlignBottom, name);
         left += painter.fontMetrics().horizontalAdvance(name) + 10.0;
     };
-    const QString down = QStringLiteral("dₛ ") + lengthText(contact_->touchDown, 3);
-    const QString up = QStringLiteral("dₑ ") + lengthText(contact_->takeOff, 3);
-    const double wanted = painter.fontMetrics().horizontalAdvance(down + up) + 20.0;
-    const bool room = wanted < (padMiddle - padHalf) * inner.width();
-    level(contact_->touchDown, room ? down : QStringLiteral("dₛ"));
-    level(contact_->takeOff, room ? up : QStringLiteral("dₑ"));
+    if (characteristic_) {
+        const QString down = QStringLiteral("dₛ ") + lengthText(characteristic_->touchDown, 3);
+        const QString up = QStringLiteral("dₑ ") + lengthText(characteristic_->takeOff, 3);
+        const double wanted = painter.fontMetrics().horizontalAdvance(down + up) + 20.0;
+        const bool room = wanted < (padMiddle - padHalf) * inner.width();
+        level(characteristic_->touchDown, room ? down : QStringLiteral("dₛ"));
+        level(characteristic_->takeOff, room ? up : QStringLiteral("dₑ"));
+    }
     QColor body = pressed ? theme.curves[1] : theme.curves[0];
     painter.setPen(QPen(body, 1.5));
     body.setAlphaF(0.4F);

@@ -37,7 +37,7 @@ public:
 private:
     double frontDistance_, rearDistance_, padDistance_; // from the mass centre [m]
     double length_, centre_;
-    std::optional<OnoYamane> contact_;
+    std::optional<OnoYamane> characteristic_; // its levels are shown
     double reach_ = 0.0;
 };
 

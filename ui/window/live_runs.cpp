@@ -7,6 +7,7 @@
 
 #include <time.h>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_text.h"
 #include "core/simulation/run.h"
@@ -77,8 +78,9 @@ Case coarser(const Case& c)
         const int intervals = (count - 1) / 2 / nodes.stride * nodes.stride;
         count = std::max(intervals + 1, static_cast<int>(nodes.minimum));
     }
-    if (c.contact == ContactKind::Elastic) coarse.elastic.cell *= 2.0;
-    if (c.contact == ContactKind::Elastic && c.diskSurface.kind != DiskSurfaceKind::Flat)
+    const bool onCells = contactLaw(c).recordsSurfaces;
+    if (onCells) coarse.elastic.cell *= 2.0;
+    if (onCells && c.diskSurface.kind != DiskSurfaceKind::Flat)
         coarse.diskSurface.cell = std::max(coarse.diskSurface.cell, coarse.elastic.cell);
     return checkCombinations(coarse).empty() ? coarse : c;
 }

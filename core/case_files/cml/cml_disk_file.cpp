@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 
 namespace touchdown {

@@ -10,6 +10,7 @@
 
 #include "core/formats/decimal.h"
 #include "core/formats/units.h"
+#include "core/physics/film/slip_model.h"
 
 namespace touchdown {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/physics/contact/adhesion_kind.h"
+
 namespace touchdown {
 
 namespace {
@@ -17,6 +19,7 @@ constexpr double vacuumPermittivity = 8.8541878128e-12; // eps0 [F/m], CODATA 20
 AdhesionLaw::AdhesionLaw(const Adhesion& adhesion)
     : acts_(adhesion.acts()),
       kind_(adhesion.kind),
+      isShifted_(kind_ != AdhesionKind::VanDerWaals),
       shifted_{adhesion.equilibriumDistance, 1.0 / adhesion.equilibriumDistance,
                kind_ == AdhesionKind::LennardJones ? 8.0 * adhesion.surfaceEnergy / (3.0 * adhesion.equilibriumDistance)
                                                    : 0.0,

@@ -17,17 +17,17 @@
 
 namespace touchdown {
 
-enum class AdhesionKind : std::uint8_t { None, LennardJones, VanDerWaals };
+enum class AdhesionKind : std::uint8_t; // core/physics/contact/adhesion_kind.h
 
 struct Adhesion {
-    AdhesionKind kind = AdhesionKind::None;
+    AdhesionKind kind{};                 // the first: none
     double surfaceEnergy = 0.05;         // dgamma [N/m], work of adhesion; the lubricant enters through it
     double equilibriumDistance = 0.3e-9; // z0 [m], 0.2..0.4 nm
     double hamakerA = 1e-19;             // A [J]
     double hamakerB = 1e-76;             // B [J m^6]
     double voltage = 0.0;                // V [V] between slider and disk
 
-    bool acts() const { return kind != AdhesionKind::None || voltage != 0.0; }
+    bool acts() const { return kind != AdhesionKind{} || voltage != 0.0; }
     bool operator==(const Adhesion&) const = default;
 };
 
@@ -65,7 +65,7 @@ public:
     };
     const Shifted& shifted() const { return shifted_; }
     /// Whether that is the whole law.
-    bool isShifted() const { return kind_ != AdhesionKind::VanDerWaals; }
+    bool isShifted() const { return isShifted_; }
 
     /// Where the attraction is largest [m]: df/dg <= 0 below this gap, df/dg > 0 (softening) above it.
     double peakGap() const { return peakGap_; }
@@ -78,6 +78,7 @@ private:
 
     bool acts_;
     AdhesionKind kind_;
+    bool isShifted_;               // not van der Waals
     Shifted shifted_;              // scale 8 dgamma/(3 z0), electric eps0 V^2/2; scale 0 unless lennard-jones
     double attraction_ = 0.0;      // A/(6 pi) [J]
     double repulsion_ = 0.0;       // B/(45 pi) [J m^6]

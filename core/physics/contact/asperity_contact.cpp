@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/numerics/gauss_legendre.h"
+#include "core/physics/contact/asperity_model.h"
 
 namespace touchdown {
 

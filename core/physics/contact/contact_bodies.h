@@ -25,13 +25,13 @@ inline double contactModulus(const ElasticPair& pair)
                   compliance(pair.sliderModulus, pair.sliderPoissonRatio));
 }
 
-enum class AsperityModel : std::uint8_t { GreenwoodWilliamson, ElasticPlastic };
+enum class AsperityModel : std::uint8_t; // core/physics/contact/asperity_model.h
 
 /// The statistical rough surface of Greenwood & Williamson (1966): summits of one radius and Gaussian heights, against
 /// a smooth pad. Radius, density, heights and lubricant are assumed: with a pad of 62 x 62 um they give about the
 /// paper's five values (core/physics/contact/characteristic_fit.h).
 struct Asperities {
-    AsperityModel model = AsperityModel::GreenwoodWilliamson;
+    AsperityModel model{};           // the first: greenwood-williamson
     double radius = 1e-6;            // R of the summits [m]
     double density = 8.5e12;         // eta [1/m^2]
     double heightDeviation = 0.2e-9; // sigma_s of the summits' heights [m]

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/physics/contact/adhesion_kind.h"
+
 namespace touchdown {
 
 namespace {

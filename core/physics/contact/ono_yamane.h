@@ -46,7 +46,7 @@ inline constexpr std::array<std::string_view, 3> cycleWorkFormulas{
     "f_m (d_e - d_s) - f_c0^2/(2 k_c)", "f_m (d_e - d_s)/2 - f_c0^2/(2 k_c)", "(f_m - f_c0) (d_e - d_s)/2"};
 enum class ContactBranch : std::uint8_t { TouchDown, TakeOff };
 
-/// The five parameters, the friction coefficient and the position of the pad.
+/// The five parameters and the friction coefficient.
 struct OnoYamane {
     double meniscusForce = 10.7e-3;    // f_m  [N], largest adhesion, >= 0
     double contactStiffness = 5.0e6;   // k_c  [N/m], >= 0
@@ -54,7 +54,6 @@ struct OnoYamane {
     double touchDown = 3e-9;           // d_s  [m]
     double takeOff = 5e-9;             // d_e  [m], >= d_s
     double friction = 0.8;             // mu   [-], >= 0
-    double padDistance = 0.575e-3;     // d_h  [m], mass centre to contact pad, positive towards the trailing edge
     TakeOffShape takeOffShape = TakeOffShape::Constant;
     bool operator==(const OnoYamane&) const = default;
 };
@@ -67,7 +66,7 @@ struct CharacteristicError {
 
 /// The five parameters that best describe another model (core/physics/contact/characteristic_fit.h).
 struct CharacteristicFit {
-    OnoYamane parameters;         // friction and padDistance as they came
+    OnoYamane parameters;         // friction as it came
     CharacteristicError contact;  // of F_cr, against its largest value on the way
     CharacteristicError adhesion; // of F_m, against the largest adhesion
     double cycleWork = 0.0;       // of the other model's loop, kept by the parameters where d_e > d_s [J]

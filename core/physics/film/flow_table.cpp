@@ -10,6 +10,7 @@
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/kinetic_flow_rate.h"
+#include "core/physics/film/slip_model.h"
 
 namespace touchdown {
 

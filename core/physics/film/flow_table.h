@@ -58,10 +58,10 @@ private:
     /// G = w 6 Q_P/D with w/D the same for all w [Pa m].
     double perFlowRate() const { return 6.0 / inverseKnudsen(1.0) * unit_; }
 
-    SlipLaw law_ = slipLaw(SlipModel::Continuum);
-    double first_ = 0.0;     // of the expansion, with accommodation [-]
-    double unit_ = 1.0;      // p0 lambda0 [Pa m]: w where Kn = 1
-    double smallest_ = 6e-5; // [Pa m]
+    SlipLaw law_ = slipLaws().front(); // the continuum
+    double first_ = 0.0;               // of the expansion, with accommodation [-]
+    double unit_ = 1.0;                // p0 lambda0 [Pa m]: w where Kn = 1
+    double smallest_ = 6e-5;           // [Pa m]
     std::uint64_t firstPiece_ = 0;
     std::vector<Piece> pieces_;
 };

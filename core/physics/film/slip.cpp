@@ -6,8 +6,11 @@
 #include <numbers>
 
 #include "core/physics/film/kinetic_flow_rate.h"
+#include "core/physics/film/slip_model.h"
 
 namespace touchdown {
+
+const SlipModel usualSlip = SlipModel::FukuiKaneko;
 
 std::span<const SlipLaw> slipLaws()
 {

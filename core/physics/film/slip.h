@@ -22,20 +22,11 @@ namespace touchdown {
 
 struct FlowRate;
 
-enum class SlipModel : std::uint8_t {
-    Continuum,
-    FirstOrder,
-    SecondOrder,
-    OnePointFiveOrder,
-    FukuiKaneko,    // from the kinetic values
-    FukuiKanekoFit, // the published fit, with its jumps at D = 5 and 0.15
-    NewFirstOrder,
-    NewSecondOrder,
-    Combination,
-};
+enum class SlipModel : std::uint8_t; // core/physics/film/slip_model.h
+extern const SlipModel usualSlip;    // Fukui-Kaneko
 
 struct Slip {
-    SlipModel model = SlipModel::FukuiKaneko;
+    SlipModel model = usualSlip;
     double accommodation = 1.0; // alpha [-], (0, 1]; Fukui-Kaneko and Hsia-Domoto: 1 only
     double switchGap = 0.3e-9;  // combination: gap of the switch [m]
     double blendWidth = 0.0;    // combination: width of the blend about the switch [m]; 0: the paper's hard switch

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_kind.h"
+
 namespace touchdown {
 
 void ContactFigures::add(const ContactForces& forces, bool away)

@@ -3,15 +3,14 @@
 
 #include <cmath>
 
+#include "core/case/contact_law.h"
+
 namespace touchdown {
 
 CoulombFriction frictionOf(const Case& c)
 {
-    CoulombFriction friction{.coefficient = c.elastic.friction, .arm = 0.5 * c.slider.thickness};
-    if (c.contact == ContactKind::OnoYamane) friction.coefficient = c.onoYamane.friction;
-    if (c.contact == ContactKind::Asperity || c.contact == ContactKind::MultiAsperity)
-        friction.coefficient = c.asperity.friction;
-    return friction;
+    const auto friction = contactLaw(c).friction;
+    return {.coefficient = friction ? friction(c) : 0.0, .arm = 0.5 * c.slider.thickness};
 }
 
 ContactLever::ContactLever(const Case& c)

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/numerics/interval.h"
 #include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/characteristic_fit.h"
@@ -18,10 +20,10 @@ namespace {
 /// The simplified characteristic of Ono & Yamane.
 class CharacteristicPad final : public ContactModel {
 public:
-    explicit CharacteristicPad(const Case& c)
-        : law_(c.onoYamane),
-          touchDown_(c.onoYamane.touchDown),
-          takeOff_(c.onoYamane.takeOff),
+    CharacteristicPad(const Case& c, const OnoYamane& parameters)
+        : law_(parameters),
+          touchDown_(parameters.touchDown),
+          takeOff_(parameters.takeOff),
           separation_(c.approach.start),
           branch_(law_.nextBranch(c.initial.branch, c.approach.start))
     {}
@@ -153,12 +155,6 @@ private:
     ContactForces forces_;
 };
 
-bool adheres(const Case& c)
-{
-    return c.contact == ContactKind::OnoYamane || c.contact == ContactKind::MultiAsperity ||
-           (c.contact == ContactKind::Elastic && c.adhesion.acts());
-}
-
 } // namespace
 
 std::vector<ContactSwitch> ContactModel::switchesUntil(double) const { return {}; }
@@ -171,7 +167,7 @@ std::unique_ptr<ContactModel> makeContactModel(const Case& c, const std::functio
 {
     switch (c.contact) {
     case ContactKind::None: break;
-    case ContactKind::OnoYamane: return std::make_unique<CharacteristicPad>(c);
+    case ContactKind::OnoYamane: return std::make_unique<CharacteristicPad>(c, *characteristic(c));
     case ContactKind::Elastic: return std::make_unique<ElasticPad>(c, goOn, coarser);
     case ContactKind::Asperity: return std::make_unique<AsperityPad>(c);
     case ContactKind::MultiAsperity: return std::make_unique<MultiAsperityPad>(c);
@@ -189,7 +185,7 @@ ContactRows contactRows(const Case& c)
          [](S s) { return s.forces.separation; }},
         {{"contact_force", "N", "mN", "Real contact force"}, [](S s) { return s.forces.contact; }},
     };
-    if (adheres(c))
+    if (contactLaw(c).adheres(c))
         list.push_back({{"adhesion_force", "N", "mN", "Adhesion force"}, [](S s) { return s.forces.adhesion; }});
     list.insert(
         list.end(),

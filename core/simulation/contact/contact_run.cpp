@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/case/contact_kind.h"
 #include "core/formats/units.h"
 #include "core/physics/contact/strongest_pull.h"
 #include "core/simulation/contact/contact_figures.h"

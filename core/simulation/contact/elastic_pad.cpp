@@ -9,6 +9,7 @@
 #include "core/case/contact_patches.h"
 #include "core/case/disk_setup.h"
 #include "core/formats/units.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/disk/surface_sampling.h"
 #include "core/simulation/contact/contact_doubts.h"

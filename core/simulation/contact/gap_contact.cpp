@@ -81,9 +81,13 @@ void GapContact::addCell(const Recess& recess, const CellGrid& grid, int i, int 
         addPiece(recess, x0, x1, y0, y1, cell, false);
         return;
     }
-    std::vector<double> breaks;
-    for (int k = 0; k < strips; ++k) {
-        const double from = std::lerp(y0, y1, double(k) / strips), to = std::lerp(y0, y1, double(k + 1) / strips);
+    std::vector<double> breaks, borders{y0, y1};
+    for (const double x : {x0 + insetX, 0.5 * (x0 + x1), x1 - insetX}) recess.breaksAlongY(x, y0, y1, borders);
+    for (int k = 1; k < strips; ++k) borders.push_back(std::lerp(y0, y1, double(k) / strips));
+    std::ranges::sort(borders);
+    for (std::size_t k = 1; k < borders.size(); ++k) {
+        const double from = borders[k - 1], to = borders[k];
+        if (!(to > from)) continue;
         breaks.assign(1, x0);
         recess.breaksAlongX(0.5 * (from + to), x0, x1, breaks);
         breaks.push_back(x1);

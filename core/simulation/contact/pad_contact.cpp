@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
+
 namespace touchdown {
 namespace {
 
@@ -15,7 +18,7 @@ constexpr double stiffnessStep = 1e-13;
 
 std::unique_ptr<SeparationLaw> makeSeparationLaw(const Case& c)
 {
-    if (c.contact == ContactKind::OnoYamane) return std::make_unique<CharacteristicLaw>(c.onoYamane);
+    if (const auto parameters = characteristic(c)) return std::make_unique<CharacteristicLaw>(*parameters);
     if (c.contact == ContactKind::MultiAsperity)
         return std::make_unique<MultiAsperityLaw>(
             MultiAsperity(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_kind.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_slider_contact.h"

@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"

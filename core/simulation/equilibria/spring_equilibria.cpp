@@ -50,8 +50,8 @@ std::vector<Mode> modesOf(const SpringModel& model)
             for (const bool rear : {true, false}) {
                 const Mode mode{front, rear, region};
                 const Interval pad = model.interval(SpringModel::Pad, mode);
-                const bool noContact = !std::isfinite(pad.lower) && !std::isfinite(pad.upper);
-                if (!(pad.upper > pad.lower) || (noContact && region != ContactRegion::Apart)) continue;
+                const bool neverTouches = !std::isfinite(pad.lower) && !std::isfinite(pad.upper);
+                if (!(pad.upper > pad.lower) || (neverTouches && region != ContactRegion::Apart)) continue;
                 const auto possible = [&](int guard) {
                     const Interval holds = model.interval(guard, mode);
                     return holds.lower < std::numeric_limits<double>::infinity();

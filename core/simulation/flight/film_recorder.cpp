@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/case/case.h"
+#include "core/case/contact_kind.h"
 #include "core/physics/slider/disk_clearance.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/flight/film_run.h"
@@ -55,7 +56,7 @@ std::vector<FilmQuantity> filmRows(const Case& c)
                                   [](S s) { return s.diskHeight; }}});
     if (c.degreesOfFreedom == 3)
         list.push_back({{"roll_velocity", "rad/s", "rad/s", "Roll velocity"}, [](S s) { return s.motion.v[2]; }});
-    if (c.contact != ContactKind::None)
+    if (c.contact != noContact)
         list.insert(
             list.end(),
             {{{"contact_force", "N", "mN", "Real contact force"}, [](S s) { return s.contact; }},

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/case/contact_kind.h"
 #include "core/formats/units.h"
 #include "core/numerics/events.h"
 #include "core/physics/disk/disk_passage.h"
@@ -244,13 +245,13 @@ private:
             scene_.lookAtCells(attitude);
             lowestForCells_ = low;
         }
-        if (scene_.topography.flat() && case_.contact == ContactKind::None && spacing <= 0.0)
+        if (scene_.topography.flat() && case_.contact == noContact && spacing <= 0.0)
             return fail(RunFailure::Other,
                         diskReachesSlider(case_, scene_.clearance->at(attitude, point_.time), point_.time));
         const std::optional<FilmRecorder::Reached>& reached = recorder_->reached();
         if (!reached || !unseenDisk_.empty()) return true;
         std::string message = diskReachesSlider(case_, reached->place, reached->time);
-        if (case_.contact == ContactKind::None) return fail(RunFailure::Other, std::move(message));
+        if (case_.contact == noContact) return fail(RunFailure::Other, std::move(message));
         if (case_.contact == ContactKind::OnoYamane) unseenDisk_ = std::move(message);
         return true;
     }
@@ -343,7 +344,7 @@ private:
         const Attitude last = body_->attitude(point_.motion.q);
         const RunFailure failure =
             result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
-        const bool noLaw = case_.contact == ContactKind::None && !scene_.topography.flat();
+        const bool noLaw = case_.contact == noContact && !scene_.topography.flat();
         return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) +
                                  (noLaw ? "; " + nearestDisk(scene_.clearance->at(last, point_.time)) +
                                               ", and no law of contact acts (contact = \"none\")"

@@ -96,7 +96,7 @@ FilmScene::State FilmScene::checkDisk()
 {
     clearance.emplace(recess, spacing, topography, disk->velocity());
     lookAtCells(start);
-    if (case_.contact != ContactKind::None) return State::Ready;
+    if (case_.contact != noContact) return State::Ready;
     const DiskClearance::Place place = clearance->at(start, 0.0);
     return place.gap > 0.0 ? State::Ready : fail(diskReachesSlider(case_, place, 0.0) + "; " + startHigher());
 }

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/motion_verdict.h"
@@ -76,7 +77,7 @@ WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
 TouchColumns::TouchColumns(const Case& c, const std::vector<Quantity>& quantities)
     : contact_(findQuantity(quantities, "contact_force")),
       adhesion_(findQuantity(quantities, "adhesion_force")),
-      menisci_(c.contact == ContactKind::OnoYamane)
+      menisci_(contactLaw(c).adheres(c) && !contactLaw(c).recordsSurfaces)
 {}
 
 Touch TouchColumns::between(std::span<const double> least, std::span<const double> most) const

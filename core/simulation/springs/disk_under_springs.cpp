@@ -17,7 +17,7 @@ DiskUnderSprings::DiskUnderSprings(const Case& c)
       longestStep_(finestPassage(c.diskSurface, surface_, velocity_))
 {
     const double middle = 0.5 * c.slider.length, across = 0.5 * c.slider.width;
-    place_[SpringModel::Pad] = {middle + c.onoYamane.padDistance, across};
+    place_[SpringModel::Pad] = {middle + c.springs.padDistance, across};
     place_[SpringModel::Front] = {middle - c.springs.frontDistance, across};
     place_[SpringModel::Rear] = {middle + c.springs.rearDistance, across};
     recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across, c.slider.length});

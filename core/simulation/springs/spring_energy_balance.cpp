@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/case/contact_law.h"
+
 namespace touchdown {
 
 namespace {
@@ -17,8 +19,8 @@ SpringEnergyBalance::SpringEnergyBalance(const SpringModel& model, const DiskUnd
     : model_(model),
       disk_(disk),
       still_(disk.at(0.0)),
-      law_(c.onoYamane),
-      hasContact_(c.contact == ContactKind::OnoYamane)
+      law_(characteristic(c).value_or(OnoYamane{})),
+      hasContact_(characteristic(c).has_value())
 {}
 
 void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode mode)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/case/case.h"
+#include "core/case/integrator_kind.h"
 #include "core/numerics/adaptive.h"
 #include "core/numerics/cvode.h"
 #include "core/numerics/fixed_step.h"

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/contact/contact_lever.h"
 
 namespace touchdown {
@@ -28,12 +29,12 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
     : case_(c),
       still_{under, Guards::Zero()},
       rows_(&rows(c)),
-      contact_(c.onoYamane),
+      contact_(characteristic(c).value_or(OnoYamane{})),
       friction_(frictionOf(c)),
-      hasContact_(c.contact == ContactKind::OnoYamane),
+      hasContact_(characteristic(c).has_value()),
       frontDistance_(c.springs.frontDistance),
       rearDistance_(c.springs.rearDistance),
-      padDistance_(c.onoYamane.padDistance),
+      padDistance_(c.springs.padDistance),
       inverseMass_(1.0 / c.slider.mass),
       inverseInertia_(1.0 / c.slider.pitchInertia)
 {
@@ -88,7 +89,7 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
         gapLaw_ = std::make_shared<GapLaw>(c.asperity, c.elastic.pair, c.adhesion);
         padArea_ = c.pad.length * c.pad.width;
     }
-    const double contactStiffness = hasContact_ ? c.onoYamane.contactStiffness
+    const double contactStiffness = hasContact_ ? characteristic(c)->contactStiffness
                                     : gapLaw_   ? std::abs(padForces(c.asperity.planeHeight).contactSlope)
                                                 : 0.0;
     const double bearing = s.frontStiffness + s.rearStiffness + suspension.stiffness;
@@ -188,7 +189,7 @@ SpringModel::State SpringModel::pressed(const State& rate, double d) const
 
 double SpringModel::contactEnergyBound() const
 {
-    const OnoYamane& p = case_.onoYamane;
+    const OnoYamane p = *characteristic(case_);
     const double force = p.initialContactForce + p.meniscusForce;
     const double start = contact_.storedEnergy(initialMode().contact, separation(initial_));
     const double pressed = p.contactStiffness > 0.0 ? square(force) / p.contactStiffness : 0.0;

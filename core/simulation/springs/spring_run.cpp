@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_law.h"
+#include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
 #include "core/simulation/recording/last_sample.h"
 #include "core/simulation/springs/spring_integration.h"
@@ -205,7 +207,7 @@ bool mayGraze(const Case& c, const Summary& summary)
 {
     if (!summary.events.empty()) return true;
     for (const auto& [quantity, extremes] : summary.extremes)
-        if (quantity == "flying_height") return extremes.least < c.onoYamane.touchDown + nearTouchDown;
+        if (quantity == "flying_height") return extremes.least < characteristic(c)->touchDown + nearTouchDown;
     return false;
 }
 
@@ -275,7 +277,7 @@ Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions&
         return refused;
     }
     const bool adaptiveOverDisk = disk.moves() && !hasFixedStep(c.run.integrator);
-    if (adaptiveOverDisk && c.contact == ContactKind::OnoYamane && c.run.stepCheck) {
+    if (adaptiveOverDisk && characteristic(c) && c.run.stepCheck) {
         const FlyingHeights record(c, callback);
         Summary summary = runOnce(c, disk, c.run.step, record.record(), options);
         if (summary.status == RunStatus::Cancelled || !mayGraze(c, summary)) return summary;

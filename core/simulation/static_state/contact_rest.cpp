@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/contact_rest.h"
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +31,7 @@ std::vector<double> everySecond(const std::vector<double>& lines)
 
 std::string stateName(const FilmBalance& balance, ContactRegion region)
 {
-    if (balance.setup().contact != ContactKind::OnoYamane) return "in contact";
+    if (!characteristic(balance.setup())) return "in contact";
     switch (region) {
     case ContactRegion::Apart: return "flying";
     case ContactRegion::Pressed: return "pressed";
@@ -66,8 +68,9 @@ public:
         const Vector3 q = balance_->body().coordinates(rest_);
         result_.contact.state = "flying";
         const bool above = balanced && result_.status == SteadyStatus::Converged;
-        balance_->begin(ContactBranch::TouchDown, q);
-        flies_ = above && balance_->outOfReach(q);
+        if (!balance_->solve(q, goOn_) && above) ++givenUp_;
+        const SliderContactForces fromAfar = balance_->contactForces(balance_->begin(ContactBranch::TouchDown, q));
+        flies_ = above && fromAfar.contact == 0.0 && fromAfar.adhesion == 0.0;
         std::vector<TouchingPlace> found;
         const auto take = [&](TouchingPlaces places) {
             givenUp_ += places.givenUp;
@@ -337,8 +340,7 @@ SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
     SteadyResult result = steady(c, callback);
-    if (c.contact == ContactKind::None || c.steady.fixedAttitude || result.status == SteadyStatus::Cancelled)
-        return result;
+    if (c.contact == noContact || c.steady.fixedAttitude || result.status == SteadyStatus::Cancelled) return result;
     ContactRestSearch(c, result, callback).search();
     result.wallSeconds = wallClock() - start;
     return result;

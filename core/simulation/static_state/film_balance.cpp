@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/film_balance.h"
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 
 #include <algorithm>
 #include <cmath>

@@ -23,7 +23,7 @@ FilmSetting filmSetting(const Case& c)
             .slip = c.air.slip,
             .disk = c.disk,
             .scheme = c.film.scheme,
-            .leastGap = c.contact == ContactKind::None ? 0.0 : moleculeGap};
+            .leastGap = c.contact == noContact ? 0.0 : moleculeGap};
 }
 
 std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/high_disk.h"
 
+#include "core/case/contact_kind.h"
 #include "core/case/disk_setup.h"
 #include "core/formats/units.h"
 #include "core/simulation/static_state/disk_on_cells.h"
@@ -41,7 +42,7 @@ std::string nearestDisk(const DiskClearance::Place& place)
 std::string noteOnHighDisk(const Case& c, double minimumSpacing)
 {
     const DiskSurface& surface = c.diskSurface;
-    if (surface.kind == DiskSurfaceKind::Flat || c.contact != ContactKind::None) return {};
+    if (surface.kind == DiskSurfaceKind::Flat || c.contact != noContact) return {};
     constexpr double peaks = 4.0; // of Gaussian heights on some 10,000 places
     const double highest = surface.kind == DiskSurfaceKind::Rough ? peaks * surface.rms : diskTopography(c).highest();
     if (highest < minimumSpacing) return {};
@@ -60,12 +61,11 @@ DiskAtStart diskAtStart(const Case& c)
         diskOnCells(c, disk, recess, unadaptedGrid(c, {c.film.nodes[0] - 1, c.film.nodes[1] - 1}), start);
     if (!given) cells.hasMap = false; // what matters of a map depends on the gap
     found.warnings = doubtsOnDisk(cells, c.run.steps == StepControl::Fixed ? c.run.step : 0.0);
-    if (!given || (c.contact != ContactKind::None && (c.contact != ContactKind::OnoYamane || disk.flat())))
-        return found;
+    if (!given || (c.contact != noContact && (c.contact != ContactKind::OnoYamane || disk.flat()))) return found;
     const MinimumSpacing spacing(c.surface, recess);
     const DiskClearance::Place place = DiskClearance(recess, spacing, disk, {}).at(start, 0.0);
     if (place.gap > 0.0) return found;
-    if (c.contact == ContactKind::None)
+    if (c.contact == noContact)
         found.problem = diskReachesSlider(c, place, 0.0) + "; start higher";
     else
         found.warnings.push_back(diskReachesSlider(c, place, 0.0));

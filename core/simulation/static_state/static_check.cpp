@@ -42,9 +42,9 @@ std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing)
                "film carries nothing" +
                (c.suspension.preload != 0.0 ? " of the preload of " + fewDigits(c.suspension.preload, "gf", 4)
                                             : std::string()) +
-               (c.contact == ContactKind::None ? "" : "; contact has a part in runs in time only");
+               (c.contact == noContact ? "" : "; contact has a part in runs in time only");
     }
-    if (c.contact != ContactKind::None) return {};
+    if (c.contact != noContact) return {};
     const MinimumSpacing::Place lowest = spacing.at(startOf(c));
     if (lowest.spacing > 0.0) return {};
     return "the rails are inside the disk, " + depthWords(lowest) +

@@ -164,7 +164,7 @@ private:
     bool solveAttitude(bool finest)
     {
         // From far, and where contact may carry what the film does not: see search_watch.h.
-        const bool throughDisk = first_ || case_.contact != ContactKind::None;
+        const bool throughDisk = first_ || case_.contact != noContact;
         const AttitudeOptions options{.filmTolerance = tolerance(finest, case_.film.tolerance),
                                       .loadTolerance = tolerance(finest, case_.steady.loadTolerance),
                                       .maximumIterations = case_.film.maximumIterations,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/case/contact_law.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 
@@ -117,10 +118,9 @@ TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const 
                               const std::function<bool()>& goOn)
 {
     std::vector<Attitude> starts = near;
-    if (balance.setup().contact == ContactKind::OnoYamane) {
-        const OnoYamane& law = balance.setup().onoYamane;
+    if (const auto law = characteristic(balance.setup())) {
         const double spacing = balance.spacing(balance.body().coordinates(rest));
-        for (const double target : {law.touchDown, 0.5 * (law.touchDown + law.takeOff), 0.6 * law.touchDown}) {
+        for (const double target : {law->touchDown, 0.5 * (law->touchDown + law->takeOff), 0.6 * law->touchDown}) {
             Attitude lowered = rest;
             lowered.height += target - spacing;
             starts.push_back(lowered);

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 
+#include "core/case/contact_law.h"
+#include "core/case/parameters.h"
 #include "core/formats/units.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/studies/advice/spring_fit.h"
 
 namespace touchdown {
@@ -61,13 +64,18 @@ std::vector<ModelPart> partsOf(const Case& c, double roll)
         }
     if (c.diskSurface.kind != DiskSurfaceKind::Flat)
         parts.push_back({"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"});
-    if (c.contact != ContactKind::None)
+    if (c.contact != noContact)
         parts.push_back({"no contact", "contact and what adheres in it", {{"contact", "none"}}, "contact"});
-    if (c.adhesion.kind != AdhesionKind::None && c.contact == ContactKind::Elastic)
+    const auto uses = [&](const char* key) { return findParameter(key)->used(c); };
+    if (c.adhesion.kind != AdhesionKind::None && uses("adhesion.kind"))
         parts.push_back({"no adhesion", "adhesion", {{"adhesion.kind", "none"}}, "adhesion"});
-    if (c.contact == ContactKind::OnoYamane && c.onoYamane.meniscusForce > 0.0)
+    const auto law = characteristic(c);
+    if (law && law->meniscusForce > 0.0)
         parts.push_back({"no menisci", "the force of the menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"});
-    if (c.contact == ContactKind::Elastic) {
+    if (uses("meniscus.surface_tension") && c.meniscus.surfaceTension > 0.0)
+        parts.push_back(
+            {"no menisci", "the force of the menisci", {{"meniscus.surface_tension", "0 N/m"}}, "adhesion"});
+    if (uses("elastic.cell")) {
         const std::string cell = fewDigits(2.0 * c.elastic.cell, "um", 6);
         parts.push_back(
             {"contact cells of " + cell, "contact cells finer than " + cell, {{"elastic.cell", cell}}, "cells"});
@@ -91,11 +99,11 @@ std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
 {
     const Case& c = task.start;
     const bool waves = c.diskSurface.kind == DiskSurfaceKind::Waves && c.diskSurface.motion == SurfaceMotion::Moving;
-    const std::string touches = c.contact != ContactKind::None ? ", contact" : "";
+    const std::string touches = c.contact != noContact ? ", contact" : "";
     const std::string surface = c.diskSurface.kind != DiskSurfaceKind::Flat ? ", the disk's surface" : "";
     std::vector<Candidate> candidates, reduced;
     reduced.push_back({CandidateKind::Static, "static state", "all motion" + surface + touches, {}, c});
-    if (c.contact == ContactKind::OnoYamane)
+    if (characteristic(c))
         reduced.push_back({CandidateKind::ContactRest, "rest in contact", "all motion" + surface, {}, c});
     if (waves)
         reduced.push_back(
@@ -105,7 +113,7 @@ std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
                        "all that is not linear" + (waves ? "" : surface) + touches,
                        {},
                        c});
-    if (c.contact == ContactKind::None || c.contact == ContactKind::OnoYamane)
+    if (c.contact == noContact || characteristic(c))
         reduced.push_back({CandidateKind::Springs,
                            "springs",
                            "the film's own law" + (springsKnowDisk(c) ? "" : surface) +
@@ -135,10 +143,10 @@ std::vector<Candidate> candidatesOf(const AdvisorTask& task, double roll)
 
 std::optional<Candidate> sumOf(const AdvisorTask& task, const std::vector<ModelPart>& parts)
 {
-    const bool noContact = std::ranges::find(parts, "contact", &ModelPart::family) != parts.end();
+    const bool withoutContact = std::ranges::find(parts, "contact", &ModelPart::family) != parts.end();
     std::vector<ModelPart> kept;
     for (const ModelPart& part : parts) // without contact nothing adheres, and there are no cells
-        if (!noContact || (part.family != "adhesion" && part.family != "cells")) kept.push_back(part);
+        if (!withoutContact || (part.family != "adhesion" && part.family != "cells")) kept.push_back(part);
     if (!wanted(task, CandidateKind::Sum) || kept.size() < 2) return {};
     std::ranges::sort(kept, {}, &ModelPart::family);
     Candidate candidate{CandidateKind::Sum, "film, " + listed(kept, &ModelPart::name),

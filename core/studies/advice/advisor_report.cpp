@@ -156,7 +156,7 @@ void tellCandidates(const AdvisorTask& task, const AdvisorResult& result, StudyR
             report.findings.push_back("Remark on " + advice.model.name + ": " + advice.remark + ".");
         report.findings.push_back(applyText(advice));
     }
-    if (task.start.contact != ContactKind::None && !result.contactActed)
+    if (task.start.contact != noContact && !result.contactActed)
         report.findings.push_back(
             "Only air acted on the slider in the pilot: contact can be left out there without an error.");
     std::size_t givenUp = 0;

@@ -8,6 +8,8 @@
 #include <Eigen/Jacobi>
 #include <Eigen/LU>
 
+#include "core/case/contact_law.h"
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/simulation/small_motions/small_motions.h"
@@ -105,8 +107,9 @@ bool springsKnowDisk(const Case& c)
 
 SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
 {
-    if (c.contact != ContactKind::None && c.contact != ContactKind::OnoYamane)
-        return failed("springs know no contact but that of ono_yamane");
+    if (c.contact != noContact && !characteristic(c))
+        return failed(
+            "springs are fitted to a film without contact or with contact = \"ono-yamane\", which acts on both alike");
     const auto ask = [&] { return !goOn || goOn(); };
     Case flat = c;
     flat.degreesOfFreedom = 2;
@@ -153,7 +156,7 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     s.pitch = rest.attitude.pitch;
     // A spring is lost where the film's own flow changes its kind; less where the slider flies lower than that.
     s.cutoff = std::min(s.cutoff, 0.1 * rest.minimumSpacing);
-    springs.onoYamane.padDistance = padDistance;
+    springs.springs.padDistance = padDistance;
     SuspensionCase& suspension = springs.suspension;
     suspension.dampingRatio = dampingRatio(c.suspension.damping, c.slider.mass, c.suspension.stiffness);
     suspension.pitchDampingRatio =

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/case/contact_check.h"
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/simulation/contact/elastic_pad.h"
 #include "core/simulation/contact/pad_way.h"
@@ -183,7 +184,7 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
     if (c.model == ModelKind::Springs)
         return "is of model \"springs\", which has no grid; run.step_check compares a run with one of half its time "
                "step";
-    if (c.contact != ContactKind::Elastic)
+    if (!contactLaw(c).recordsSurfaces)
         return "has a contact law without a grid; a convergence study takes contact \"elastic\", or a film";
     if (std::string reason = reasonNotToRun(c); !reason.empty()) return reason;
     for (int level = 0; level < options.levels; ++level) {

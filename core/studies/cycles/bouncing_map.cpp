@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/physics/contact/ono_yamane.h"
 
@@ -34,7 +35,7 @@ std::optional<double> workAt(const BouncingMapTask& task, double x, double y)
     std::string problem;
     const std::optional<Case> c = caseAt(task, x, y, problem);
     if (!c) return {};
-    return OnoYamaneLaw(c->onoYamane).cycleWork();
+    return cycleWork(*c);
 }
 
 /// The first value of the axis at which the function changes its sign, by bisection between its neighbours.
@@ -97,7 +98,7 @@ MapCell judgeCell(const BouncingMapTask& task, double x, double y, const std::fu
         cell.ends[static_cast<std::size_t>(BouncingEnd::Failed)] = task.starts;
         return cell;
     }
-    cell.cycleWork = OnoYamaneLaw(c->onoYamane).cycleWork();
+    cell.cycleWork = cycleWork(*c).value_or(0.0);
     BouncingSearch search = task.search;
     search.mostCrossings = 0;
     search.goOn = goOn;

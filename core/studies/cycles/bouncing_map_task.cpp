@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/formats/quotation.h"
@@ -86,7 +87,7 @@ std::optional<double> workOfLaw(const BouncingMapTask& task, double x, double y)
 {
     Case c = task.start;
     if (setFromNumber(c, task.x.keys, x) || setFromNumber(c, task.y.keys, y)) return {};
-    return OnoYamaneLaw(c.onoYamane).cycleWork();
+    return cycleWork(c);
 }
 
 /// The x at which the law of the map has this W, by bisection; W changes with x in one direction.
@@ -118,14 +119,14 @@ std::optional<double> readPlaceOfCase(StudyReader& reader, const std::string& ke
 {
     const std::string name = reader.text(key).value_or("");
     const CaseDocument document = openCaseBeside(reader, name);
-    if (!document.valid() || document.value.contact != ContactKind::OnoYamane) {
+    const std::optional<double> work = document.valid() ? cycleWork(document.value) : std::nullopt;
+    if (!work) {
         reader.add(key, inQuotes(name) + " is no valid case with contact = \"ono-yamane\"");
         return {};
     }
-    const double work = OnoYamaneLaw(document.value.onoYamane).cycleWork();
-    const std::optional<double> x = placeOfWork(task, y, work);
+    const std::optional<double> x = placeOfWork(task, y, *work);
     if (!x)
-        reader.add(key, inQuotes(name) + " has W = " + fewDigits(work, "pJ", 3) +
+        reader.add(key, inQuotes(name) + " has W = " + fewDigits(*work, "pJ", 3) +
                             ", which the law of the map has nowhere between x_from and x_to");
     return x;
 }
@@ -315,7 +316,8 @@ std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce
         keys.push_back(choiceKey(name + "_scale", scales.front(), scales, "distances of the points"));
     };
     addAxis("map.x", force, 0.0, largestMeniscusForce);
-    addAxis("map.y", height, c.onoYamane.takeOff, 2.0 * c.onoYamane.takeOff);
+    const double takeOff = characteristic(c).value_or(OnoYamane()).takeOff;
+    addAxis("map.y", height, takeOff, 2.0 * takeOff);
     keys.push_back(integerKey("map.starts", 3, 1, mostStarts, "of each cell: as the case says, then lower ones"));
     for (StudyKey& key : keys) key = onlyOffered(std::move(key));
     for (const char* leaf : {"x", "y"})

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/adaptive.h"
@@ -101,7 +102,7 @@ Case caseOfStart(const Case& c, int k)
 {
     if (k == 0) return c;
     Case lower = c;
-    const double takeOff = c.onoYamane.takeOff;
+    const double takeOff = characteristic(c).value().takeOff;
     const double height = std::max(c.initial.flyingHeight, 2.0 * takeOff);
     lower.initial.flyingHeight = takeOff + (height - takeOff) * std::pow(10.0, -k);
     lower.initial.pitch = c.springs.pitch;

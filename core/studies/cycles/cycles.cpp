@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
@@ -33,7 +34,7 @@ constexpr const char* standardKey = "ono_yamane.meniscus_force";
 /// From no adhesion to twice the meniscus force at which W = 0, at most that of the case where there is none [N].
 double largestMeniscusForce(const Case& c)
 {
-    const OnoYamane& law = c.onoYamane;
+    const OnoYamane law = characteristic(c).value_or(OnoYamane());
     const double balanced = law.takeOff > law.touchDown ? meniscusForceForWork(law, 0.0) : 0.0;
     const double most = roundedTo(2.0 * balanced, 2);
     return most > 0.0 ? most : law.meniscusForce > 0.0 ? law.meniscusForce : 10e-3;
@@ -257,9 +258,14 @@ StudyPerformance planCycles(StudyReader& reader)
                            "(disk.surface.kind = \"flat\")");
         return {};
     }
-    if (task.start.contact != ContactKind::OnoYamane) {
-        reader.add("case", "has no contact, so that every motion decays; a study of cycles takes contact = "
-                           "\"ono-yamane\"");
+    if (!characteristic(task.start)) {
+        const std::string law(contactLaw(task.start).name);
+        reader.add("case", task.start.contact == noContact
+                               ? "has no contact, so that every motion decays; a study of cycles takes contact = "
+                                 "\"ono-yamane\""
+                               : "has contact = \"" + law +
+                                     "\"; a study of cycles takes contact = \"ono-yamane\", "
+                                     "at whose touch-down each cycle is closed");
         return {};
     }
     const std::string keys = reader.text("parameter", neededKeys).value_or(standardKey);

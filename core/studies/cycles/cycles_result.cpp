@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/case/contact_law.h"
 #include "core/physics/contact/ono_yamane.h"
 
 namespace touchdown {
@@ -19,7 +20,7 @@ std::optional<double> workOfValue(const CyclesTask& task, double value)
 {
     Case c = task.start;
     if (setFromNumber(c, task.parameter, value)) return {};
-    return OnoYamaneLaw(c.onoYamane).cycleWork();
+    return cycleWork(c);
 }
 
 /// Where W changes its sign, between a value with W < 0 and one without.

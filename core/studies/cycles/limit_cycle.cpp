@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 
@@ -99,7 +100,7 @@ LimitCycle figuresOf(const ReturnMap& map, const Case& c, double value, const Ve
     for (double* part :
          {&cycle.energies.air, &cycle.energies.suspension, &cycle.energies.contact, &cycle.energies.friction})
         if (std::abs(*part) < energyAccuracy * way.energies.largest()) *part = 0.0;
-    cycle.cycleWork = OnoYamaneLaw(c.onoYamane).cycleWork();
+    cycle.cycleWork = cycleWork(c).value();
     cycle.touchDowns = static_cast<int>(std::ranges::count_if(way.switches, [](const CycleSwitch& each) {
         return each.guard == SpringModel::Pad && each.before.contact == ContactRegion::Apart;
     }));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_law.h"
 #include "core/numerics/adaptive.h"
 #include "core/numerics/gauss_legendre.h"
 
@@ -139,8 +140,8 @@ Vector3 sectionUnits(const Case& c) { return SpringModel(c).scale().tail<3>(); }
 ReturnMap::ReturnMap(const Case& c, const Vector3& units)
     : model_(c),
       units_(units),
-      touchDown_(c.onoYamane.touchDown),
-      padDistance_(c.onoYamane.padDistance),
+      touchDown_(characteristic(c).value().touchDown),
+      padDistance_(c.springs.padDistance),
       frontCutoff_(model_.interval(SpringModel::Front, {}).lower),
       rearCutoff_(model_.interval(SpringModel::Rear, {}).lower)
 {}

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/physics/contact/ono_yamane.h"
 
@@ -43,8 +44,9 @@ ContactBranch branchAfter(const HeldEnd& before)
         return ContactBranch::TakeOff;
     for (auto event = end.events.rbegin(); event != end.events.rend(); ++event)
         if (const auto branch = branchAfterSwitch(event->name)) return *branch;
-    if (before.startSpacing >= before.run.onoYamane.takeOff) return ContactBranch::TouchDown;
-    if (before.startSpacing <= before.run.onoYamane.touchDown) return ContactBranch::TakeOff;
+    const auto law = characteristic(before.run); // other laws have no branches
+    if (law && before.startSpacing >= law->takeOff) return ContactBranch::TouchDown;
+    if (law && before.startSpacing <= law->touchDown) return ContactBranch::TakeOff;
     return before.run.initial.branch;
 }
 
@@ -71,7 +73,7 @@ void carryOver(Case& next, const HeldEnd& before)
     initial.pitchVelocity = last("pitch_velocity");
     initial.branch = branchAfter(before);
     if (next.model == ModelKind::Springs) {
-        initial.flyingHeight = height - next.onoYamane.padDistance * initial.pitch;
+        initial.flyingHeight = height - next.springs.padDistance * initial.pitch;
         return;
     }
     initial.state = InitialState::Given;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
@@ -67,7 +68,12 @@ Range defaultRange(const Case& c)
         return {"disk.speed", c.disk.speed, 0.5 * c.disk.speed, steps, hold};
     }
     const double height = c.springs.flyingHeight;
-    if (!(height > 0.0)) return {"ono_yamane.meniscus_force", 5.0 * c.onoYamane.meniscusForce, 0.0, 40, c.run.duration};
+    if (!(height > 0.0)) {
+        if (const auto law = characteristic(c))
+            return {"ono_yamane.meniscus_force", 5.0 * law->meniscusForce, 0.0, 40, c.run.duration};
+        const double stiffness = c.springs.rearStiffness;
+        return {"springs.rear_stiffness", stiffness, 0.5 * stiffness, 40, c.run.duration};
+    }
     Range range{"springs.flying_height", roundedTo(2.0 * height, 2), 0.0, 40, c.run.duration};
     for (const double share : {0.2, 0.4, 0.6, 0.8, 1.0}) {
         range.to = roundedTo(share * height, 2);
@@ -132,9 +138,8 @@ public:
         if (!task_.fresh && task_.start.model == ModelKind::Film)
             result_.warnings.push_back(
                 std::string("each value begins with the air steady at the attitude of the one before") +
-                (task_.start.contact == ContactKind::Elastic
-                     ? ", and without what contact and adhesion of the surfaces remember of the way there"
-                     : ""));
+                (contactLaw(task_.start).remembers ? ", and without what contact and adhesion remember of the way there"
+                                                   : ""));
         addStepWarnings();
         if (!plan_.notTraced.empty()) result_.warnings.push_back(plan_.notTraced);
         StudyReport report = hysteresisReport(task_, result_);

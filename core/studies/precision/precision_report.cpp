@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/studies/precision/precision_runs.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"

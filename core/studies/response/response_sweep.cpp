@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "core/case/contact_law.h"
 #include "core/studies/response/followed_motion.h"
 
 namespace touchdown {
@@ -104,7 +105,8 @@ ForcedState stateOfStart(const ResponseTask& task, const ForcedSprings& springs,
     const SpringModel& model = springs.model();
     ForcedState at{model.staticState(), {}};
     const StartKind kind = kindOfStart(task, start);
-    const double toContact = task.start.springs.flyingHeight - task.start.onoYamane.touchDown; // [m]
+    const auto law = characteristic(task.start);
+    const double toContact = law ? task.start.springs.flyingHeight - law->touchDown : 0.0; // [m]
     if (kind == StartKind::AtContact) at.y[0] -= toContact;
     if (kind != StartKind::Drawn) return springs.continued(at);
     std::mt19937_64 engine(seedOfStarts + std::uint64_t(start));
@@ -115,7 +117,7 @@ ForcedState stateOfStart(const ResponseTask& task, const ForcedSprings& springs,
         for (int k = 0; k < 4; ++k) direction[k] = 2.0 * share() - 1.0;
     } while (direction.norm() > 1.0 || direction.norm() < 0.1);
     double furthest = furthestStart * task.amplitude;
-    if (task.start.contact == ContactKind::OnoYamane) furthest = std::max(furthest, beyondContact * toContact);
+    if (law) furthest = std::max(furthest, beyondContact * toContact);
     const double size = task.amplitude * std::pow(furthest / task.amplitude, share());
     at.y += size / model.scale()[0] * model.scale().cwiseProduct(direction.normalized());
     return springs.continued(at);
@@ -160,7 +162,7 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
 StartKind kindOfStart(const ResponseTask& task, int start)
 {
     if (start % 4 == 0) return StartKind::AtRest;
-    return start % 4 == 2 && task.start.contact == ContactKind::OnoYamane ? StartKind::AtContact : StartKind::Drawn;
+    return start % 4 == 2 && characteristic(task.start) ? StartKind::AtContact : StartKind::Drawn;
 }
 
 std::size_t placeOfStart(const ResponseTask& task, int start)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/cvode.h"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/case/case.h"
+#include "core/case/integrator_kind.h"
 
 namespace touchdown {
 

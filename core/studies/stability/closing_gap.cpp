@@ -6,6 +6,7 @@
 
 #include "core/formats/units.h"
 #include "core/physics/film/film_newton.h"
+#include "core/physics/film/slip_model.h"
 #include "core/physics/slider/recess.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/studies/stability/stability_curves.h"

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
@@ -183,8 +184,8 @@ DefaultParameter defaultParameter(const Case& c)
     const std::vector<double> factors{0.2, 0.5, 1.0, 2.0, 5.0, 10.0};
     if (c.model == ModelKind::Film)
         return {"suspension.preload", multiples(c.suspension.preload, "mN", {0.7, 1.0, 1.4})};
-    if (c.contact == ContactKind::OnoYamane && c.onoYamane.contactStiffness > 0.0)
-        return {"ono_yamane.contact_stiffness", multiples(c.onoYamane.contactStiffness, "N/m", factors)};
+    if (const auto law = characteristic(c); law && law->contactStiffness > 0.0)
+        return {"ono_yamane.contact_stiffness", multiples(law->contactStiffness, "N/m", factors)};
     if (c.springs.rearStiffness > 0.0)
         return {"springs.rear_stiffness", multiples(c.springs.rearStiffness, "N/m", factors)};
     return {"initial.flying_height", multiples(c.initial.flyingHeight, "nm", {0.5, 1.0, 2.0})};

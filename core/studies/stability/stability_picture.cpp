@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/case/contact_law.h"
+#include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
 #include "core/numerics/small_matrix.h"
 #include "core/numerics/stability_region.h"
@@ -57,7 +59,7 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     c.run.integrator = IntegratorKind::Dopri5;
     c.run.tolerance = referenceTolerance;
     std::vector<std::string> wanted{"front_spacing", "rear_spacing", "flying_height"};
-    if (c.contact == ContactKind::OnoYamane) wanted.push_back("contact_force");
+    if (characteristic(c)) wanted.push_back("contact_force");
     const MeasuredRun run = measureRun(c, wanted, goOn);
     if (run.summary.status == RunStatus::Cancelled) return false;
 

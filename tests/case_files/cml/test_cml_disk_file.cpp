@@ -6,11 +6,13 @@
 
 #include <numbers>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
 #include "core/case_files/cml/cml_dynamics_file.h"
 #include "core/case_files/cml_case.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/test_program.h"
 

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/case/parameters.h"
+#include "core/physics/film/slip_model.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/random_case.h"
 #include "tests/support/test_program.h"

@@ -9,6 +9,7 @@
 
 #include <QTest>
 
+#include "core/physics/contact/asperity_model.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/test_program.h"
 

@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/physics/contact/adhesion_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -9,6 +9,7 @@
 
 #include <QTest>
 
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/physics/contact/adhesive_contact.h"
 #include "core/physics/contact/contact_jump.h"
 #include "tests/support/test_program.h"

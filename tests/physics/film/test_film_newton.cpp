@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/physics/film/slip_model.h"
 #include "tests/support/film_problem.h"
 #include "tests/support/test_program.h"
 

@@ -10,6 +10,7 @@
 #include "core/physics/film/film_newton.h"
 #include "core/physics/film/film_oscillation.h"
 #include "core/physics/film/gas_film.h"
+#include "core/physics/film/slip_model.h"
 #include "core/physics/slider/recess.h"
 #include "tests/support/test_program.h"
 

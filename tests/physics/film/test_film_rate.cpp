@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "core/physics/film/film_step.h"
+#include "core/physics/film/slip_model.h"
 #include "tests/support/film_problem.h"
 #include "tests/support/test_program.h"
 

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/physics/film/slip_model.h"
 #include "tests/support/test_program.h"
 #include "tests/support/wide_slider.h"
 

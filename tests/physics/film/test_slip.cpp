@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/physics/film/slip_model.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

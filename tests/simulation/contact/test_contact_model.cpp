@@ -7,7 +7,9 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/multi_asperity.h"
 #include "core/simulation/contact/contact_lever.h"

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/case/parameters.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;

@@ -6,7 +6,9 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/simulation/contact/elastic_pad.h"
 #include "tests/support/test_program.h"
 

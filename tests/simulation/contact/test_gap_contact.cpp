@@ -6,8 +6,10 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/disk_setup.h"
 #include "core/case/parameters.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/physics/film/film_grid.h"
 #include "tests/support/test_program.h"
 

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/contact/pad_contact.h"
 #include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/static_state/steady.h"
@@ -88,7 +89,7 @@ private slots:
         QVERIFY(at->netContactForce < 0.0);
 
         Case free = c;
-        free.contact = ContactKind::None;
+        free.contact = noContact;
         const SliderBody body(c, steady(free).attitude);
         const Recess recess(c.surface, c.slider.length, c.slider.width);
         const MinimumSpacing spacing(c.surface, recess);

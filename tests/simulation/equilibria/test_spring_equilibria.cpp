@@ -35,7 +35,7 @@ Case oneSpring()
     c.springs.flyingHeight = 7e-9;
     c.springs.pitch = 0.0;
     c.suspension.stiffness = 0.0;
-    c.onoYamane.padDistance = 0.0;
+    c.springs.padDistance = 0.0;
     c.onoYamane.initialContactForce = 0.0;
     c.onoYamane.touchDown = 2e-9;
     c.onoYamane.takeOff = 5e-9;
@@ -94,8 +94,8 @@ private slots:
     void agreesWithAScan()
     {
         const Case c;
-        const double z0 = c.springs.flyingHeight + c.onoYamane.padDistance * c.springs.pitch;
-        const double df = c.springs.frontDistance, dr = c.springs.rearDistance, dh = c.onoYamane.padDistance;
+        const double z0 = c.springs.flyingHeight + c.springs.padDistance * c.springs.pitch;
+        const double df = c.springs.frontDistance, dr = c.springs.rearDistance, dh = c.springs.padDistance;
         const auto spring = [](double k0, double s0, double s) { return k0 * s0 * s0 / (s * s) * (s0 - s); };
         const auto balance = [&](double d, double theta, bool moment) {
             const double z = d + dh * theta;
@@ -204,11 +204,11 @@ private slots:
         c.springs.pitch = 0.0;
         c.slider.thickness = 1e-3;
         c.suspension = {.stiffness = 1e6, .pitchStiffness = 0.9, .dampingRatio = 0.01, .pitchDampingRatio = 0.01};
-        c.onoYamane.padDistance = -0.3e-3;
+        c.springs.padDistance = -0.3e-3;
         c.onoYamane.meniscusForce = 0.0;
         const auto hurwitz = [&](double mu) {
             const double M = c.slider.mass, J = c.slider.pitchInertia, kc = c.onoYamane.contactStiffness,
-                         dh = c.onoYamane.padDistance;
+                         dh = c.springs.padDistance;
             const double e = dh + 0.5 * c.slider.thickness * mu;
             const double cz = 2 * 0.01 * std::sqrt(1e6 / M), ct = 2 * 0.01 * std::sqrt(0.9 / J); // per mass and inertia
             const double zz = (1e6 + kc) / M, zt = -kc * dh / M, tz = -kc * e / J, tt = (0.9 + kc * dh * e) / J;

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/flight/film_run.h"

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "tests/support/film_flight.h"
 #include "tests/support/test_program.h"
 

@@ -6,6 +6,7 @@
 
 #include <QtTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/simulation/flight/film_run.h"
@@ -135,7 +136,7 @@ Case heldPad()
 {
     Case c;
     c.model = ModelKind::Film;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.slider.length = c.slider.width = 0.2e-3;
     c.slider.mass = 1.0;
     c.slider.pitchInertia = c.slider.rollInertia = 1e-3;

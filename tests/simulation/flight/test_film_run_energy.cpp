@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/case/contact_kind.h"
 #include "tests/support/film_flight.h"
 #include "tests/support/test_program.h"
 

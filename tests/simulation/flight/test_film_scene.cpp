@@ -3,7 +3,9 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
+#include "core/physics/contact/adhesion_kind.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"

@@ -8,6 +8,8 @@
 
 #include <QtTest>
 
+#include "core/case/contact_kind.h"
+#include "core/case/integrator_kind.h"
 #include "core/results/csv_writer.h"
 #include "core/results/results_reader.h"
 #include "core/results/results_writer.h"

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 
@@ -147,7 +148,7 @@ private slots:
             QCOMPARE(extremes.most, 9e-9);
         }
     }
-    /// The menisci of Ono & Yamane hold a pad that its asperities do not touch; adhesion of surfaces does not.
+    /// Menisci hold a pad that its asperities do not touch; adhesion of surfaces acts from afar.
     void touching()
     {
         Case c;
@@ -168,6 +169,7 @@ private slots:
         QCOMPARE(between(OnoYamane, {1e-3, 2e-3}, {-1e-3, -1e-3}), Touch::Always);
         QCOMPARE(between(OnoYamane, {0, 0}, {-1e-3, -1e-3}), Touch::Always);
         QCOMPARE(between(OnoYamane, {0, 1e-3}, {-1e-3, 0}), Touch::AtTimes);
+        QCOMPARE(between(MultiAsperity, {0, 0}, {-1e-3, 0}), Touch::AtTimes);
         QCOMPARE(between(Elastic, {0, 1e-3}, {-1e-3, -1e-3}), Touch::AtTimes);
         QCOMPARE(between(Elastic, {0, 0}, {-1e-3, -1e-3}), Touch::Never);
     }

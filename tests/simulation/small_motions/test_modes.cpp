@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/physics/film/film_oscillation.h"
+#include "core/physics/film/slip_model.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"

@@ -21,13 +21,13 @@ using Mode = SpringModel::Mode;
 /// rearrangement.
 State secondOpinion(const Case& c, const State& y, bool front, bool rear, double contact, double adhesion)
 {
-    const double z0 = c.springs.flyingHeight + c.onoYamane.padDistance * c.springs.pitch;
+    const double z0 = c.springs.flyingHeight + c.springs.padDistance * c.springs.pitch;
     const auto spring = [&](double k0, double spacing0, double spacing, bool carries) {
         return carries ? k0 * spacing0 * spacing0 / (spacing * spacing) * (spacing0 - spacing) : 0.0;
     };
     const double df = c.springs.frontDistance;
     const double dr = c.springs.rearDistance;
-    const double dh = c.onoYamane.padDistance;
+    const double dh = c.springs.padDistance;
     const double cf = 2 * c.springs.frontDampingRatio * std::sqrt(c.slider.mass * c.springs.frontStiffness);
     const double cr = 2 * c.springs.rearDampingRatio * std::sqrt(c.slider.mass * c.springs.rearStiffness);
     const double cz = 2 * c.suspension.dampingRatio * std::sqrt(c.slider.mass * c.suspension.stiffness);
@@ -97,7 +97,7 @@ private slots:
             const State y = randomState(random);
             for (const ContactRegion region : allRegions) {
                 const Mode mode{i % 2 == 0, i % 3 != 0, region};
-                const double d = y[0] - c.onoYamane.padDistance * y[1];
+                const double d = y[0] - c.springs.padDistance * y[1];
                 const State expected = secondOpinion(c, y, mode.frontSpring, mode.rearSpring,
                                                      law.contactForce(region, d), law.adhesionForce(region, d));
                 const State got = model.derivative(y, mode);
@@ -211,9 +211,9 @@ private slots:
     void scaleKnowsAPadInFront()
     {
         Case c;
-        c.onoYamane.padDistance = 0.8e-3;
+        c.springs.padDistance = 0.8e-3;
         const double behind = SpringModel(c).scale()[1];
-        c.onoYamane.padDistance = -0.8e-3;
+        c.springs.padDistance = -0.8e-3;
         QCOMPARE(SpringModel(c).scale()[1], behind);
         QVERIFY(std::abs(behind - 7e-9 / 0.8e-3) < 1e-18);
     }
@@ -222,9 +222,9 @@ private slots:
     void periodNearTheWall()
     {
         Case c;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         c.springs.frontStiffness = 0.0;
-        c.springs.rearDistance = c.onoYamane.padDistance = 0.0;
+        c.springs.rearDistance = c.springs.padDistance = 0.0;
         c.springs.flyingHeight = 100e-9;
         c.suspension.stiffness = c.suspension.pitchStiffness = 0.0;
         const SpringModel model(c);
@@ -275,7 +275,7 @@ private slots:
     void withoutContactThereIsNone()
     {
         Case c;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         const SpringModel model(c);
         QVERIFY(std::isinf(model.interval(SpringModel::Pad, Mode{}).lower));
         State y = model.staticState();

@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/numerics/cvode.h"
 #include "core/simulation/run.h"
@@ -39,7 +40,7 @@ Summary runWith(Case c, IntegratorKind integrator, double step = 0.0)
 Case smallSwing()
 {
     Case c;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     c.initial.flyingHeight = 7.05e-9;
     c.initial.pitch = c.springs.pitch;
     c.run.duration = 1e-3;

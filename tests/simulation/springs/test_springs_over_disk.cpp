@@ -16,6 +16,7 @@
 
 #include <Eigen/LU>
 
+#include "core/case/integrator_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_settings.h"
 #include "core/numerics/cvode.h"
@@ -183,7 +184,7 @@ Case stopped(double touchDown, double jump, double stiffness)
                  .flyingHeight = 40e-9,
                  .pitch = 0.0,
                  .potential = PotentialBelowCutoff::Held};
-    c.onoYamane.meniscusForce = c.onoYamane.friction = c.onoYamane.padDistance = 0.0;
+    c.onoYamane.meniscusForce = c.onoYamane.friction = c.springs.padDistance = 0.0;
     c.onoYamane.touchDown = c.onoYamane.takeOff = touchDown;
     c.onoYamane.initialContactForce = jump;
     c.onoYamane.contactStiffness = stiffness;
@@ -248,8 +249,8 @@ private slots:
                        .touchDown = 1e-6,
                        .takeOff = 1e-6,
                        .friction = 0.0,
-                       .padDistance = 0.0,
                        .takeOffShape = TakeOffShape::Constant};
+        c.springs.padDistance = 0.0;
         c.initial.flyingHeight = 982e-9;
         c.run.tolerance = 1e-12;
         double largest = 0.0;
@@ -279,7 +280,7 @@ private slots:
         for (const double frequency : {60e3, 140e3, 310e3}) {
             constexpr int samplesInPeriod = 64;
             Case c = overWave(1e-13, frequency);
-            c.contact = ContactKind::None;
+            c.contact = noContact;
             c.springs.frontDampingRatio = 0.1;
             c.springs.rearDampingRatio = 0.2;
             c.run.tolerance = 1e-13;
@@ -304,7 +305,7 @@ private slots:
     void grazing()
     {
         Case c = stopped(0.0, 0.0, 0.0);
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         Record free;
         std::size_t lowest = 0;
         for (int turn = 0; turn < 2; ++turn) {
@@ -414,7 +415,7 @@ private slots:
     {
         Case c = overWave(1e-9, 100e3);
         c.initial.flyingHeight = 9e-9;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         c.run.duration = 50e-6;
         c.run.tolerance = 1e-12;
         c.run.stepCheck = false;

@@ -7,10 +7,12 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/run.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "tests/simulation/run_trace.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 
@@ -42,7 +44,7 @@ Case pressed(ContactKind contact)
 }
 
 /// Where the run of the case ends that starts at the state with its pitch raised by `raised` [rad].
-std::vector<std::pair<std::string, double>> endOfRun(const Case& c, const SteadyResult& state, double raised, double duration)
+Summary endOfRun(const Case& c, const SteadyResult& state, double raised, double duration)
 {
     Case there = c;
     there.initial.state = InitialState::Given;
@@ -52,15 +54,7 @@ std::vector<std::pair<std::string, double>> endOfRun(const Case& c, const Steady
     there.initial.branch = state.contact.branch;
     there.run.duration = duration;
     there.run.sampleInterval = 0.1e-6;
-    const Summary summary = run(there, {});
-    return summary.final;
-}
-
-double valueOf(const std::vector<std::pair<std::string, double>>& values, const std::string& name)
-{
-    for (const auto& [quantity, value] : values)
-        if (quantity == name) return value;
-    return std::numeric_limits<double>::quiet_NaN();
+    return run(there, {});
 }
 
 class TestContactRest : public QObject {
@@ -86,10 +80,10 @@ private slots:
         QVERIFY2(std::abs(carried - c.suspension.preload) < 1e-5 * c.suspension.preload,
                  qPrintable(QString::number(carried / c.suspension.preload)));
         QVERIFY(state.contact.friction > 0.29 * state.contact.contact);
-        const std::vector<std::pair<std::string, double>> end = endOfRun(c, state, 0.0, 20e-6);
-        QVERIFY2(std::abs(valueOf(end, "minimum_spacing") - state.minimumSpacing) < 2e-12,
-                 qPrintable(QString::number(valueOf(end, "minimum_spacing") - state.minimumSpacing)));
-        QVERIFY(std::abs(valueOf(end, "pitch") - state.attitude.pitch) < 2e-3 * state.attitude.pitch);
+        const Summary end = endOfRun(c, state, 0.0, 20e-6);
+        QVERIFY2(std::abs(test::finalValue(end, "minimum_spacing") - state.minimumSpacing) < 2e-12,
+                 qPrintable(QString::number(test::finalValue(end, "minimum_spacing") - state.minimumSpacing)));
+        QVERIFY(std::abs(test::finalValue(end, "pitch") - state.attitude.pitch) < 2e-3 * state.attitude.pitch);
     }
 
     /// Far above its contact a slider flies as without one.
@@ -148,13 +142,11 @@ private slots:
         ring.run.stepError = 1e-15;
         std::vector<double> crossings;
         double lastTime = 0.0, last = 0.0;
-        std::size_t column = 0;
+        const auto column = static_cast<std::size_t>(findQuantity(recordedQuantities(ring), "minimum_spacing"));
         run(ring, [&](const RunUpdate& update) {
-            for (std::size_t i = 0; i < update.quantities.size(); ++i)
-                if (update.quantities[i].name == "minimum_spacing") column = i;
-            for (std::size_t i = 0; i < update.samples.count(); ++i) {
+            for (std::size_t i = 0; i < update.samples.size(); ++i) {
                 const double time = update.samples.time[i];
-                const double value = update.samples.values[column][i] - found.steady.minimumSpacing;
+                const double value = update.samples.columns[column][i] - found.steady.minimumSpacing;
                 if (last < 0.0 && value >= 0.0) crossings.push_back(std::lerp(lastTime, time, last / (last - value)));
                 last = value;
                 lastTime = time;

@@ -8,6 +8,7 @@
 #include <QtTest>
 
 #include "core/case/case.h"
+#include "core/case/contact_kind.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/film/film_grid.h"
 #include "core/simulation/static_state/high_disk.h"
@@ -52,7 +53,7 @@ Case plane()
     c.initial.nominalTrailingEdgeHeight = 10e-9;
     c.initial.pitch = 0.0;
     c.film.grid = GridKind::Uniform;
-    c.contact = ContactKind::None;
+    c.contact = noContact;
     return c;
 }
 
@@ -282,7 +283,7 @@ void TestDiskOnCells::aStaticStateSaysThatTheDiskIsHigher()
     QVERIFY(noteOnHighDisk(touching, 1e-9).empty());
     QVERIFY(noteOnHighDisk(plane(), 1e-9).empty());
     Case flying = test::smallSlider(33);
-    flying.contact = ContactKind::None;
+    flying.contact = noContact;
     flying.steady.stiffness = true;
     QCOMPARE(steady(flying).message.find("mean plane"), std::string::npos);
     flying.diskSurface = overWaves(100e-6, 0.0, 1e-6).diskSurface;

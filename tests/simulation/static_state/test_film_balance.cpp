@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "tests/support/small_slider.h"

@@ -4,6 +4,7 @@
 #include <QtTest>
 
 #include "core/case/case.h"
+#include "core/case/contact_kind.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/case/contact_kind.h"
 #include "core/formats/toml_document.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/advice/advisor.h"
@@ -297,13 +298,13 @@ void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
     task.start.contact = ContactKind::OnoYamane;
     const ModelPart flat{"flat disk", "the disk's surface", {{"disk.surface.kind", "flat"}}, "surface"};
     const ModelPart grid{"17 x 17 grid lines", "grid lines", {{"film.nodes", "17, 17"}}, "grid"};
-    const ModelPart noContact{"no contact", "contact", {{"contact", "none"}}, "contact"};
+    const ModelPart withoutContact{"no contact", "contact", {{"contact", "none"}}, "contact"};
     const ModelPart noMenisci{"no menisci", "menisci", {{"ono_yamane.meniscus_force", "0 N"}}, "adhesion"};
-    const std::optional<Candidate> sum = sumOf(task, {flat, grid, noContact, noMenisci});
+    const std::optional<Candidate> sum = sumOf(task, {flat, grid, withoutContact, noMenisci});
     QVERIFY(sum && sum->parts.size() == 3); // without contact there are no menisci
-    QVERIFY(sum->c.diskSurface.kind == DiskSurfaceKind::Flat && sum->c.contact == ContactKind::None &&
+    QVERIFY(sum->c.diskSurface.kind == DiskSurfaceKind::Flat && sum->c.contact == noContact &&
             sum->c.film.nodes[0] == 17);
-    QVERIFY(!sumOf(task, {noContact, noMenisci}));
+    QVERIFY(!sumOf(task, {withoutContact, noMenisci}));
     QCOMPARE(sumOf(task, {grid, flat})->name, sumOf(task, {flat, grid})->name);
     task.models = {"parts"};
     QVERIFY(!sumOf(task, {flat, grid}));

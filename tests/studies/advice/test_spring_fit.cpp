@@ -5,6 +5,7 @@
 
 #include <QtTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/advice/pilot_run.h"
@@ -77,7 +78,7 @@ void TestSpringFit::beginsWhereTheFilmBegins()
     c.initial.verticalVelocity = 1e-4;
     const SpringFit fit = fitSprings(c);
     QVERIFY2(fit.problem.empty(), fit.problem.c_str());
-    const double arm = fit.springs.onoYamane.padDistance;
+    const double arm = fit.springs.springs.padDistance;
     QVERIFY(std::abs(fit.springs.initial.flyingHeight - fit.springs.springs.flyingHeight - (2e-9 - 3e-6 * arm)) <
             1e-15);
     QVERIFY(std::abs(fit.springs.initial.pitch - fit.springs.springs.pitch - 3e-6) < 1e-15);

@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/studies/cycles/bouncing_run.h"
 #include "core/studies/study_plan.h"
@@ -258,10 +259,14 @@ private slots:
             QCOMPARE(plan.problems.front().key, std::string("case"));
         }
         Case free = bouncingSlider();
-        free.contact = ContactKind::None;
+        free.contact = noContact;
         const StudyPlan plan = parseStudy("cycles", "", "study", {}, &free);
         QCOMPARE(plan.problems.size(), std::size_t(1));
         QVERIFY(plan.problems.front().message.starts_with("has no contact"));
+        free.contact = ContactKind::Asperity;
+        const StudyPlan summits = parseStudy("cycles", "", "study", {}, &free);
+        QCOMPARE(summits.problems.size(), std::size_t(1));
+        QVERIFY(summits.problems.front().message.starts_with("has contact = \"asperity\""));
         Case uneven = bouncingSlider();
         uneven.diskSurface.kind = DiskSurfaceKind::Waves;
         uneven.diskSurface.waveAmplitudes = {1e-9};

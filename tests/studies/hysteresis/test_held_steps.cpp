@@ -29,7 +29,7 @@ private slots:
     void oneRunInTwoParts()
     {
         HeldSteps steps;
-        steps.start.contact = ContactKind::None;
+        steps.start.contact = noContact;
         steps.start.initial.flyingHeight = 12e-9;
         steps.start.initial.pitch = 95e-6;
         steps.start.run.tolerance = 1e-11;
@@ -60,7 +60,7 @@ private slots:
         before.summary.final = {
             {"height", 60e-9}, {"pitch", 90e-6}, {"vertical_velocity", 1e-3}, {"pitch_velocity", -2.0}};
         Case next;
-        next.onoYamane.padDistance = 0.5e-3;
+        next.springs.padDistance = 0.5e-3;
         carryOver(next, before);
         QVERIFY(std::abs(next.initial.flyingHeight - 15e-9) < 1e-22);
         QCOMPARE(next.initial.verticalVelocity, 1e-3);
@@ -106,6 +106,21 @@ private slots:
         Case next;
         carryOver(next, before);
         QCOMPARE(next.initial.branch, expected);
+    }
+
+    /// Without a characteristic there is no d_s and no d_e that could tell the branch.
+    void otherLawsHaveNoBranches()
+    {
+        for (const double start : {2e-9, 7e-9})
+            for (const ContactBranch given : {ContactBranch::TouchDown, ContactBranch::TakeOff}) {
+                HeldEnd before;
+                before.run.contact = noContact;
+                before.run.initial.branch = given;
+                before.startSpacing = start;
+                Case next;
+                carryOver(next, before);
+                QCOMPARE(next.initial.branch, given);
+            }
     }
 
     void thereAndBack()

@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/formats/toml_document.h"
 #include "core/studies/study_plan.h"
@@ -98,7 +99,7 @@ private slots:
         c.suspension.stiffness = 1e6;
         c.suspension.pitchStiffness = 0.9;
         c.suspension.dampingRatio = c.suspension.pitchDampingRatio = 0.01;
-        c.onoYamane.padDistance = -0.3e-3;
+        c.springs.padDistance = -0.3e-3;
         c.onoYamane.meniscusForce = 0.0;
         c.initial.flyingHeight = 1e-9;
         const StudyReport report =

@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/simulation/run.h"
 #include "core/studies/study_plan.h"
@@ -425,7 +426,7 @@ private slots:
                 if (!each.kind.empty()) continue;
                 const Case c = caseOf(each);
                 if (c.model != ModelKind::Springs) continue;
-                const double front = c.springs.frontDistance + c.onoYamane.padDistance; // from the pad [m]
+                const double front = c.springs.frontDistance + c.springs.padDistance; // from the pad [m]
                 pressed += c.initial.flyingHeight + front * c.initial.pitch <
                                    0.8 * (c.springs.flyingHeight + front * c.springs.pitch)
                                ? 1

@@ -59,7 +59,7 @@ private slots:
         int ends = 0;
         for (int set = 0; set < 2; ++set) {
             Case c = openCase("springs_waviness").value;
-            c.contact = ContactKind::None;
+            c.contact = noContact;
             c.springs.flyingHeight = c.initial.flyingHeight = 6.5e-9 + 1e-9 * share(draw);
             const ResponseTask task = taskOf(c, 0.4e-9 + 0.2e-9 * share(draw), 45e-6 + 10e-6 * share(draw));
             for (const bool down : {false, true}) {

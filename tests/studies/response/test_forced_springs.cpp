@@ -42,8 +42,8 @@ Case linearOscillator(double stiffness, double ratio, double contactStiffness, d
                    .touchDown = 1e-6,
                    .takeOff = 1e-6,
                    .friction = 0.0,
-                   .padDistance = 0.0,
                    .takeOffShape = TakeOffShape::Constant};
+    c.springs.padDistance = 0.0;
     c.initial.flyingHeight =
         (stiffness * 100e-9 + contactStiffness * 1e-6) / (stiffness + contactStiffness) - 3e-9; // not at rest
     return c;
@@ -146,7 +146,7 @@ private slots:
             const ForcedMotion motion = settledMotion(springs, springs.start(), {});
             QCOMPARE(motion.period, 1);
             // sin(2 pi (x - v t)/l) under the pad is zero and rises at t = x/v - T/2, x from the leading edge.
-            const double place = 0.5 * c.slider.length + c.onoYamane.padDistance;
+            const double place = 0.5 * c.slider.length + c.springs.padDistance;
             const double begin = place / speedAlong(c) - 0.5 / frequency;
             const Complex expected = harmonicOfRun(c, "flying_height", frequency, begin);
             errors.push_back(std::abs(motion.harmonic / expected - 1.0));

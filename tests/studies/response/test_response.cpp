@@ -98,7 +98,7 @@ private slots:
         for (int set = 0; set < 6; ++set) {
             const ImpactOscillator oscillator{0.03 + 0.07 * share(draw), 0.0, 0.0};
             Case c = oscillator.slider();
-            c.contact = ContactKind::None;
+            c.contact = noContact;
             const StudyReport report = performed(c, overWaves(0.5, 2.0, 30, 20));
             QVERIFY(table(report, "jumps").rows.empty());
             QVERIFY(says(report, "Up and down agree at all 31 frequencies"));
@@ -174,7 +174,7 @@ private slots:
     void placesOfJumpsDoNotDependOnTheStep()
     {
         Case c = openCase("springs_waviness").value;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         for (const int steps : {20, 60, 250}) {
             const StudyReport report = performed(
                 c, "from = \"190 kHz\"\nto = \"300 kHz\"\nstarts = 0\nsteps = " + std::to_string(steps) + "\n");
@@ -235,7 +235,7 @@ private slots:
     void lowWavesHaveOneLinearMotion()
     {
         Case c = openCase("springs_waviness").value;
-        c.contact = ContactKind::None;
+        c.contact = noContact;
         for (const char* amplitude : {"1e-6 nm", "1e-5 nm", "1e-3 nm"}) {
             const StudyReport report =
                 performed(c, "from = \"100 kHz\"\nto = \"380 kHz\"\nsteps = 60\nstarts = 40\namplitude = \"" +

@@ -106,14 +106,14 @@ private slots:
             c.initial.pitch = c.springs.pitch;
             c = caseOverWave(c, wave, frequency, 0.0);
             // sin(k x - w t + c) under the pad is zero and rises at t = 0.
-            const double place = 0.5 * c.slider.length + c.onoYamane.padDistance;
+            const double place = 0.5 * c.slider.length + c.springs.padDistance;
             c.diskSurface.wavePhases = {pi - 2.0 * pi * place / c.diskSurface.waveLengths[0]};
             const ForcedSprings springs(c, "flying_height");
             const ForcedMotion motion = settledMotion(springs, springs.start(), {});
             if (!motion.settled() || motion.contactShare == 0.0) continue;
             longer += motion.period > 1 ? 1 : 0;
             c.initial.pitch = motion.end.y[1];
-            c.initial.flyingHeight = motion.end.y[0] - c.onoYamane.padDistance * motion.end.y[1];
+            c.initial.flyingHeight = motion.end.y[0] - c.springs.padDistance * motion.end.y[1];
             c.initial.verticalVelocity = motion.end.y[2];
             c.initial.pitchVelocity = motion.end.y[3];
             c.initial.branch = OnoYamaneLaw::branch(motion.end.mode.contact);

@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/studies/runs/measured_run.h"
 #include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/physics/film/slip_model.h"
 #include "core/studies/stability/stability_curves.h"
 #include "tests/support/test_program.h"
 

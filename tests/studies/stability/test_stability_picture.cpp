@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/numerics/stability_region.h"
 #include "core/studies/stability/stability_curves.h"

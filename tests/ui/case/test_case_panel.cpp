@@ -6,6 +6,7 @@
 #include <QWheelEvent>
 #include <QtTest>
 
+#include "core/case/integrator_kind.h"
 #include "core/case_files/case_file.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/named_widget.h"

@@ -11,6 +11,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "tests/support/test_program.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"

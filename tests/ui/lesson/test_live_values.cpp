@@ -64,7 +64,7 @@ private slots:
         other.onoYamane.friction = 7.0;                                         // beyond the end
         f.values.showCase(other);
         QCOMPARE(f.slider(1).value(), 1000);
-        other.contact = ContactKind::None;
+        other.contact = noContact;
         f.values.showCase(other);
         QVERIFY(!f.slider(0).isEnabled());
     }

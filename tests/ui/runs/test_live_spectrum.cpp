@@ -165,7 +165,7 @@ void TestLiveSpectrum::offersModesOfTheSameFilm()
 {
     Case film;
     film.model = ModelKind::Film;
-    film.contact = ContactKind::None;
+    film.contact = noContact;
     const auto* lines = spectrum_->view()->linesWanted(FrequencyKind::Mode);
     const PlotWidget* plot = spectrum_->view()->plot();
     add(1, 50e3, true, film);

@@ -94,7 +94,7 @@ void TestRunsPanel::saysWhatChanged()
     model.add(ranRecord(1));
     model.add(ranRecord(2, [](Case& c) { c.onoYamane.takeOff = 8e-9; }));
     model.add(ranRecord(3, [](Case& c) { c.onoYamane.takeOff = 8e-9; }));
-    model.add(ranRecord(4, [](Case& c) { c.contact = ContactKind::None; }));
+    model.add(ranRecord(4, [](Case& c) { c.contact = noContact; }));
     const auto changes = [&model](int row) { return model.index(row).data(RunsModel::ChangesRole).toString(); };
     QCOMPARE(changes(1), QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
     QCOMPARE(changes(2), QStringLiteral("same parameters as run 2"));

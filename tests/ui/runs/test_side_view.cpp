@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
@@ -141,7 +142,7 @@ void TestSideView::springs()
                                                                  {"minimum_spacing", "m", "nm", ""},
                                                                  {"pitch", "rad", "urad", ""},
                                                                  {"height", "m", "nm", ""}}));
-    const double pitch = 90e-6, height = 60e-9, pad = height - c.onoYamane.padDistance * pitch;
+    const double pitch = 90e-6, height = 60e-9, pad = height - c.springs.padDistance * pitch;
     runs_->append(1, {{0.0}, {{pad}, {pad}, {pitch}, {height}}}, {});
     view_->showRun(1);
     QVERIFY(view_->state());
@@ -152,10 +153,16 @@ void TestSideView::springs()
         return std::abs(view_->heightAt(share) - expected) < 1.01 * pitch * drawing.length() / 800.0; // half a step
     };
     QVERIFY(near(0.0, height));
-    QVERIFY(near(c.onoYamane.padDistance, pad));
+    QVERIFY(near(c.springs.padDistance, pad));
     QVERIFY(near(-c.springs.frontDistance, height + c.springs.frontDistance * pitch));
     // The pad's own picture reaches beyond the height at which the menisci break.
     QVERIFY(drawing.padReach() > c.onoYamane.takeOff);
+    // Summits have a pad, but neither d_s nor d_e; without contact there is no pad.
+    Case other;
+    other.contact = ContactKind::Asperity;
+    QVERIFY(SpringsDrawing(other).padReach() > other.asperity.planeHeight);
+    other.contact = noContact;
+    QCOMPARE(SpringsDrawing(other).padReach(), 0.0);
     QVERIFY(!view_->grab().isNull());
 }
 

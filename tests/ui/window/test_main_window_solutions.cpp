@@ -17,6 +17,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
 #include "tests/support/sample_steady.h"
 #include "tests/support/test_program.h"
