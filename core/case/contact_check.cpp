@@ -139,6 +139,19 @@ void checkMenisci(const Case& c, Problems& problems)
                             {"meniscus.film_thickness"}});
 }
 
+/// The pad is a part of the slider.
+void checkPadUnderSlider(const Case& c, Problems& problems)
+{
+    const auto check = [&](const std::string& side, double pad, double slider) {
+        if (pad > slider)
+            problems.push_back({"pad." + side,
+                                "must be at most slider." + side + " (" + formatQuantity(slider, "mm") + ")",
+                                {"slider." + side}});
+    };
+    check("length", c.pad.length, c.slider.length);
+    check("width", c.pad.width, c.slider.width);
+}
+
 } // namespace
 
 void checkPatch(const Case& c, Problems& problems)
@@ -220,7 +233,10 @@ void checkFilmContact(const Case& c, Problems& problems)
         if (problems.empty() && !checkSliderPatches(c, patchCells, problems)) return;
         break;
     case ContactKind::Asperity: break;
-    case ContactKind::MultiAsperity: checkMenisci(c, problems); break;
+    case ContactKind::MultiAsperity:
+        checkMenisci(c, problems);
+        checkPadUnderSlider(c, problems);
+        break;
     }
     const double values = mapsOfFilm * filmCells + patchFields(c) * patchCells;
     const std::string patch = patchCells > 0.0 ? " and the patch's " + inMillions(patchCells) : "";

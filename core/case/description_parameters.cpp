@@ -34,8 +34,9 @@ std::string contactMeanings()
                 models += (models.empty() ? " (" : ", ") + std::string(modelNames[i]);
         help += " " + std::string(law.name) + models + "): " + std::string(law.meaning);
     }
-    return help + " greenwood-williamson and elastic-plastic are read as asperity with that asperity.model. The "
-                  "default is none for a film case and elastic for a contact case.";
+    return help + " greenwood-williamson and elastic-plastic are read as asperity with that asperity.model, "
+                  "unless asperity.model is given as well. The default is none for a film case and elastic for a "
+                  "contact case.";
 }
 
 /// The laws of one summit are known by their own names: each stands for "asperity" with that asperity.model.

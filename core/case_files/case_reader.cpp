@@ -12,6 +12,8 @@
 #include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
+#include <functional>
+#include <ranges>
 #include <set>
 
 namespace touchdown {
@@ -113,7 +115,10 @@ public:
         document_.value.folder = document_.folder;
         readRailFile(toml);
         for (const TomlTable& table : toml.tables) readTable(table);
-        for (const TomlEntry& entry : toml.entries) readEntry(entry);
+        // First: some spellings of the law stand for asperity.model as well, which counts where it is given by itself.
+        const auto isLaw = [](const TomlEntry& entry) { return entry.key == "contact"; };
+        for (const TomlEntry& entry : toml.entries | std::views::filter(isLaw)) readEntry(entry);
+        for (const TomlEntry& entry : toml.entries | std::views::filter(std::not_fn(isLaw))) readEntry(entry);
         for (const InputProblem& problem : readSurface(toml, document_.value.surface))
             add(problem.line, problem.key, problem.message);
         addCombinations(toml);

@@ -33,6 +33,12 @@ private slots:
         row("bridges shorter than the film under a slider",
             {"model=film", "degrees_of_freedom=3", "contact=multi-asperity", "meniscus.breaking_length=0.4 nm"},
             "meniscus.breaking_length", "must be at least meniscus.film_thickness (0.5 nm)");
+        row("a pad longer than its slider",
+            {"model=film", "degrees_of_freedom=3", "contact=multi-asperity", "pad.length=2 mm"}, "pad.length",
+            "must be at most slider.length (1.25 mm)");
+        row("a pad as wide as its slider",
+            {"model=film", "degrees_of_freedom=3", "contact=multi-asperity", "pad.width=1 mm"}, "", "");
+        row("a long pad without a slider", {"contact=multi-asperity", "pad.length=2 mm"}, "", "");
         row("their like in another contact", {"meniscus.breaking_length=0.4 nm"}, "", "");
         row("a pad of half cells", {"pad.length=20.1 um"}, "pad.length",
             "is not a whole number of cells; the nearest length is 20 um");

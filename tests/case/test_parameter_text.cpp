@@ -135,11 +135,9 @@ private slots:
         QTest::newRow("an endless integer") << "degrees_of_freedom"
                                             << "1e30"
                                             << "1e30 is out of range: allowed is at least 2, at most 3";
-        QTest::newRow("an unknown choice")
-            << "contact"
-            << "plastic"
-            << "\"plastic\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
-               "multi-asperity";
+        QTest::newRow("an unknown choice") << "initial.branch"
+                                           << "plastic"
+                                           << "\"plastic\" is not known: allowed is one of touch-down, take-off";
         QTest::newRow("no such model") << "model"
                                        << "foil"
                                        << "\"foil\" is not known: allowed is one of springs, film, contact";
@@ -202,8 +200,8 @@ private slots:
         QVERIFY(c.slider.mass == 2e-6);
         QVERIFY(setFromNumber(c, *findParameter("slider.mass"), -1.0).has_value());
         QVERIFY(setFromNumber(c, *findParameter("slider.mass"), std::numeric_limits<double>::quiet_NaN()).has_value());
-        QCOMPARE(setFromNumber(c, *findParameter("contact"), 1.0).value_or(""),
-                 std::string("is a number; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity"));
+        QCOMPARE(setFromNumber(c, *findParameter("initial.branch"), 1.0).value_or(""),
+                 std::string("is a number; allowed is one of touch-down, take-off"));
         QVERIFY(!setFromNumber(c, *findParameter("steady.radii"), 0.02).has_value());
         QCOMPARE(c.steady.radii, std::vector<double>{0.02});
         QCOMPARE(setFromNumbers(c, *findParameter("slider.mass"), {1.0}).value_or(""),
@@ -229,8 +227,8 @@ private slots:
                                 << "at most 100 numbers, each greater than 0 mm, at most 1 m";
         QTest::newRow("a list of steps") << "film.nodes"
                                          << "2 numbers, each 17, 33, 49 and so on to 2049";
-        QTest::newRow("choices") << "contact"
-                                 << "one of none, ono-yamane, elastic, asperity, multi-asperity";
+        QTest::newRow("choices") << "initial.branch"
+                                 << "one of touch-down, take-off";
         QTest::newRow("models") << "model"
                                 << "one of springs, film, contact";
         QTest::newRow("a boolean") << "run.step_check"

@@ -124,8 +124,8 @@ private slots:
             "a.toml:2: run.step_check: is text; true or false is needed");
         row("a number for a boolean", "[run]\nstep_check = 1",
             "a.toml:2: run.step_check: is a number; true or false is needed");
-        row("a number for a choice", "contact = 1",
-            "a.toml:1: contact: is a number; allowed is one of none, ono-yamane, elastic, asperity, multi-asperity");
+        row("a number for a choice", "[initial]\nbranch = 1",
+            "a.toml:2: initial.branch: is a number; allowed is one of touch-down, take-off");
         row("a number for a text", "title = 1", "a.toml:1: title: is a number; text in quotation marks is needed");
         row("a boolean for a number", "[run]\ntolerance = true",
             "a.toml:2: run.tolerance: is true; a number is needed");
@@ -136,10 +136,6 @@ private slots:
         row("a table for a value", "[slider.mass]\nx = 1", "a.toml:1: slider.mass: is a value, not a table");
         row("a model of a later version", "model = 'foil'",
             "a.toml:1: model: \"foil\" is not known: allowed is one of springs, film, contact");
-        row("a pad without contact", "model = 'contact'\ncontact = 'none'",
-            "a.toml:2: contact: must not be \"none\" with model \"contact\": a pad alone has no other force; allowed "
-            "is "
-            "one of ono-yamane, elastic, asperity, multi-asperity");
         row("springs that roll", "degrees_of_freedom = 3",
             "a.toml:1: degrees_of_freedom: must be 2 with model \"springs\", which has height and pitch only");
         row("a number for a list", "[film]\nnodes = 97",
@@ -152,9 +148,8 @@ private slots:
             "a.toml:2: film.nodes: has the wrong type; a number is needed");
         row("a wrong unit in a list", "[steady]\nskews = ['1 deg', '2 mm']",
             "a.toml:2: steady.skews: \"2 mm\" has the wrong unit; an angle such as urad, mrad or deg is needed");
-        row("a list for a choice", "contact = ['none']",
-            "a.toml:1: contact: has the wrong type; allowed is one of none, ono-yamane, elastic, asperity, "
-            "multi-asperity");
+        row("a list for a choice", "[initial]\nbranch = ['take-off']",
+            "a.toml:2: initial.branch: has the wrong type; allowed is one of touch-down, take-off");
         row("no TOML", "a = \n", "a.toml:1: is not TOML: expected value, but the line ends");
         row("Latin-1", "# \xb5", "a.toml:1: is not valid UTF-8 text");
     }
@@ -311,10 +306,9 @@ private slots:
             << QStringList("springs.flying_height='8'")
             << QStringList("--set: springs.flying_height: \"8\" has no unit; a length such as nm, um or mm is needed");
         QTest::newRow("two problems")
-            << QStringList{"slider.mass=0 mg", "contact=x"}
+            << QStringList{"slider.mass=0 mg", "initial.branch=x"}
             << QStringList{"--set: slider.mass: 0 mg is out of range: allowed is at least 1e-6 mg, at most 10 kg",
-                           "--set: contact: \"x\" is not known: allowed is one of none, ono-yamane, elastic, asperity, "
-                           "multi-asperity"};
+                           "--set: initial.branch: \"x\" is not known: allowed is one of touch-down, take-off"};
         QTest::newRow("a list, and a quantity")
             << QStringList{"steady.radii=[20 mm, 30 mm]", "springs.flying_height=8 nm"} << QStringList();
         QTest::newRow("a short list")

@@ -63,6 +63,16 @@ private slots:
         QCOMPARE(toText(back.value, *findParameter("asperity.model")), std::string("greenwood-williamson"));
     }
 
+    void whatIsGivenByItselfCounts()
+    {
+        const std::string law = "contact = 'greenwood-williamson'\n", model = "asperity.model = 'elastic-plastic'\n";
+        for (const std::string& text : {law + model, model + law}) {
+            const CaseDocument document = parseCase("model = 'contact'\n" + text, "case.toml");
+            QVERIFY(document.valid());
+            QCOMPARE(toText(document.value, *findParameter("asperity.model")), std::string("elastic-plastic"));
+        }
+    }
+
     void aSettingMayGiveItAnEffect()
     {
         CaseDocument document = parseCase(film, "case.toml");

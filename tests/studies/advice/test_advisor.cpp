@@ -33,6 +33,7 @@ private slots:
     void saysWhatIsWrong();
     void itsTemplateIsValid();
     void theCandidatesFitTheScene();
+    void menisciCanBeLeftOut();
     void aSumLeavesOutWhatCanBeLeftOut();
     void aBoundIsNotWrittenAsAMeasurement();
     void saysThatTheStepErrorWidens();
@@ -289,6 +290,21 @@ void TestAdvisor::theCandidatesFitTheScene()
     QVERIFY(!has(candidates, "answer to the waves") && !has(candidates, "film, flat disk"));
     QVERIFY(has(candidates, "film, no contact") && has(candidates, "film, no menisci") &&
             has(candidates, "film, roll held") && has(candidates, "rest in contact"));
+}
+
+/// The force of the menisci is left out, whichever law of contact has them.
+void TestAdvisor::menisciCanBeLeftOut()
+{
+    AdvisorTask task;
+    task.start = overWaves();
+    for (const ContactKind law : {ContactKind::OnoYamane, ContactKind::MultiAsperity}) {
+        task.start.contact = law;
+        const std::vector<Candidate> candidates = candidatesOf(task, 0.0);
+        const auto without = std::ranges::find(candidates, "film, no menisci", &Candidate::name);
+        QVERIFY(without != candidates.end());
+        QVERIFY(law == ContactKind::OnoYamane ? without->c.onoYamane.meniscusForce == 0.0
+                                              : without->c.meniscus.surfaceTension == 0.0);
+    }
 }
 
 void TestAdvisor::aSumLeavesOutWhatCanBeLeftOut()
