@@ -237,15 +237,6 @@ std::string steadyText(const Case& c, const std::vector<SteadyState>& states)
     return title + (seriesOf(c).size() == 1 ? oneText(c, states.front().result) : seriesText(states));
 }
 
-/// The pressure and the gap of many states need much memory, and only the file needs them.
-SteadyResult withoutFields(SteadyResult result)
-{
-    result.pressure = {};
-    result.gap = {};
-    result.recess = {};
-    return result;
-}
-
 } // namespace
 
 std::string leftOut(const Case& c)
@@ -324,7 +315,8 @@ int steadyCommand(CommandArguments arguments)
             return line.show(std::move(progress));
         });
         if (file) problem = file->add(point, result);
-        states.push_back({point, withoutFields(std::move(result))});
+        result.dropFields(); // only the file needs them
+        states.push_back({point, std::move(result)});
         if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || stopRequested()) break;
     }
     line.end();

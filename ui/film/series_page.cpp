@@ -265,9 +265,7 @@ void SeriesPage::showProblem(const QString& text)
 void SeriesPage::append(std::size_t index, const SteadyResult& result)
 {
     SteadyResult numbers = result;
-    numbers.pressure = {}; // many states would need much memory
-    numbers.gap = {};
-    numbers.recess = {};
+    numbers.dropFields();
     states_.push_back({points_[index], std::move(numbers)});
     saved_ = {};
     addRow(states_.back());

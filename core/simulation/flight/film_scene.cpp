@@ -73,7 +73,7 @@ bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>&
     const std::array<int, 2> cells{case_.film.nodes[0] - 1, case_.film.nodes[1] - 1};
     const bool known = !rest.pressure.empty();
     const bool finest = known && rest.grid.nx() == cells[0] && rest.grid.ny() == cells[1];
-    FilmGaps gaps(recess, finest ? rest.grid : unadaptedGrid(case_, cells), goOn);
+    auto gaps = finest ? rest.gaps : std::make_shared<const FilmGaps>(recess, unadaptedGrid(case_, cells), goOn);
     if (!goOn()) return false;
     level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
     if (finest)

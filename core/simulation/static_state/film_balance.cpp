@@ -26,15 +26,14 @@ Case overFlatDisk(Case c)
 std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                                const GoOn& goOn)
 {
-    const Recess recess(c.surface, c.slider.length, c.slider.width);
-    FilmGaps gaps(recess, grid, goOn);
+    auto gaps = std::make_shared<const FilmGaps>(Recess(c.surface, c.slider.length, c.slider.width), grid, goOn);
     if (!goOn()) return nullptr;
-    return std::unique_ptr<FilmBalance>(new FilmBalance(c, recess, std::move(gaps), rest));
+    return std::make_unique<FilmBalance>(c, std::move(gaps), rest);
 }
 
-FilmBalance::FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest)
+FilmBalance::FilmBalance(const Case& c, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest)
     : case_(overFlatDisk(c)),
-      spacing_(c.surface, recess),
+      spacing_(c.surface, Recess(c.surface, c.slider.length, c.slider.width)),
       body_(case_, rest),
       load_(sliderLoad(case_)),
       level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)),

@@ -25,7 +25,9 @@ class FilmBalance {
 public:
     using GoOn = std::function<bool()>;
 
-    /// `c` is valid, with a film and Ono and Yamane's contact; `rest` is q_0. Null where `goOn` ends the making.
+    /// `c` is valid, with a film and Ono and Yamane's contact; `gaps` are those of its slider, `rest` is q_0.
+    FilmBalance(const Case& c, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest);
+    /// On a grid. Null where `goOn` ends the making.
     static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                              const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
@@ -71,7 +73,6 @@ public:
     const Vector3& place() const { return q_; }
 
 private:
-    FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest);
     Vector3 contactForce(ContactRegion region);
     Matrix3 filmStiffness(const GoOn& goOn);
 
