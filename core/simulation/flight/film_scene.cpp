@@ -13,7 +13,8 @@
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/high_disk.h"
 #include "core/simulation/static_state/static_check.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/static_solution.h"
+#include "core/simulation/static_state/steady_near.h"
 
 namespace touchdown {
 
@@ -29,11 +30,20 @@ FilmScene::State FilmScene::fail(std::string reason)
     return State::Failed;
 }
 
-FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
+SteadyResult FilmScene::findRest(const StaticSolution* known, const std::function<bool()>& goOn) const
+{
+    const Case still = attitudeCase(case_);
+    const auto ask = [&](const SteadyProgress&) { return goOn(); };
+    if (!known || !isRestOf(case_, known->solved, known->state)) return steady(still, ask);
+    // Without its gaps it may come from a file, and is then solved again from near: at once, if the file is right.
+    return known->state.gaps ? known->state : steadyNear(still, still, known->state, ask);
+}
+
+FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const StaticSolution* known)
 {
     topography = diskTopography(case_, goOn);
     if (!goOn()) return State::Stopped;
-    const SteadyResult rest = steady(attitudeCase(case_), [&](const SteadyProgress&) { return goOn(); });
+    const SteadyResult rest = findRest(known, goOn);
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
     if (fromRest && rest.status != SteadyStatus::Converged)

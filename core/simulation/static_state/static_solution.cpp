@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#pragma once
-
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/static_solution.h"
 
 namespace touchdown {
 
-/// Nothing that a static state and its search depend on differs.
-inline bool sameFilm(const Case& a, Case b)
+bool sameFilm(const Case& a, Case b)
 {
     b.title = a.title;
     b.about = a.about;
@@ -16,9 +13,7 @@ inline bool sameFilm(const Case& a, Case b)
     return a == b;
 }
 
-/// `c` with what only a run in time uses as `run` has it: the disk's surface, as a static state is one over a flat
-/// disk, the run and its spectra, and how it starts from an attitude.
-inline Case withRunOf(Case c, const Case& run)
+Case withRunOf(Case c, const Case& run)
 {
     c.diskSurface = run.diskSurface;
     c.run = run.run;
@@ -31,15 +26,21 @@ inline Case withRunOf(Case c, const Case& run)
     return c;
 }
 
-/// `c` has the static state that was found for `solved`: it differs in nothing that the state depends on. The search
-/// may start from the state itself.
-inline bool hasStaticState(const Case& c, const Case& solved, const Attitude& found)
+bool hasStaticState(const Case& c, const Case& solved, const Attitude& found)
 {
     Case same = withRunOf(solved, c);
     const InitialCase& start = c.initial;
     if (start.nominalTrailingEdgeHeight == found.height && start.pitch == found.pitch && start.roll == found.roll)
         same.initial = start;
     return sameFilm(c, same);
+}
+
+bool isRestOf(const Case& c, const Case& solved, const SteadyResult& state)
+{
+    if (state.pressure.empty() || state.status == SteadyStatus::Cancelled || solved.steady.fixedAttitude) return false;
+    const Case sought = attitudeCase(c), found = attitudeCase(solved);
+    return state.status == SteadyStatus::Converged ? hasStaticState(sought, found, state.attitude)
+                                                   : sameFilm(sought, withRunOf(found, sought));
 }
 
 } // namespace touchdown
