@@ -26,14 +26,16 @@ Case overFlatDisk(Case c)
 std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                                const GoOn& goOn)
 {
-    auto gaps = std::make_shared<const FilmGaps>(Recess(c.surface, c.slider.length, c.slider.width), grid, goOn);
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    auto gaps = std::make_shared<const FilmGaps>(recess, grid, goOn);
     if (!goOn()) return nullptr;
-    return std::make_unique<FilmBalance>(c, std::move(gaps), rest);
+    return std::make_unique<FilmBalance>(c, MinimumSpacing(c.surface, recess), std::move(gaps), rest);
 }
 
-FilmBalance::FilmBalance(const Case& c, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest)
+FilmBalance::FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps,
+                         const Attitude& rest)
     : case_(overFlatDisk(c)),
-      spacing_(c.surface, Recess(c.surface, c.slider.length, c.slider.width)),
+      spacing_(std::move(spacing)),
       body_(case_, rest),
       load_(sliderLoad(case_)),
       level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)),
@@ -51,11 +53,13 @@ void FilmBalance::startFrom(const FilmBalance& other)
     const double share = level_->film.ambient() / other.level_->film.ambient();
     for (double& p : known) p *= share;
     pad.pad<double>(known, level_->pressure);
+    level_->flying.startFrom(other.level_->flying);
 }
 
 bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
 {
     q_ = q;
+    filmStiffness_.reset();
     level_->film.setAttitude(body_.attitude(q));
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
     const FilmSolution film = level_->flying.solveFilm(level_->pressure, options, [&](int, double) { return goOn(); });
@@ -90,12 +94,13 @@ Matrix3 FilmBalance::contactStiffness(ContactRegion region)
     return contact_.stiffness();
 }
 
-Matrix3 FilmBalance::filmStiffness(const GoOn& goOn)
+const Matrix3& FilmBalance::filmStiffness(const GoOn& goOn)
 {
-    Matrix3 sum = level_->flying.balanceStiffness(level_->pressure, goOn);
+    if (filmStiffness_) return *filmStiffness_;
+    filmStiffness_ = level_->flying.balanceStiffness(level_->pressure, goOn);
     // From the mass centre's height: the trailing edge's falls by half the length times the pitch.
-    sum.col(1) -= 0.5 * case_.slider.length * sum.col(0);
-    return sum;
+    filmStiffness_->col(1) -= 0.5 * case_.slider.length * filmStiffness_->col(0);
+    return *filmStiffness_;
 }
 
 Matrix3 FilmBalance::stiffness(ContactRegion region, const GoOn& goOn)

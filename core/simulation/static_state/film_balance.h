@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/simulation/contact/ono_yamane_contact.h"
 #include "core/simulation/static_state/slider_body.h"
@@ -25,15 +26,15 @@ class FilmBalance {
 public:
     using GoOn = std::function<bool()>;
 
-    /// `c` is valid, with a film and Ono and Yamane's contact; `gaps` are those of its slider, `rest` is q_0.
-    FilmBalance(const Case& c, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest);
+    /// `c` is valid, with a film and Ono and Yamane's contact; spacing and gaps are of its slider, `rest` is q_0.
+    FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest);
     /// On a grid. Null where `goOn` ends the making.
     static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                              const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
     ~FilmBalance();
 
-    /// Takes another's pressure on the same grid for the start of the next solution.
+    /// Takes another's pressure and responses on the same grid for the start of the next solution.
     void startFrom(const FilmBalance& other);
     /// Makes the film steady at q; false where it is not solved.
     bool solve(const Vector3& q, const GoOn& goOn);
@@ -74,7 +75,7 @@ public:
 
 private:
     Vector3 contactForce(ContactRegion region);
-    Matrix3 filmStiffness(const GoOn& goOn);
+    const Matrix3& filmStiffness(const GoOn& goOn);
 
     Case case_;
     MinimumSpacing spacing_;
@@ -84,6 +85,7 @@ private:
     OnoYamaneContact contact_;
     OnoYamaneLaw law_;
     Vector3 q_ = Vector3::Zero();
+    std::optional<Matrix3> filmStiffness_; // at q_
 };
 
 } // namespace touchdown
