@@ -16,7 +16,6 @@
 #include "app/terminal/report_text.h"
 #include "app/terminal/stop_signals.h"
 #include "app/terminal/text_table.h"
-#include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
@@ -269,25 +268,12 @@ std::string steadyText(const Case& c, const std::vector<SteadyState>& states)
     return title + (seriesOf(c).size() == 1 ? oneText(c, states.front().result) : seriesText(states));
 }
 
-/// The pressure and the gap of many states need much memory, and only the file needs them.
-SteadyResult withoutFields(SteadyResult result)
-{
-    result.pressure = {};
-    result.gap = {};
-    result.recess = {};
-    return result;
-}
-
 } // namespace
 
 std::string leftOut(const Case& c)
 {
-    const bool held = c.steady.fixedAttitude;
-    const bool touches = c.contact != noContact && held;
-    // A contact that sees a disk which stands still rests on it.
-    const bool seen = !held && c.diskSurface.motion == SurfaceMotion::Still &&
-                      (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity);
-    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat || seen;
+    const bool touches = c.contact != noContact && c.steady.fixedAttitude;
+    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat || (!touches && seesStillDisk(c));
     if (!touches && flat) return {};
     const std::string what = !touches ? "disk.surface has" : flat ? "contact has" : "contact and disk.surface have";
     return (touches ? "of the film alone, over a flat disk: " : "over a flat disk: ") + what + " no part in it";
@@ -365,7 +351,8 @@ int steadyCommand(CommandArguments arguments)
             return line.show(std::move(progress));
         });
         if (file) problem = file->add(point, result);
-        states.push_back({point, withoutFields(std::move(result))});
+        result.dropFields(); // only the file needs them
+        states.push_back({point, std::move(result)});
         if (!problem.empty() || states.back().result.status == SteadyStatus::Cancelled || stopRequested()) break;
     }
     line.end();

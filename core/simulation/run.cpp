@@ -119,7 +119,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         summary.integrator = "quasi-static";
         break;
     case ModelKind::Film:
-        summary = runFilm(c, callback);
+        summary = runFilm(c, callback, options);
         summary.integrator = toText(c, *findParameter("film.coupling"));
         break;
     }

@@ -27,7 +27,8 @@ bool recordsFields(const Case& c);
 /// Throws std::runtime_error, a sentence, as diskTopography() in core/case/disk_setup.h does.
 std::vector<RecordedFields> recordedFields(const Case& c, const std::function<bool()>& goOn = {});
 
-/// Runs a valid case to its end. Never throws for numerics: see Summary::status.
+/// Runs a valid case to its end; one of a film solves one static state at most. Never throws for numerics: see
+/// Summary::status.
 Summary run(const Case& c, const RunCallback& callback = {}, const RunOptions& options = {});
 
 } // namespace touchdown

@@ -71,15 +71,15 @@ void caseRows(const std::string& name, const Case& c, int repeats)
 
 /// The film under a slider whose height moves by a hundredth and its pitch by three thousandths, at 100 and 50 kHz.
 struct MovingFilm {
-    FilmGaps gaps;
     GasFilm film;
+    const FilmGaps& gaps; // of the film
     FilmLoads loads;
     Attitude rest;
     std::vector<double> pressure; // padded [Pa]
 
     MovingFilm(const Case& c, const SteadyResult& steady)
-        : gaps(Recess(c.surface, c.slider.length, c.slider.width), steady.grid),
-          film(gaps, filmSetting(c)),
+        : film(steady.gaps, filmSetting(c)),
+          gaps(film.gaps()),
           loads(film),
           rest(steady.attitude),
           pressure(gaps.pad.size(), film.ambient())

@@ -43,23 +43,26 @@ struct Flight {
 };
 
 /// Stops after so many calls in which samples have come; never: 0.
-inline Flight fly(const Case& c, int callsWithSamples = 0)
+inline Flight fly(const Case& c, int callsWithSamples = 0, const RunOptions& options = {})
 {
     Flight flight;
     const std::vector<Quantity> quantities = filmQuantities(c);
     int withSamples = 0;
-    flight.summary = runFilm(c, [&](const RunUpdate& update) {
-        ++flight.calls;
-        flight.time.insert(flight.time.end(), update.samples.time.begin(), update.samples.time.end());
-        for (std::size_t i = 0; i < quantities.size(); ++i) {
-            const std::vector<double>& values = update.samples.columns[i];
-            std::vector<double>& column = flight.columns[quantities[i].name];
-            column.insert(column.end(), values.begin(), values.end());
-        }
-        flight.events.insert(flight.events.end(), update.events.begin(), update.events.end());
-        if (update.samples.size() > 0) ++withSamples;
-        return callsWithSamples == 0 || withSamples < callsWithSamples;
-    });
+    flight.summary = runFilm(
+        c,
+        [&](const RunUpdate& update) {
+            ++flight.calls;
+            flight.time.insert(flight.time.end(), update.samples.time.begin(), update.samples.time.end());
+            for (std::size_t i = 0; i < quantities.size(); ++i) {
+                const std::vector<double>& values = update.samples.columns[i];
+                std::vector<double>& column = flight.columns[quantities[i].name];
+                column.insert(column.end(), values.begin(), values.end());
+            }
+            flight.events.insert(flight.events.end(), update.events.begin(), update.events.end());
+            if (update.samples.size() > 0) ++withSamples;
+            return callsWithSamples == 0 || withSamples < callsWithSamples;
+        },
+        options);
     return flight;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -17,16 +18,16 @@
 namespace touchdown::test {
 
 struct FilmProblem {
-    FilmGaps gaps;
     GasFilm film;
+    const FilmGaps& gaps; // of the film
     FilmLoads loads;
     AttitudeWork attitudeWork;
     std::vector<double> p; // padded [Pa]
 
     FilmProblem(const AirBearingSurface& surface, double length, double width, CellGrid grid,
                 const FilmSetting& setting, const Attitude& attitude)
-        : gaps(Recess(surface, length, width), std::move(grid)),
-          film(gaps, setting),
+        : film(std::make_shared<const FilmGaps>(Recess(surface, length, width), std::move(grid)), setting),
+          gaps(film.gaps()),
           loads(film),
           attitudeWork(gaps),
           p(gaps.pad.size(), film.ambient())

@@ -5,10 +5,10 @@
 
 #include "core/case/parameters.h"
 #include "core/physics/slider/surface_check.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/film_view.h"
-#include "ui/film/same_film.h"
 #include "ui/film/series_page.h"
 #include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"

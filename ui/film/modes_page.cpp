@@ -14,11 +14,11 @@
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/mode_motion.h"
 #include "ui/film/mode_picture.h"
 #include "ui/film/result_pages.h"
-#include "ui/film/same_film.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
 #include "ui/style/whole_file.h"

@@ -17,10 +17,10 @@
 
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/film/result_pages.h"
-#include "ui/film/same_film.h"
 #include "ui/film/series_setup.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/loss_question.h"
@@ -265,9 +265,7 @@ void SeriesPage::showProblem(const QString& text)
 void SeriesPage::append(std::size_t index, const SteadyResult& result)
 {
     SteadyResult numbers = result;
-    numbers.pressure = {}; // many states would need much memory
-    numbers.gap = {};
-    numbers.recess = {};
+    numbers.dropFields();
     states_.push_back({points_[index], std::move(numbers)});
     saved_ = {};
     addRow(states_.back());

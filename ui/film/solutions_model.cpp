@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "ui/case/parameter_text.h"
-#include "ui/film/same_film.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/style/quantity_format.h"
 
@@ -91,6 +90,8 @@ bool SolutionsModel::setData(const QModelIndex& index, const QVariant& value, in
 
 void SolutionsModel::dropFields()
 {
+    for (int row = 0; row + 1 < count(); ++row)
+        if (record(row).result.gaps) static_cast<SolutionRecord&>(changeable(row)).result.gaps = nullptr;
     std::size_t held = 0;
     for (int row = 0; row < count(); ++row) held += fieldSize(record(row).result);
     for (const bool compared : {false, true}) // these last
@@ -98,8 +99,7 @@ void SolutionsModel::dropFields()
             auto& each = static_cast<SolutionRecord&>(changeable(row));
             if (each.shown != compared || each.number == baseline() || each.fieldsDropped) continue;
             held -= fieldSize(each.result);
-            for (std::vector<double>* field : {&each.result.pressure, &each.result.gap, &each.result.recess})
-                *field = {};
+            each.result.dropFields();
             each.fieldsDropped = true;
         }
 }
@@ -117,6 +117,16 @@ const SolutionRecord* SolutionsModel::of(const Case& c) const
         if (each.result.status == SteadyStatus::Converged && !each.fieldsDropped &&
             hasStaticState(c, each.value, each.result.attitude))
             return &each;
+    }
+    return nullptr;
+}
+
+std::shared_ptr<const StaticSolution> SolutionsModel::restOf(const Case& c) const
+{
+    for (int row = count() - 1; row >= 0; --row) {
+        const SolutionRecord& each = record(row);
+        if (isRestOf(c, each.value, each.result))
+            return std::make_shared<const StaticSolution>(StaticSolution{each.value, each.result});
     }
     return nullptr;
 }

@@ -3,7 +3,9 @@
 // The static solutions of this session, newest last, each named by what changed since the one before it.
 #pragma once
 
-#include "core/simulation/static_state/steady.h"
+#include <memory>
+
+#include "core/simulation/static_state/static_solution.h"
 #include "ui/lists/record_list.h"
 
 namespace touchdown {
@@ -21,7 +23,7 @@ public:
     using RecordList::RecordList;
 
     /// Values of all fields of all solutions: 256 MB. Beyond it the oldest ones lose their
-    /// fields, not their numbers: first those that are not compared.
+    /// fields, not their numbers: first those that are not compared. The newest alone keeps its gaps.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
@@ -34,6 +36,8 @@ public:
     const SolutionRecord* find(int number) const; // nullptr: it is gone
     /// The newest that converged, with its fields, and is the static state of `c`; nullptr: none.
     const SolutionRecord* of(const Case& c) const;
+    /// That state for a run of `c`, if its attitude was not given; null: none.
+    std::shared_ptr<const StaticSolution> restOf(const Case& c) const;
     /// The newest search for the state of `c` that found none; nullptr: there was none.
     const SolutionRecord* failureOf(const Case& c) const;
     /// Checks its box, unless the user has unchecked it. Of boxes that nobody touched the newest ones stay checked.

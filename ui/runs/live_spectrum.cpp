@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/recording/run_statistics.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "core/simulation/static_state/steady.h"
-#include "ui/film/same_film.h"
 #include "ui/plot/spectrum_view.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"

@@ -93,7 +93,8 @@ void RunWorker::work()
             report(recorder_.emplace().open(request_.recordTo, request_.value, request_.caseText,
                                             recordedQuantities(request_.value), sets));
         mailbox_.post([&](RunMail& mail) { mail.delivery.sets = std::move(sets); });
-        summary = solver_(request_.value, [this](const RunUpdate& update) { return handOut(update); });
+        summary = solver_(
+            request_.value, [this](const RunUpdate& update) { return handOut(update); }, request_.options);
     } catch (const std::exception& problem) {
         summary.status = RunStatus::Failed;
         summary.message = std::string("The calculation stopped with an error: ") + problem.what();
@@ -193,9 +194,7 @@ Summary RunWorker::shownSummary(Summary summary) const
 
 } // namespace
 
-RunController::RunController(QObject* parent)
-    : RunController([](const Case& c, const RunCallback& callback) { return run(c, callback); }, parent)
-{}
+RunController::RunController(QObject* parent) : RunController(run, parent) {}
 
 RunController::RunController(Solver solver, QObject* parent) : CalculationController(parent), solver_(std::move(solver))
 {}

@@ -26,6 +26,7 @@ struct RunRequest {
     Case value;
     std::string caseText;           // the exact input, for the results file
     std::filesystem::path recordTo; // a results file written during the run; empty for none
+    RunOptions options = {};
 };
 
 /// Samples, events and fields since the last delivery.
@@ -50,7 +51,7 @@ class RunController : public CalculationController {
     Q_OBJECT
 
 public:
-    using Solver = std::function<Summary(const Case&, const RunCallback&)>;
+    using Solver = std::function<Summary(const Case&, const RunCallback&, const RunOptions&)>;
     static constexpr double fullSpeed = RunPace::fullSpeed;
 
     explicit RunController(QObject* parent = nullptr);

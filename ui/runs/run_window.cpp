@@ -49,6 +49,7 @@ void RunWindow::start(RunRequest request)
 {
     controller_.stopAndWait();
     add(request);
+    if (restOf_) request.options.rest = restOf_(request.value);
     controller_.start(std::move(request));
 }
 

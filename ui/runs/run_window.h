@@ -4,6 +4,10 @@
 // cursors, the progress, and the solver between them.
 #pragma once
 
+#include <functional>
+#include <memory>
+#include <utility>
+
 #include <QObject>
 
 #include "ui/runs/run_controller.h"
@@ -34,6 +38,9 @@ public:
     /// nullptr: none is.
     RunRecord* runUnderWay() { return runs_.find(number_); }
 
+    /// Where a run that starts finds a static state in hand, see RunOptions::rest; null: there is none.
+    using RestOf = std::function<std::shared_ptr<const StaticSolution>(const Case&)>;
+    void takeRestsFrom(RestOf restOf) { restOf_ = std::move(restOf); }
     /// An active run ends, with its signals, before the new one is in the list.
     void start(RunRequest request);
     /// A run that was performed elsewhere, and is in the list, is told of as one that has just ended: at once, or when
@@ -57,6 +64,7 @@ private:
     RecordPanel* panel_;
     CursorTable* values_;
     ProgressStrip* progress_;
+    RestOf restOf_;
     int number_ = -1;    // in the list, of the active run
     int announced_ = -1; // of a run that waits for its end
 };

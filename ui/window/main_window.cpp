@@ -20,13 +20,12 @@
 
 #include "core/case_files/case_file.h"
 #include "core/simulation/static_state/contact_rest.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
-#include "ui/film/same_film.h"
 #include "ui/film/solution_files.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
@@ -289,7 +288,7 @@ void MainWindow::runFromSolution(int number)
     if (!solution) return;
     Case c = withRunOf(solution->value, edits_->value());
     const Attitude& attitude = solution->result.attitude;
-    // At a balance the run finds it again on its own grid; elsewhere it starts where the slider was held.
+    // At a balance the run starts from the solution; elsewhere where the slider was held.
     const bool atBalance = solution->result.status == SteadyStatus::Converged && !c.steady.fixedAttitude;
     c.initial.state = atBalance ? InitialState::Static : InitialState::Given;
     c.initial.nominalTrailingEdgeHeight = attitude.height;

@@ -133,6 +133,7 @@ void MainWindow::connectFiles()
 void MainWindow::connectRuns()
 {
     connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
+    runs_->takeRestsFrom([this](const Case& c) { return film_->solutions().restOf(c); });
     RunController* controller = &this->controller();
     connect(actions_->pause, &QAction::triggered, controller,
             [controller](bool on) { on ? controller->pause() : controller->resume(); });

@@ -3,8 +3,8 @@
 
 #include <QStringList>
 
+#include "core/simulation/static_state/static_solution.h"
 #include "ui/film/film_window.h"
-#include "ui/film/same_film.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_record.h"
 #include "ui/slider/attitude_sections.h"

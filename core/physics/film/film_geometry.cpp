@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/disk/disk_velocity.h"
@@ -35,16 +36,16 @@ TOUCHDOWN_VECTOR_CLONES void setTilts(double slope, double least, std::size_t co
 
 } // namespace
 
-FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double leastGap)
-    : gaps_(gaps), leastGap_(leastGap)
+FilmGeometry::FilmGeometry(std::shared_ptr<const FilmGaps> gaps, const DiskMotion& disk, double leastGap)
+    : gaps_(std::move(gaps)), leastGap_(leastGap)
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const CellGrid& grid = gaps_.grid;
-    const auto velocity = [&](double x, double y) { return diskVelocity(disk, gaps_.length, gaps_.width, x, y); };
+    const PaddedGrid& pad = gaps_->pad;
+    const CellGrid& grid = gaps_->grid;
+    const auto velocity = [&](double x, double y) { return diskVelocity(disk, gaps_->length, gaps_->width, x, y); };
     for (std::size_t axis = 0; axis < 2; ++axis) {
         Axis& a = axes_[axis];
         for (auto* field : {&a.gap, &a.tilt, &a.speed}) field->assign(pad.size(), 0.0);
-        a.cutSurface.assign(gaps_.faces[axis].cut.size(), 0.0);
+        a.cutSurface.assign(gaps_->faces[axis].cut.size(), 0.0);
         const int along = axis == 0 ? pad.nx : pad.ny, across = axis == 0 ? pad.ny : pad.nx;
         for (int k = 0; k < across; ++k) a.width.push_back(axis == 0 ? grid.widthY(k) : grid.widthX(k));
         for (int k = 0; k < along; ++k) a.perWidth.push_back(1.0 / (axis == 0 ? grid.widthX(k) : grid.widthY(k)));
@@ -57,14 +58,14 @@ FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double 
             axes_[1].speed[pad.at(i, j)] = 0.5 * velocity(grid.centreX(i), grid.y[static_cast<std::size_t>(j)]).y;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         std::vector<double> cross; // of the disk across the paths of cut faces, halved [m/s]
-        for (const CutPlace& place : gaps_.faces[axis].cut) {
+        for (const CutPlace& place : gaps_->faces[axis].cut) {
             const int i = pad.column(place.at), j = pad.row(place.at);
             cross.push_back(axis == 0 ? 0.5 * velocity(grid.x[static_cast<std::size_t>(i)], grid.centreY(j)).y
                                       : 0.5 * velocity(grid.centreX(i), grid.y[static_cast<std::size_t>(j)]).x);
         }
-        axes_[axis].cutPaths = CutPaths(gaps_, axis, axes_[axis].speed, cross, leastGap_);
+        axes_[axis].cutPaths = CutPaths(*gaps_, axis, axes_[axis].speed, cross, leastGap_);
     }
-    const Velocity v = velocity(0.5 * gaps_.length, 0.5 * gaps_.width);
+    const Velocity v = velocity(0.5 * gaps_->length, 0.5 * gaps_->width);
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     speed_ = std::hypot(v.x, v.y);
@@ -79,8 +80,8 @@ FilmGeometry::FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double 
 
 void FilmGeometry::setRowOverSurface(std::size_t axis, int j)
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const FilmGaps::Faces& faces = gaps_.faces[axis];
+    const PaddedGrid& pad = gaps_->pad;
+    const FilmGaps::Faces& faces = gaps_->faces[axis];
     const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx),
                       step = pad.step(static_cast<int>(axis));
     const auto set = [&](std::size_t k, double below, double above) {
@@ -98,8 +99,8 @@ void FilmGeometry::setRowOverSurface(std::size_t axis, int j)
 
 void FilmGeometry::setCutSurface(std::size_t axis)
 {
-    const std::vector<CutPlace>& cut = gaps_.faces[axis].cut;
-    const std::size_t step = gaps_.pad.step(static_cast<int>(axis));
+    const std::vector<CutPlace>& cut = gaps_->faces[axis].cut;
+    const std::size_t step = gaps_->pad.step(static_cast<int>(axis));
     std::vector<double>& heights = axes_[axis].cutSurface;
     std::fill(heights.begin(), heights.end(), 0.0);
     for (std::size_t n = 0; !surface_.empty() && n < cut.size(); ++n) {
@@ -119,14 +120,14 @@ void FilmGeometry::setAttitude(const Attitude& attitude)
 
 void FilmGeometry::setFaceGaps(std::size_t axis)
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const double base = gaps_.lift(attitude_, 0.0, 0.0);
+    const PaddedGrid& pad = gaps_->pad;
+    const double base = gaps_->lift(attitude_, 0.0, 0.0);
     const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
-    const FilmGaps::Faces& faces = gaps_.faces[axis];
+    const FilmGaps::Faces& faces = gaps_->faces[axis];
     Axis& a = axes_[axis];
     for (int j = 0; j < pad.ny + (axis == 1); ++j) {
         const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
-        const double y = axis == 0 ? gaps_.grid.centreY(j) : faces.pathMid[line];
+        const double y = axis == 0 ? gaps_->grid.centreY(j) : faces.pathMid[line];
         if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
         if (!surface_.empty()) setRowOverSurface(axis, j);
         setGaps(base - attitude_.roll * y, attitude_.pitch, leastGap_, count,
@@ -142,17 +143,17 @@ void FilmGeometry::setFaceGaps(std::size_t axis)
 
 void FilmGeometry::setVolumes()
 {
-    const PaddedGrid& pad = gaps_.pad;
-    const double base = gaps_.lift(attitude_, 0.0, 0.0);
+    const PaddedGrid& pad = gaps_->pad;
+    const double base = gaps_->lift(attitude_, 0.0, 0.0);
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
     for (int j = 0; j < pad.ny; ++j) {
         const std::size_t at = pad.at(0, j);
-        const double* recess = &gaps_.centreRecess[at];
+        const double* recess = &gaps_->centreRecess[at];
         if (!surface_.empty()) {
             for (std::size_t k = 0; k < nx; ++k) rowRecess_[k] = recess[k] - surface_[at + k];
             recess = rowRecess_.data();
         }
-        setGaps(base - attitude_.roll * gaps_.grid.centreY(j), attitude_.pitch, 0.0, nx, centreX_.data(), recess,
+        setGaps(base - attitude_.roll * gaps_->grid.centreY(j), attitude_.pitch, 0.0, nx, centreX_.data(), recess,
                 &volume_[at]);
         for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
     }
@@ -162,27 +163,28 @@ void FilmGeometry::setVolumes()
 void FilmGeometry::setVolumeSlopes(std::size_t k, double scale, std::span<const double> factor,
                                    std::vector<double>& out) const
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps_->pad;
     out.resize(pad.size());
     for (int j = 0; j < pad.ny; ++j)
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
             const double area = volume_[at] > 0.0 ? area_[at] : 0.0;
-            const std::array<double, 3> lift{1.0, gaps_.length - centreX_[static_cast<std::size_t>(i)],
-                                             0.5 * gaps_.width - gaps_.grid.centreY(j)};
+            const std::array<double, 3> lift{1.0, gaps_->length - centreX_[static_cast<std::size_t>(i)],
+                                             0.5 * gaps_->width - gaps_->grid.centreY(j)};
             out[at] = scale * factor[at] * area * lift[k];
         }
 }
 
 double FilmGeometry::meanGap(int i, int j) const
 {
-    const std::size_t at = gaps_.pad.at(i, j);
-    return gaps_.meanRecess[at] - surfaceAt(at) + gaps_.lift(attitude_, gaps_.grid.centreX(i), gaps_.grid.centreY(j));
+    const std::size_t at = gaps_->pad.at(i, j);
+    return gaps_->meanRecess[at] - surfaceAt(at) +
+           gaps_->lift(attitude_, gaps_->grid.centreX(i), gaps_->grid.centreY(j));
 }
 
 void FilmGeometry::clearRings(std::span<double> field) const
 {
-    const PaddedGrid& pad = gaps_.pad;
+    const PaddedGrid& pad = gaps_->pad;
     for (int j = -PaddedGrid::rings; j < pad.ny + PaddedGrid::rings; ++j) {
         const bool inside = j >= 0 && j < pad.ny;
         for (int i = -PaddedGrid::rings; i < 0; ++i) field[pad.at(i, j)] = field[pad.at(pad.nx - 1 - i, j)] = 0.0;

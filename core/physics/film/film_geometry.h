@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,11 +18,12 @@ struct DiskMotion;
 
 class FilmGeometry {
 public:
-    /// The gaps must last; `leastGap` as in FilmSetting [m].
-    FilmGeometry(const FilmGaps& gaps, const DiskMotion& disk, double leastGap = 0.0);
+    /// Films at other attitudes may share the gaps; `leastGap` as in FilmSetting [m].
+    FilmGeometry(std::shared_ptr<const FilmGaps> gaps, const DiskMotion& disk, double leastGap = 0.0);
 
-    const FilmGaps& gaps() const { return gaps_; }
-    const PaddedGrid& pad() const { return gaps_.pad; }
+    const FilmGaps& gaps() const { return *gaps_; }
+    const std::shared_ptr<const FilmGaps>& sharedGaps() const { return gaps_; }
+    const PaddedGrid& pad() const { return gaps_->pad; }
     const Attitude& attitude() const { return attitude_; }
 
     /// The disk's surface under each cell: mean height above the mean plane, less the deformation by contact [m];
@@ -76,7 +78,7 @@ private:
     void setFaceGaps(std::size_t axis);
     void setVolumes();
 
-    const FilmGaps& gaps_;
+    std::shared_ptr<const FilmGaps> gaps_;
     Attitude attitude_;
     double leastGap_ = 0.0;           // [m]
     std::span<const double> surface_; // [m]

@@ -34,29 +34,29 @@ void negate(std::span<const double> from, std::span<double> to)
 
 } // namespace
 
-FilmLineMultigrid::Level::Level(FilmGaps levelGaps, const FilmSetting& setting)
-    : gaps(std::move(levelGaps)),
-      film(gaps, setting),
-      lines(gaps.pad),
-      toCoarser(gaps.grid),
+FilmLineMultigrid::Level::Level(std::shared_ptr<const FilmGaps> gaps, const FilmSetting& setting)
+    : film(std::move(gaps), setting),
+      lines(film.pad()),
+      toCoarser(film.gaps().grid),
       complete(setting.scheme == ConvectionScheme::CompleteFlux),
-      pressure(gaps.pad.size(), setting.air.pressure)
+      pressure(film.pad().size(), setting.air.pressure)
 {
-    flows.resize(gaps.pad.size());
-    for (auto* field : {&residual, &right, &correction, &change}) field->assign(gaps.pad.size(), 0.0);
+    flows.resize(film.pad().size());
+    for (auto* field : {&residual, &right, &correction, &change}) field->assign(film.pad().size(), 0.0);
 }
 
-FilmLineMultigrid::FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting)
-    : gmres_(finest.pad.size()), newton_(finest.pad.size()), step_(finest.pad.size())
+FilmLineMultigrid::FilmLineMultigrid(const Recess& recess, std::shared_ptr<const FilmGaps> finest,
+                                     const FilmSetting& setting)
+    : gmres_(finest->pad.size()), newton_(finest->pad.size()), step_(finest->pad.size())
 {
-    CellGrid next = finest.grid;
+    CellGrid next = finest->grid;
     levels_.emplace_back(std::move(finest), setting);
     best_ = levels_.front().pressure;
     FilmSetting coarser = setting;
     if (setting.scheme == ConvectionScheme::CompleteFlux) coarser.scheme = ConvectionScheme::Exponential;
     while (std::max(next.nx(), next.ny()) > coarsestAlong && std::min(next.nx(), next.ny()) > coarsestAcross) {
         next = everySecondLine(next);
-        levels_.emplace_back(FilmGaps(recess, next), coarser);
+        levels_.emplace_back(std::make_shared<const FilmGaps>(recess, next), coarser);
     }
 }
 

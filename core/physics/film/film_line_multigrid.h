@@ -25,6 +25,7 @@
 #pragma once
 
 #include <deque>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -39,10 +40,10 @@ namespace touchdown {
 class FilmLineMultigrid {
 public:
     FilmLineMultigrid(const Recess& recess, const CellGrid& grid, const FilmSetting& setting)
-        : FilmLineMultigrid(recess, FilmGaps(recess, grid), setting)
+        : FilmLineMultigrid(recess, std::make_shared<const FilmGaps>(recess, grid), setting)
     {}
     /// `finest`: the recess as the finest grid sees it.
-    FilmLineMultigrid(const Recess& recess, FilmGaps finest, const FilmSetting& setting);
+    FilmLineMultigrid(const Recess& recess, std::shared_ptr<const FilmGaps> finest, const FilmSetting& setting);
     FilmLineMultigrid(FilmLineMultigrid&&) = default; // the levels keep their addresses
     FilmLineMultigrid& operator=(FilmLineMultigrid&&) = default;
 
@@ -56,7 +57,7 @@ public:
 
 private:
     struct Level {
-        Level(FilmGaps levelGaps, const FilmSetting& setting);
+        Level(std::shared_ptr<const FilmGaps> gaps, const FilmSetting& setting);
 
         /// At the pressure, with a step in time of 1/shift.
         void linearise(double shift);
@@ -67,7 +68,6 @@ private:
         /// out = J v.
         void apply(std::span<const double> v, std::span<double> out);
 
-        FilmGaps gaps;
         GasFilm film;
         LineRelaxation lines;
         GridTransfer toCoarser;
@@ -95,7 +95,7 @@ private:
     double residualOf(Level& level);
     double shorterShift(double shift, double gain) const;
 
-    std::deque<Level> levels_; // the finest first; films refer to their level's gaps
+    std::deque<Level> levels_; // the finest first
     Gmres<double> gmres_;
     std::vector<double> newton_, step_; // its right-hand side [Pa m^3/s], its solution [Pa]
     std::vector<double> best_;          // pressure on the finest level [Pa]

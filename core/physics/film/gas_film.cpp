@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/numerics/vector_clones.h"
 
@@ -68,13 +69,14 @@ FaceWork::FaceWork(const FilmGaps& gaps) : cut(gaps)
         row->assign(gaps.pad.stride(), 0.0);
 }
 
-GasFilm::GasFilm(const FilmGaps& gaps, const FilmSetting& setting)
-    : FilmGeometry(gaps, setting.disk, setting.leastGap),
+GasFilm::GasFilm(std::shared_ptr<const FilmGaps> shared, const FilmSetting& setting)
+    : FilmGeometry(std::move(shared), setting.disk, setting.leastGap),
       setting_(setting),
       table_(setting.slip, setting.air),
-      spread_(gaps.pad, gaps.grid.x, facesThatSpreadNothing(gaps)),
-      row_(gaps)
+      spread_(pad(), sharedGaps()->grid.x, facesThatSpreadNothing(*sharedGaps())),
+      row_(*sharedGaps())
 {
+    const FilmGaps& gaps = *sharedGaps();
     for (std::size_t axis = 0; axis < 2; ++axis) {
         FilmFaces& f = faces_[axis];
         for (auto* field : {&f.flow, &f.inflow, &f.lower, &f.upper, &f.share, &f.inflowShare, &f.below, &f.above,

@@ -22,6 +22,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -47,10 +48,11 @@ struct FilmSetting {
 inline constexpr double moleculeGap = 0.3e-9;
 
 /// Pressures are absolute [Pa], in padded arrays whose rings hold p0; residuals are net outflows [Pa m^3/s]. Constant
-/// functions write nothing but their arguments: threads may share a film as long as all of them call only these.
+/// functions write nothing but their arguments: threads may share a film as long as all of them call only these. Films
+/// that share their gaps may be at different attitudes, each on a thread of its own.
 class GasFilm : public FilmGeometry {
 public:
-    GasFilm(const FilmGaps& gaps, const FilmSetting& setting);
+    GasFilm(std::shared_ptr<const FilmGaps> gaps, const FilmSetting& setting);
 
     const Air& air() const { return setting_.air; }
     double ambient() const { return setting_.air.pressure; }

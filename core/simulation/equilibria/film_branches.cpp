@@ -89,28 +89,29 @@ private:
             seeds.pop_front();
             balance_.leave();
             const std::unique_ptr<FilmBalance> balance = balance_.balanceAt(seed.p);
-            if (balance && !isKnown(seed, balance->unknowns())) followLaw(seed, balance->unknowns(), seeds);
+            if (!balance) continue;
+            const Vector x = balance_.toScaled(seed.q, balance->unknowns());
+            if (!isKnown(seed.region, x, seed.p)) followLaw(seed, x, seeds);
         }
     }
 
-    bool isKnown(const Seed& seed, Eigen::Index unknowns) const
+    bool isKnown(ContactRegion region, const Vector& x, double p) const
     {
-        const Vector x = balance_.toScaled(seed.q, unknowns);
         for (const Traced& each : traced_) {
-            if (each.region != seed.region) continue;
+            if (each.region != region) continue;
             for (std::size_t i = 0; i < each.places.size(); ++i) {
                 const auto& [xa, pa] = each.places[i];
                 const auto& [xb, pb] = each.places[std::min(i + 1, each.places.size() - 1)];
-                const double share = pb != pa ? std::clamp((seed.p - pa) / (pb - pa), 0.0, 1.0) : 0.0;
-                if (std::abs(std::lerp(pa, pb, share) - seed.p) < onBranch &&
-                    (x - xa - share * (xb - xa)).norm() < onBranch)
+                const double share = pb != pa ? std::clamp((p - pa) / (pb - pa), 0.0, 1.0) : 0.0;
+                if (std::abs(std::lerp(pa, pb, share) - p) < onBranch && (x - xa - share * (xb - xa)).norm() < onBranch)
                     return true;
             }
         }
         return false;
     }
 
-    void followLaw(const Seed& seed, Eigen::Index unknowns, std::deque<Seed>& seeds)
+    /// `near`: the seed's place.
+    void followLaw(const Seed& seed, const Vector& near, std::deque<Seed>& seeds)
     {
         const ContactRegion region = seed.region;
         ContinuationProblem problem;
@@ -127,12 +128,16 @@ private:
                                           .tolerance = newton,
                                           .locatedTo = branchesLocatedTo,
                                           .mostPoints = 400};
-        const Vector x = balance_.toScaled(seed.q, unknowns);
-        const Branch back = followBranch(problem, x, seed.p, false, options, goOn_);
+        // A static state was found on a grid of its own: only its place on this one tells whether it is known.
+        Vector first = near;
+        const bool solved = solveAt(problem, first, seed.p, newton);
+        if (solved && isKnown(region, first, seed.p)) return;
+        if (!solved) first = near;
+        const Branch back = followBranch(problem, first, seed.p, false, options, goOn_);
         const bool closed = back.end == BranchEnd::Closed;
         if (!back.points.empty())
             balance_.followRatesOf(balance_.describe(back.points.front().x, back.points.front().p, region));
-        const Branch forth = closed || !ask() ? Branch{} : followBranch(problem, x, seed.p, true, options, goOn_);
+        const Branch forth = closed || !ask() ? Branch{} : followBranch(problem, first, seed.p, true, options, goOn_);
 
         EquilibriumBranch branch{.contact = region};
         Traced traced{region, {}};

@@ -102,12 +102,24 @@ Vector ParametricBalance::scaledForce(const Vector3& g, Eigen::Index n) const
     return Vector3(g[0], g[1] / slider_.length, g[2] / slider_.width).head(n) / preload_;
 }
 
+bool ParametricBalance::takeSlider(const Case& c)
+{
+    const SliderCase& slider = c.slider;
+    if (gaps_ && gaps_->length == slider.length && gaps_->width == slider.width && surface_ == c.surface) return true;
+    const Recess recess(c.surface, slider.length, slider.width);
+    gaps_ = std::make_shared<const FilmGaps>(recess, grid_, goOn_);
+    if (!goOn_()) gaps_ = nullptr;
+    spacing_.emplace(c.surface, recess);
+    surface_ = c.surface;
+    return gaps_ != nullptr;
+}
+
 std::unique_ptr<FilmBalance> ParametricBalance::balanceAt(double p)
 {
     const std::optional<Case> c = caseAt_(parameter(p));
     if (!c) return nullptr;
-    std::unique_ptr<FilmBalance> balance = FilmBalance::make(*c, grid_, restAt(p), goOn_);
-    if (!balance) return nullptr;
+    if (!takeSlider(*c)) return nullptr;
+    auto balance = std::make_unique<FilmBalance>(*c, *spacing_, gaps_, restAt(p));
     if (last_) {
         balance->startFrom(*last_);
         return balance;

@@ -9,8 +9,9 @@
 //      spacing
 //   G  force and torques over length and width, as shares of the preload
 //
-// They are evaluated on one grid, each film started from the last one. The place where the suspension exerts its load
-// is interpolated between the static states of the looks: an error of 1 nm causes 1e-8 N at 10 N/m.
+// They are evaluated on one grid, each film started from the last one; films of the same slider share their gaps. The
+// place where the suspension exerts its load is interpolated between the static states of the looks: an error of 1 nm
+// causes 1e-8 N at 10 N/m.
 #pragma once
 
 #include <cmath>
@@ -74,6 +75,8 @@ public:
 
 private:
     Attitude restAt(double p) const;
+    /// Sets gaps and spacing to those of the case's slider; false where `goOn` ends the making.
+    bool takeSlider(const Case& c);
     Vector3 toPlace(const Eigen::VectorXd& x) const;
     Matrix3 placeSlope() const;
     Eigen::VectorXd scaledForce(const Vector3& g, Eigen::Index unknowns) const;
@@ -93,6 +96,10 @@ private:
     double length_ = 1.0, preload_ = 1.0, startAmbient_ = 1.0; // [m], [N], [Pa]
     SliderCase slider_;
     CellGrid grid_;
+    /// The last ones, of this surface and a slider of their size.
+    std::shared_ptr<const FilmGaps> gaps_;
+    std::optional<MinimumSpacing> spacing_;
+    AirBearingSurface surface_;
     std::vector<double> startPressure_; // of the static state on the grid [Pa]
     std::unique_ptr<FilmBalance> last_; // solved at lastX_, lastP_
     Eigen::VectorXd lastX_;

@@ -49,8 +49,9 @@ std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
 class FilmRun {
 public:
-    FilmRun(const Case& c, const RunCallback& callback)
+    FilmRun(const Case& c, const RunCallback& callback, const RunOptions& options)
         : case_(c),
+          rest_(options.rest.get()),
           run_(c, filmQuantities(c), callback),
           scene_(c),
           length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
@@ -103,7 +104,7 @@ private:
     /// False when the run ends here.
     bool prepare()
     {
-        switch (scene_.prepare([this] { return goOn(); })) {
+        switch (scene_.prepare([this] { return goOn(); }, rest_)) {
         case FilmScene::State::Stopped: return stop();
         case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
@@ -370,6 +371,7 @@ private:
     bool goOn() { return run_.lookAtClock(reached()); }
 
     const Case& case_;
+    const StaticSolution* rest_; // in hand; null: none
     RunRecorder run_;
     FilmScene scene_;
     const SliderBody* body_ = nullptr;
@@ -394,6 +396,9 @@ private:
 
 } // namespace
 
-Summary runFilm(const Case& c, const RunCallback& callback) { return FilmRun(c, callback).run(); }
+Summary runFilm(const Case& c, const RunCallback& callback, const RunOptions& options)
+{
+    return FilmRun(c, callback, options).run();
+}
 
 } // namespace touchdown

@@ -14,6 +14,6 @@ std::vector<Quantity> filmQuantities(const Case& c);
 /// Over the slider: gap and pressure of the film.
 RecordedFields filmMaps(const Case& c);
 
-Summary runFilm(const Case& c, const RunCallback& callback);
+Summary runFilm(const Case& c, const RunCallback& callback, const RunOptions& options = {});
 
 } // namespace touchdown

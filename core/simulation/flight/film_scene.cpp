@@ -10,10 +10,12 @@
 #include "core/formats/units.h"
 #include "core/physics/film/film_energy.h"
 #include "core/simulation/flight/film_run.h"
+#include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/high_disk.h"
 #include "core/simulation/static_state/static_check.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/static_solution.h"
+#include "core/simulation/static_state/steady_near.h"
 
 namespace touchdown {
 
@@ -29,15 +31,25 @@ FilmScene::State FilmScene::fail(std::string reason)
     return State::Failed;
 }
 
-FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
+SteadyResult FilmScene::findRest(const StaticSolution* known, const std::function<bool()>& goOn) const
+{
+    const Case still = attitudeCase(case_);
+    const auto ask = [&](const SteadyProgress&) { return goOn(); };
+    if (!known || !isRestOf(case_, known->solved, known->state))
+        return case_.initial.state == InitialState::Static ? steadyWithContact(still, ask) : steady(still, ask);
+    // Without its gaps it may come from a file, and is then solved again from near: at once, if the file is right.
+    return known->state.gaps ? known->state : steadyNear(still, still, known->state, ask);
+}
+
+FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const StaticSolution* known)
 {
     topography = diskTopography(case_, goOn);
     if (!goOn()) return State::Stopped;
-    const SteadyResult rest = steady(attitudeCase(case_), [&](const SteadyProgress&) { return goOn(); });
+    const SteadyResult rest = findRest(known, goOn);
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
     if (fromRest && rest.status != SteadyStatus::Converged)
-        return fail("there is no static flying state to start from (initial.state): " + rest.message);
+        return fail("there is no static state to start from (initial.state): " + rest.message);
     // Also where the film alone would balance below the plane of the disk.
     const bool balanced = rest.balanced();
     start = {case_.initial.nominalTrailingEdgeHeight, case_.initial.pitch, case_.initial.roll};
@@ -45,9 +57,9 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
         warnings.push_back(
             "no static state was found, so that the suspension is taken to exert its load at the initial attitude: " +
             rest.message);
-    else if (std::string note = noteOnHeldRoll(case_, rest); !note.empty())
+    else if (std::string note = noteOnHeldRoll(case_, rest); !note.empty() && !rest.contact.acts())
         warnings.push_back(std::move(note));
-    body.emplace(case_, balanced ? rest.attitude : start);
+    body.emplace(case_, balanced ? rest.suspensionRest.value_or(rest.attitude) : start);
     if (fromRest) {
         Vector3 q = body->coordinates(rest.attitude);
         q[0] += case_.initial.heightOffset;
@@ -57,6 +69,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn)
     }
 
     if (!makeParts(rest, goOn)) return State::Stopped;
+    if (fromRest && rest.contact.acts()) contact->begin(rest.contact.branch, start);
     if (checkDisk() == State::Failed) return State::Failed;
     if (balanced) {
         level->film.setAttitude(rest.attitude);
@@ -73,7 +86,7 @@ bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>&
     const std::array<int, 2> cells{case_.film.nodes[0] - 1, case_.film.nodes[1] - 1};
     const bool known = !rest.pressure.empty();
     const bool finest = known && rest.grid.nx() == cells[0] && rest.grid.ny() == cells[1];
-    FilmGaps gaps(recess, finest ? rest.grid : unadaptedGrid(case_, cells), goOn);
+    auto gaps = finest ? rest.gaps : std::make_shared<const FilmGaps>(recess, unadaptedGrid(case_, cells), goOn);
     if (!goOn()) return false;
     level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
     if (finest)

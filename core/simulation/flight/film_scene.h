@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The parts of a run of the film: surface, disk, film on its grid, body, contact and start. The static state gives the
-// grid, and the place where the suspension exerts its load.
+// grid, and the place where the suspension exerts its load. It is solved once, or not at all where it is in hand.
 #pragma once
 
 #include <functional>
@@ -21,6 +21,7 @@
 namespace touchdown {
 
 struct FilmLevel;
+struct StaticSolution;
 struct SteadyResult;
 
 /// Neither copied nor moved: its parts point at each other. Most parts exist only after prepare() returned Ready.
@@ -33,7 +34,8 @@ public:
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
     /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
-    State prepare(const std::function<bool()>& goOn);
+    /// `known`: a static state in hand, which is used if it is that of the case; null: none.
+    State prepare(const std::function<bool()>& goOn, const StaticSolution* known = nullptr);
     /// Sets diskOnCells.
     void lookAtCells(const Attitude& attitude);
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded), of a case that records them.
@@ -55,6 +57,7 @@ public:
 
 private:
     State fail(std::string reason);
+    SteadyResult findRest(const StaticSolution* known, const std::function<bool()>& goOn) const;
     /// Film, disk, contact on the static state's grid. False: stopped.
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
     /// Where no law of contact acts the disk must not reach the slider at the start.

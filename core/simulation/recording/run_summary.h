@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -135,9 +136,13 @@ struct Summary {
     std::optional<CharacteristicFit> fit; // contact multi-asperity
 };
 
+struct StaticSolution;
+
 struct RunOptions {
     bool energyBalance =
         false; // springs: report the integrator's energy error as figure "energy_balance", as film runs do
+    /// Film: a static state in hand. If it is that of the case, the run starts from it and does not solve for it again.
+    std::shared_ptr<const StaticSolution> rest = nullptr;
 };
 
 } // namespace touchdown

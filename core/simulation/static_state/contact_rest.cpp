@@ -29,6 +29,16 @@ std::vector<double> everySecond(const std::vector<double>& lines)
     return half;
 }
 
+/// With the gaps of the grid where they are known; null where `goOn` ends the making.
+std::unique_ptr<FilmBalance> balanceOn(const Case& c, const CellGrid& grid, const std::shared_ptr<const FilmGaps>& gaps,
+                                       const Attitude& rest, const std::function<bool()>& goOn)
+{
+    if (!gaps) return FilmBalance::make(c, grid, rest, goOn);
+    const Recess recess(c.surface, c.slider.length, c.slider.width);
+    auto balance = std::make_unique<FilmBalance>(c, MinimumSpacing(c.surface, recess), gaps, rest, goOn);
+    return goOn() ? std::move(balance) : nullptr;
+}
+
 std::string stateName(const FilmBalance& balance, ContactRegion region)
 {
     if (!characteristic(balance.setup())) return "in contact";
@@ -58,7 +68,7 @@ public:
         const std::array<int, 2> cells{case_.film.nodes[0] - 1, case_.film.nodes[1] - 1};
         const bool finest = balanced || (!result_.pressure.empty() && result_.grid.nx() == cells[0]);
         grid_ = finest ? result_.grid : unadaptedGrid(case_, cells);
-        balance_ = FilmBalance::make(case_, grid_, rest_, goOn_);
+        balance_ = balanceOn(case_, grid_, finest ? result_.gaps : nullptr, rest_, goOn_);
         if (!balance_) return stop();
         FilmLevel& level = balance_->level();
         if (!result_.pressure.empty())
@@ -93,7 +103,7 @@ public:
     {
         rest_ = result_.suspensionRest.value_or(result_.attitude);
         grid_ = result_.grid;
-        balance_ = FilmBalance::make(case_, grid_, rest_, goOn_);
+        balance_ = balanceOn(case_, grid_, result_.gaps, rest_, goOn_);
         if (!balance_) return stop(), true;
         FilmLevel& level = balance_->level();
         level.gaps.pad.pad<double>(result_.pressure, level.pressure);
@@ -209,6 +219,7 @@ private:
         r.pressure = std::move(fields.pressure);
         r.gap = std::move(fields.gap);
         r.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+        r.gaps = level.film.sharedGaps();
         const auto note = [&r](const std::string& text) { r.message += (r.message.empty() ? "" : "; ") + text; };
         if (!wasFound)
             note("the film alone has no static state, so that the suspension is taken to exert its load at the initial "
@@ -294,7 +305,7 @@ RestingSlider::RestingSlider(const Case& c, const SteadyResult& state, const std
         flying_ = std::make_unique<StaticFilm>(c, state);
         return;
     }
-    touching_ = FilmBalance::make(c, state.grid, state.suspensionRest.value_or(state.attitude), goOn);
+    touching_ = balanceOn(c, state.grid, state.gaps, state.suspensionRest.value_or(state.attitude), goOn);
     valid_ = touching_ != nullptr;
     if (!valid_) return;
     FilmLevel& level = touching_->level();
@@ -312,6 +323,12 @@ FilmLevel& RestingSlider::level() { return flying_ ? flying_->level : touching_-
 const FilmSlopes* RestingSlider::filmSlopes() { return touching_ ? touching_->filmSlopes() : nullptr; }
 
 const SliderBody& RestingSlider::body() const { return flying_ ? flying_->body : touching_->body(); }
+
+bool seesStillDisk(const Case& c)
+{
+    return c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Still &&
+           (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity);
+}
 
 bool actsInFlight(const Case& c, double spacing)
 {

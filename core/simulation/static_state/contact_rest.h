@@ -29,6 +29,8 @@ SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback = {
 /// The state in contact of a case that was changed a little, near to `from`, one in contact, on its grid; nothing where
 /// none is found nearby. For the attitude alone, as steadyNear.
 std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback = {});
+/// Whether the contact of the case at rest is that over the disk's own surface, not over its mean plane.
+bool seesStillDisk(const Case& c);
 /// Whether the case's contact exerts a force on a slider that flies at this minimum spacing [m], and came from afar.
 bool actsInFlight(const Case& c, double spacing);
 

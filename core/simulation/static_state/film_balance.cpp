@@ -32,15 +32,16 @@ std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& gr
                                                const GoOn& goOn)
 {
     const Recess recess(c.surface, c.slider.length, c.slider.width);
-    FilmGaps gaps(recess, grid, goOn);
+    auto gaps = std::make_shared<const FilmGaps>(recess, grid, goOn);
     if (!goOn()) return nullptr;
-    std::unique_ptr<FilmBalance> balance(new FilmBalance(c, recess, std::move(gaps), rest, goOn));
+    auto balance = std::make_unique<FilmBalance>(c, MinimumSpacing(c.surface, recess), std::move(gaps), rest, goOn);
     return goOn() ? std::move(balance) : nullptr;
 }
 
-FilmBalance::FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest, const GoOn& goOn)
+FilmBalance::FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps,
+                         const Attitude& rest, const GoOn& goOn)
     : case_(overStillDisk(c)),
-      spacing_(c.surface, recess),
+      spacing_(std::move(spacing)),
       body_(case_, rest),
       load_(sliderLoad(case_)),
       level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)),
@@ -64,6 +65,7 @@ void FilmBalance::startFrom(const FilmBalance& other)
     const double share = level_->film.ambient() / other.level_->film.ambient();
     for (double& p : known) p *= share;
     pad.pad<double>(known, level_->pressure);
+    level_->flying.startFrom(other.level_->flying);
 }
 
 /// The contact is at the attitude.
@@ -83,6 +85,7 @@ bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
     q_ = q;
     const Attitude attitude = body_.attitude(q);
     slopes_.reset();
+    filmStiffness_.reset();
     if (!law_ && !contact_->at(attitude, 0.0).problem.empty()) return false;
     setSurface(attitude);
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
@@ -175,13 +178,14 @@ const FilmSlopes* FilmBalance::filmSlopes()
     return &*slopes_;
 }
 
-Matrix3 FilmBalance::filmStiffness(const GoOn& goOn)
+const Matrix3& FilmBalance::filmStiffness(const GoOn& goOn)
 {
+    if (filmStiffness_) return *filmStiffness_;
     level_->flying.setSlopes(filmSlopes());
-    Matrix3 sum = level_->flying.balanceStiffness(level_->pressure, goOn);
+    filmStiffness_ = level_->flying.balanceStiffness(level_->pressure, goOn);
     // From the mass centre's height: the trailing edge's falls by half the length times the pitch.
-    sum.col(1) -= 0.5 * case_.slider.length * sum.col(0);
-    return sum;
+    filmStiffness_->col(1) -= 0.5 * case_.slider.length * filmStiffness_->col(0);
+    return *filmStiffness_;
 }
 
 Matrix3 FilmBalance::stiffness(ContactRegion region, const GoOn& goOn)

@@ -33,13 +33,17 @@ class FilmBalance {
 public:
     using GoOn = std::function<bool()>;
 
-    /// `c` is valid, with a film and a contact; `rest` is q_0. Null where `goOn` ends the making.
+    /// `c` is valid, with a film and a contact; spacing and gaps are of its slider, `rest` is q_0. Invalid where `goOn`
+    /// ends the making.
+    FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest,
+                const GoOn& goOn = {});
+    /// On a grid. Null where `goOn` ends the making.
     static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
                                              const GoOn& goOn);
     FilmBalance(const FilmBalance&) = delete;
     ~FilmBalance();
 
-    /// Takes another's pressure on the same grid for the start of the next solution.
+    /// Takes another's pressure and responses on the same grid for the start of the next solution.
     void startFrom(const FilmBalance& other);
     /// Makes the film steady at q; false where it is not solved.
     bool solve(const Vector3& q, const GoOn& goOn);
@@ -87,10 +91,9 @@ public:
     const Vector3& place() const { return q_; }
 
 private:
-    FilmBalance(const Case& c, const Recess& recess, FilmGaps gaps, const Attitude& rest, const GoOn& goOn);
     void setRegion(ContactRegion region);
     Vector3 contactForce(ContactRegion region) { return contactForces(region).load(); }
-    Matrix3 filmStiffness(const GoOn& goOn);
+    const Matrix3& filmStiffness(const GoOn& goOn);
     void setSurface(const Attitude& attitude);
     /// Sets slopes_ and elasticStiffness_ at the last q.
     void followElastic();
@@ -108,6 +111,7 @@ private:
     std::optional<FilmSlopes> slopes_; // of an elastic contact, at the last q, as its stiffness
     Matrix3 elasticStiffness_ = Matrix3::Zero();
     Vector3 q_ = Vector3::Zero();
+    std::optional<Matrix3> filmStiffness_; // at q_
 };
 
 } // namespace touchdown

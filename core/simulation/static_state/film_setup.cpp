@@ -54,9 +54,9 @@ double resolvedFrequency(const Case& c, const CellGrid& grid)
     return 0.5 * c.disk.speed * c.disk.radius * grid.nx() / (cellsForDamping * c.slider.length);
 }
 
-FilmLevel::FilmLevel(const Case& c, FilmGaps filmGaps, const MinimumSpacing& spacing)
-    : gaps(std::move(filmGaps)),
-      film(gaps, filmSetting(c)),
+FilmLevel::FilmLevel(const Case& c, std::shared_ptr<const FilmGaps> shared, const MinimumSpacing& spacing)
+    : film(std::move(shared), filmSetting(c)),
+      gaps(film.gaps()),
       loads(film),
       flying(film, loads, sliderLoad(c), spacing),
       pressure(gaps.pad.size(), film.ambient())
@@ -83,7 +83,7 @@ void FilmLevel::take(const KnownFilm& known)
 StaticFilm::StaticFilm(const Case& c, const SteadyResult& state)
     : recess(c.surface, c.slider.length, c.slider.width),
       spacing(c.surface, recess),
-      level(c, recess, spacing, state.grid),
+      level(c, state.gaps ? state.gaps : std::make_shared<const FilmGaps>(recess, state.grid), spacing),
       body(c, state.attitude)
 {
     level.gaps.pad.pad<double>(state.pressure, level.pressure);

@@ -3,6 +3,7 @@
 // From a case to its film: air, slip, disk and scheme; the parts of one grid.
 #pragma once
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -37,14 +38,14 @@ double resolvedFrequency(const Case& c, const CellGrid& grid);
 /// One grid of a slider's film. Neither copied nor moved: its parts point at each other.
 struct FilmLevel {
     FilmLevel(const Case& c, const Recess& recess, const MinimumSpacing& spacing, CellGrid grid)
-        : FilmLevel(c, FilmGaps(recess, std::move(grid)), spacing)
+        : FilmLevel(c, std::make_shared<const FilmGaps>(recess, std::move(grid)), spacing)
     {}
-    /// For a caller that may stop in between: the gaps take half of the time.
-    FilmLevel(const Case& c, FilmGaps gaps, const MinimumSpacing& spacing);
+    /// For a caller that has the gaps of the case's slider, or may stop in between: they take half of the time.
+    FilmLevel(const Case& c, std::shared_ptr<const FilmGaps> gaps, const MinimumSpacing& spacing);
     FilmLevel(const FilmLevel&) = delete;
 
-    FilmGaps gaps;
     GasFilm film;
+    const FilmGaps& gaps; // of the film
     FilmLoads loads;
     FlyingAttitude flying;
     std::vector<double> pressure; // padded, ambient at first [Pa]
@@ -54,7 +55,8 @@ struct FilmLevel {
     void take(const KnownFilm& known);
 };
 
-/// The film of a static state on the state's grid, with the slider's body. Neither copied nor moved, as its level.
+/// The film of a static state of `c` on the state's grid, with the slider's body. Neither copied nor moved, as its
+/// level.
 struct StaticFilm {
     StaticFilm(const Case& c, const SteadyResult& state);
 

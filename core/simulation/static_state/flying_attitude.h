@@ -55,6 +55,9 @@ public:
     /// All must last; the loads are those of the film.
     FlyingAttitude(GasFilm& film, FilmLoads& loads, const SliderLoad& load, const MinimumSpacing& spacing);
 
+    /// Its films of a change of attitude are the guess for those of the next stiffness, on the same grid.
+    void startFrom(const FlyingAttitude& other) { responses_ = other.responses_; }
+
     /// Solves the film at the film's attitude; by Newton's method unless another way is set.
     using FilmSolve = std::function<FilmSolution(std::span<double>, const FilmOptions&, const FilmMonitor&)>;
     void setFilmSolve(FilmSolve solve) { solveFilm_ = std::move(solve); }

@@ -59,8 +59,7 @@ std::vector<Vector3> ridgeErrors(const Case& c, FilmLevel& level, std::span<cons
     std::vector<Vector3> errors(edges.size(), Vector3::Zero());
     if (edges.empty()) return errors;
     const Recess recess(withWiderWalls(c.surface, edges, wider), c.slider.length, c.slider.width);
-    const FilmGaps widerGaps(recess, level.gaps.grid);
-    GasFilm widerFilm(widerGaps, filmSetting(c));
+    GasFilm widerFilm(std::make_shared<const FilmGaps>(recess, level.gaps.grid), filmSetting(c));
     widerFilm.setAttitude(level.film.attitude());
     std::vector<double> change(level.pressure.size()), before(level.pressure.size());
     widerFilm.residual(level.pressure, change);

@@ -82,9 +82,10 @@ Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& ch
         const Recess recess(moved.surface, case_.slider.length, case_.slider.width);
         // Lines of the grid move with the edges that lie on them: off its line an edge has another error.
         const CellGrid& grid = level_.gaps.grid;
-        const FilmGaps gaps =
-            ofSurface ? FilmGaps(recess, movedGrid(grid, case_.surface, moved.surface).value_or(grid)) : level_.gaps;
-        GasFilm film(gaps, filmSetting(moved));
+        GasFilm film(ofSurface ? std::make_shared<const FilmGaps>(
+                                     recess, movedGrid(grid, case_.surface, moved.surface).value_or(grid))
+                               : level_.film.sharedGaps(),
+                     filmSetting(moved));
         film.setAttitude(attitude_);
         std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
         pad.pad<double>(pad.unpad<double>(level_.pressure), pressure);

@@ -2,6 +2,7 @@
 #include "core/simulation/static_state/steady.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <memory>
@@ -40,7 +41,7 @@ public:
             previous_ = std::move(level_);
             CellGrid cellGrid = grid(cells);
             const auto goOn = [&] { return tell(cellGrid, 0, result_.residual, result_.loadError, attitude_); };
-            FilmGaps gaps(recess_, cellGrid, goOn);
+            auto gaps = std::make_shared<const FilmGaps>(recess_, cellGrid, goOn);
             if (!goOn()) return result_;
             level_ = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_);
             if (!tell(0, result_.residual, result_.loadError, attitude_)) return result_;
@@ -73,7 +74,7 @@ public:
 private:
     void takeLineMultigrid()
     {
-        lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->gaps, filmSetting(case_));
+        lineMultigrid_ = std::make_unique<FilmLineMultigrid>(recess_, level_->film.sharedGaps(), filmSetting(case_));
         level_->flying.setFilmSolve(
             [this](std::span<double> p, const FilmOptions& options, const FilmMonitor& monitor) {
                 lineMultigrid_->setAttitude(level_->film.attitude());
@@ -289,6 +290,7 @@ private:
         result_.pressure = std::move(fields.pressure);
         result_.gap = std::move(fields.gap);
         result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+        result_.gaps = level.film.sharedGaps();
         if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
             result_.status = SteadyStatus::Failed;
             char text[260];
@@ -306,16 +308,17 @@ private:
     {
         const CellGrid coarsest = gradedGrid(case_.surface, case_.slider.length, case_.slider.width,
                                              filmLevels(case_.film).front()[0], filmLevels(case_.film).front()[1]);
+        const auto gaps = std::make_shared<const FilmGaps>(recess_, coarsest);
         for (const double height : {0.5e-9, 5e-9, 30e-9, 200e-9})
             for (const double pitch : {20e-6, 150e-6, 500e-6}) {
-                FilmLevel coarse(case_, recess_, spacing_, coarsest);
+                FilmLevel coarse(case_, gaps, spacing_);
                 Attitude attitude{height, pitch, 0.0};
                 const AttitudeOptions options{
                     .filmTolerance = coarseTolerance, .loadTolerance = coarseTolerance, .maximumIterations = 25};
                 AttitudeSolution found = coarse.flying.approach(coarse.pressure, attitude, options, monitor());
                 if (found.cancelled) return;
                 if (!found.converged || isKnown(attitude, 0.1)) continue;
-                FilmLevel fine(case_, recess_, spacing_, level_->gaps.grid);
+                FilmLevel fine(case_, level_->film.sharedGaps(), spacing_);
                 fine.take(coarse.known(case_));
                 found = fine.flying.solve(
                     fine.pressure, attitude,
@@ -353,7 +356,19 @@ private:
     SteadyResult result_, converged_; // the second: with the last solved grid's iterations and residuals
 };
 
+std::atomic<long long> solutionsAskedFor = 0; // on any thread
+
 } // namespace
+
+long long staticSolutions() { return solutionsAskedFor; }
+
+void SteadyResult::dropFields()
+{
+    pressure = {};
+    gap = {};
+    recess = {};
+    gaps = {};
+}
 
 std::string_view name(SteadyStatus status)
 {
@@ -369,6 +384,7 @@ std::string_view name(SteadyStatus status)
 SteadyResult steady(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
+    ++solutionsAskedFor;
     Case held = c;
     if (const std::optional<Attitude> rest = unloadedRest(c); rest && !c.steady.fixedAttitude) {
         held.steady.fixedAttitude = true;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +20,8 @@
 #include "core/physics/slider/attitude.h"
 
 namespace touchdown {
+
+struct FilmGaps;
 
 enum class SteadyStatus : std::uint8_t { Converged, NotConverged, Cancelled, Failed };
 std::string_view name(SteadyStatus status);
@@ -97,6 +100,12 @@ struct SteadyResult {
     std::vector<double> pressure; // absolute, per cell [Pa]
     std::vector<double> gap;      // mean over each cell [m]
     std::vector<double> recess;   // mean over each cell [m]
+    /// Of the case's slider on the grid; null: not kept, as in a state from a file. They take more memory than the
+    /// fields.
+    std::shared_ptr<const FilmGaps> gaps;
+
+    /// Keeps the numbers, and the grid: many states need much memory.
+    void dropFields();
 
     /// Whether film and suspension balance at the attitude, be it above the disk's mean plane or below ("failed").
     bool balanced() const
@@ -124,6 +133,9 @@ using SteadyCallback = std::function<bool(const SteadyProgress&)>;
 /// Solves a valid case with model "film" for its static state. Never throws for numerics: see SteadyResult::status.
 /// Without grid and pressure where none can exist: static_check.h.
 SteadyResult steady(const Case& c, const SteadyCallback& callback = {});
+
+/// How many static states `steady` was asked for since the program began. A test compares two counts.
+long long staticSolutions();
 
 /// The case for its balanced attitude alone: no fixed one, no stiffness, sensitivities or other equilibria.
 Case attitudeCase(const Case& c);

@@ -50,6 +50,9 @@ std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, co
     result.minimumSpacing = nearest.spacing;
     result.minimumAt = nearest.at;
     result.forces = level.loads.forces(level.pressure);
+    const double arm = sliderLoad(c).shearArm;
+    result.shearPitchTorque = -arm * result.forces.shearX;
+    result.shearRollTorque = -arm * result.forces.shearY;
     for (const SurfacePoint& point : c.surface.pointsOfInterest)
         result.interestSpacing.push_back(film.recess.at(point.x, point.y) +
                                          level.gaps.lift(result.attitude, point.x, point.y));
@@ -58,6 +61,7 @@ std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, co
     result.pressure = std::move(fields.pressure);
     result.gap = std::move(fields.gap);
     result.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+    result.gaps = level.film.sharedGaps();
     return result;
 }
 
@@ -110,10 +114,12 @@ SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& f
 {
     const double start = wallClock();
     std::optional<SteadyResult> result;
-    if (from.status == SteadyStatus::Converged && !from.pressure.empty() && !c.steady.fixedAttitude)
+    const bool asLarge = c.slider.length == before.slider.length && c.slider.width == before.slider.width;
+    if (from.status == SteadyStatus::Converged && !from.pressure.empty() && !c.steady.fixedAttitude && asLarge)
         if (auto grid = movedGrid(from.grid, before.surface, c.surface)) {
             SteadyResult moved = from;
             moved.grid = std::move(*grid);
+            if (c.surface != before.surface) moved.gaps = nullptr;
             result = from.contact.acts() ? touchingNear(c, moved, callback) : followed(c, moved, callback);
             // A slider that came down to its contact.
             if (result && !from.contact.acts() && !from.contact.state.empty() &&

@@ -13,7 +13,8 @@ namespace touchdown {
 /// From the pressure and the attitude of `from`, the state of `before`, and on its grid, whose lines move with the
 /// edges of rails that they lie on, so that a change of the state is that of the case and not of the grid. For the
 /// attitude alone: without stiffness, sensitivities, other equilibria and the error of the grid. Where `from` has no
-/// state, the attitude is held, lines would pass each other, or no state is found nearby: as `steady`.
+/// state, the attitude is held, the slider has another size, lines would pass each other, or no state is found nearby:
+/// as `steady`.
 SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& from,
                         const SteadyCallback& callback = {});
 

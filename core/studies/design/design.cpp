@@ -95,9 +95,7 @@ private:
             return !cancelled_;
         });
         ++study_.solves;
-        trial.state.pressure = {};
-        trial.state.gap = {};
-        trial.state.recess = {};
+        trial.state.dropFields();
         if (!isBalanced(trial.tried, trial.state)) {
             trial.point.problem = trial.state.message;
             return trial;

@@ -62,8 +62,8 @@ std::vector<WedgePoint> pressuresInWedge(const Case& c, SlipModel model)
     AirBearingSurface plane;
     plane.baseRecess = 0.0;
     const double angle = wedgeAngle(c), length = inlet / angle;
-    const FilmGaps gaps(Recess(plane, length, 3.0 * rowWidth), wedgeGrid(angle));
-    GasFilm film(gaps, setting);
+    GasFilm film(std::make_shared<const FilmGaps>(Recess(plane, length, 3.0 * rowWidth), wedgeGrid(angle)), setting);
+    const FilmGaps& gaps = film.gaps();
     film.setAttitude({0.0, angle, 0.0});
     std::vector<double> p(gaps.pad.size(), film.ambient());
     std::vector<WedgePoint> points;

@@ -37,12 +37,12 @@ constexpr double length = 1.0e-3, width = 0.5e-3, gap = 2e-6;
 struct Plates {
     explicit Plates(int cells, double speed = 0.0, double pitch = 0.0, double height = gap)
         : recess(surface(), length, width),
-          gaps(recess, uniformGrid(length, width, cells, cells)),
-          film(gaps, {.air = {},
-                      .slip = {.model = SlipModel::Continuum},
-                      .disk = {.speed = speed / 25e-3, .radius = 25e-3, .field = VelocityField::Uniform}}),
+          film(std::make_shared<const FilmGaps>(recess, uniformGrid(length, width, cells, cells)),
+               {.air = {},
+                .slip = {.model = SlipModel::Continuum},
+                .disk = {.speed = speed / 25e-3, .radius = 25e-3, .field = VelocityField::Uniform}}),
           loads(film),
-          pressure(gaps.pad.size(), film.ambient()),
+          pressure(film.pad().size(), film.ambient()),
           residual(pressure.size())
     {
         film.setAttitude({height, pitch, 0.0});
@@ -71,7 +71,6 @@ struct Plates {
         return plane;
     }
     Recess recess;
-    FilmGaps gaps;
     GasFilm film;
     FilmLoads loads;
     std::vector<double> pressure, residual;
@@ -194,11 +193,10 @@ void TestFilmOscillation::shortWavesDoNotGrow()
     AirBearingSurface surface;
     surface.baseRecess = 0.0;
     const Recess recess(surface, side, side);
-    const FilmGaps gaps(recess, uniformGrid(side, side, n, n));
-    const PaddedGrid& pad = gaps.pad;
     FilmSetting setting;
     setting.disk = {.speed = speed / 25e-3, .radius = 25e-3, .skew = skew, .field = VelocityField::Uniform};
-    GasFilm film(gaps, setting);
+    GasFilm film(std::make_shared<const FilmGaps>(recess, uniformGrid(side, side, n, n)), setting);
+    const PaddedGrid& pad = film.pad();
     film.setAttitude({20e-9, 0.0, 0.0});
     const std::vector<double> pressure(pad.size(), film.ambient());
     std::vector<double> residual(pad.size());

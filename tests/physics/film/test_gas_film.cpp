@@ -2,8 +2,11 @@
 #include "core/physics/film/gas_film.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <thread>
 #include <vector>
 
 #include <QTest>
@@ -92,6 +95,31 @@ private slots:
         for (const double r : residual) largest = std::max(largest, std::abs(r));
         // Against the flow between p0 and vacuum through the deepest gap, some 1e-6^3 p0^2/(12 mu).
         QVERIFY(largest < 1e-13 * 1e-18 * 1e10 / (12.0 * 1.8e-5));
+    }
+
+    /// Gaps do not change: two films of the same gaps are solved at two attitudes on two threads at once, with the bits
+    /// of one after the other.
+    void filmsOfTheSameGapsAreSolvedAtOnce()
+    {
+        AirBearingSurface surface;
+        surface.rails = {box(0.21e-3, 0.93e-3, 0.13e-3, 0.55e-3)};
+        const auto gaps = std::make_shared<const FilmGaps>(Recess(surface, L, W), gradedGrid(surface, L, W, 40, 32));
+        const std::array<Attitude, 2> attitudes{Attitude{30e-9, 120e-6, 5e-6}, Attitude{60e-9, 80e-6, -3e-6}};
+        const auto solved = [&](std::size_t k) {
+            GasFilm film(gaps, settingOf(ConvectionScheme::CompleteFlux));
+            film.setAttitude(attitudes[k]);
+            std::vector<double> p(gaps->pad.size(), film.ambient());
+            return FilmNewton(film).solve(p, {}).converged ? p : std::vector<double>();
+        };
+        const std::array<std::vector<double>, 2> expected{solved(0), solved(1)};
+        QVERIFY(!expected[0].empty() && !expected[1].empty());
+        QVERIFY(expected[0] != expected[1]);
+        std::array<std::vector<double>, 2> found;
+        {
+            const std::jthread first([&] { found[0] = solved(0); }), second([&] { found[1] = solved(1); });
+        }
+        QVERIFY(found == expected);
+        QCOMPARE(gaps.use_count(), 1L);
     }
 
     /// A slider mirrored across y, with roll and skew turned round, has the mirrored pressure, to what the solver

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/equilibria/film_branches.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QTest>
 
+#include "core/case_files/case_file.h"
 #include "tests/support/menisci_slider.h"
 #include "tests/support/test_program.h"
 
@@ -48,6 +50,21 @@ private slots:
         const double value = mark->at.parameter, slack = 2.0 * branchesLocatedTo * (heavy - light);
         QVERIFY(staticSpacing(at(value - slack)) > c.onoYamane.touchDown);
         QVERIFY(staticSpacing(at(value + slack)) < c.onoYamane.touchDown);
+    }
+
+    /// Static states are found on grids of their own, adapted to each. On the grid of the branches they lie on one
+    /// branch, which is followed once.
+    void aBranchIsFollowedOnce()
+    {
+        Case c = openCase("fig05_fm_3_62mN").value;
+        c.film.nodes = {49, 49};
+        const auto at = [&](double speed) {
+            Case moved = c;
+            moved.disk.speed = speed;
+            return moved;
+        };
+        const EquilibriumBranches all = traceFilmBranches(at, 550.0, 800.0, 2);
+        QCOMPARE(std::ranges::count(all.branches, ContactRegion::Apart, &EquilibriumBranch::contact), 1);
     }
 
     /// What holds the slider does not know d_e as long as the menisci reach: the branch ends where d_e is its spacing.

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "tests/support/film_flight.h"
 #include "tests/support/test_program.h"
 
@@ -42,6 +44,69 @@ private slots:
         QVERIFY(flight.largestDistance("pitch", rest.attitude.pitch) < 1e-9);
         QVERIFY(flight.largestDistance("roll", rest.attitude.roll) < 1e-9);
         QVERIFY(flight.largestDistance("air_bearing_force", rest.forces.net) < 1e-5 * c.suspension.preload);
+    }
+    void solvesOneStaticState_data()
+    {
+        QTest::addColumn<int>("start");
+        QTest::addColumn<double>("preload");
+        QTest::newRow("from rest") << int(InitialState::Static) << 1.0;
+        QTest::newRow("from a given attitude") << int(InitialState::Given) << 1.0;
+        QTest::newRow("without a static state") << int(InitialState::Given) << 100.0;
+    }
+    /// The page of the static state has solved for it, with its stiffness: a run that gets the solution solves for
+    /// nothing, and has the same bits.
+    void solvesOneStaticState()
+    {
+        QFETCH(int, start);
+        QFETCH(double, preload);
+        Case c = fromRest("film_pico", 1e-6);
+        c.initial.state = InitialState(start);
+        c.initial.heightOffset = 1e-9;
+        c.suspension.preload *= preload;
+        c.film.maximumIterations = 20;
+        Case page = c;
+        page.steady.stiffness = page.steady.sensitivities = true;
+        const auto rest = std::make_shared<const StaticSolution>(StaticSolution{page, steady(page)});
+        QCOMPARE(rest->state.status, preload > 1.0 ? SteadyStatus::NotConverged : SteadyStatus::Converged);
+        const long long before = staticSolutions();
+        const Flight alone = fly(c);
+        QCOMPARE(staticSolutions(), before + 1);
+        const Flight inHand = fly(c, 0, {.rest = rest});
+        QCOMPARE(staticSolutions(), before + 1);
+        QCOMPARE(inHand.summary.message, alone.summary.message);
+        QVERIFY(inHand.time.size() > 1 && inHand.time == alone.time);
+        QVERIFY(inHand.columns == alone.columns);
+        QVERIFY(inHand.summary.warnings == alone.summary.warnings);
+    }
+    /// A solution from a file has no gaps: its film is solved once more from near, on its grid alone. A wrong one is
+    /// found out.
+    void aSolutionFromAFileIsNotBelieved()
+    {
+        const Case c = fromRest("film_pico", 1e-6);
+        StaticSolution rest{c, steady(c)};
+        const SteadyResult right = rest.state;
+        rest.state.gaps = nullptr;
+        const auto spacing = [&] {
+            return fly(c, 0, {.rest = std::make_shared<const StaticSolution>(rest)}).of("minimum_spacing")[0];
+        };
+        const long long before = staticSolutions();
+        QVERIFY(std::abs(spacing() - right.minimumSpacing) < 1e-13);
+        QCOMPARE(staticSolutions(), before);
+        for (double& p : rest.state.pressure) p *= 1.1;
+        rest.state.attitude.height += 2e-9;
+        QVERIFY(std::abs(spacing() - right.minimumSpacing) < 1e-13);
+    }
+    /// A run takes no state of another case.
+    void aStateOfAnotherCaseIsNotUsed()
+    {
+        const Case c = fromRest("film_pico", 1e-6);
+        Case lighter = c;
+        lighter.suspension.preload *= 0.9;
+        const auto rest = std::make_shared<const StaticSolution>(StaticSolution{lighter, steady(lighter)});
+        const long long before = staticSolutions();
+        const Flight other = fly(c, 0, {.rest = rest});
+        QCOMPARE(staticSolutions(), before + 1);
+        QVERIFY(other.columns == fly(c).columns);
     }
     /// Offsets count from the static state, of the mass centre: the trailing edge goes up by 3 nm less L/2 10 urad.
     /// Velocities count.

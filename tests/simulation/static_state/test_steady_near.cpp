@@ -7,6 +7,7 @@
 
 #include <QTest>
 
+#include "core/physics/film/gaps/film_gaps.h"
 #include "core/physics/slider/surface_edit.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
@@ -76,6 +77,23 @@ private slots:
         const SteadyResult cold = steady(c), near = steadyNear(c, c, {});
         QCOMPARE(near.minimumSpacing, cold.minimumSpacing);
         QVERIFY(near.stiffness.has_value() == cold.stiffness.has_value());
+    }
+    /// A change of the load leaves the gaps as they are; a moved rail, or a longer slider, has others.
+    void handsTheGapsOnWhereTheSliderIsTheSame()
+    {
+        const Case c = test::smallSlider(33);
+        const SteadyResult from = steady(c);
+        QVERIFY(from.gaps && from.gaps->grid.x == from.grid.x && from.gaps->grid.y == from.grid.y);
+        Case heavier = c, moved = c, longer = c;
+        heavier.suspension.preload *= 1.01;
+        moved.surface = movedInPairs(c.surface, {{PartKind::Rail, 1}}, {-0.5e-6, 0.0}, c.slider.width, 1e-7);
+        longer.slider.length += 1e-6;
+        QCOMPARE(steadyNear(heavier, c, from).gaps, from.gaps);
+        for (const Case& other : {moved, longer}) {
+            const SteadyResult near = steadyNear(other, c, from);
+            QVERIFY(near.gaps && near.gaps != from.gaps);
+            QCOMPARE(near.grid.x.back(), other.slider.length);
+        }
     }
     /// Four times the load is no small change.
     void farAwayItIsSteady()

@@ -11,6 +11,8 @@
 #include <QTextBrowser>
 #include <QWidget>
 
+#include "core/physics/film/gaps/film_gaps.h"
+#include "core/physics/slider/recess.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 #include "ui/film/compare_page.h"
@@ -95,6 +97,19 @@ private slots:
         QCOMPARE(model.of(held)->number, number + 1);
         c.surface.rails[0].recess[0] += 1e-12;
         QVERIFY(!model.of(c));
+    }
+
+    /// Gaps take more memory than fields.
+    void theNewestAloneKeepsItsGaps()
+    {
+        SolutionsModel model;
+        const Case c = sampleFilmCase();
+        SteadyResult result = sampleResult(c);
+        result.gaps = std::make_shared<const FilmGaps>(Recess(c.surface, c.slider.length, c.slider.width), result.grid);
+        for (int i = 0; i < 3; ++i) model.add(c, result);
+        QVERIFY(!model.record(0).result.gaps && !model.record(1).result.gaps && model.record(2).result.gaps);
+        QCOMPARE(model.record(0).result.pressure, result.pressure);
+        QVERIFY(model.restOf(c)->state.gaps == result.gaps);
     }
 
     /// The newest is compared with at most two others that nobody chose.

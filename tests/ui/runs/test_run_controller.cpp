@@ -27,7 +27,7 @@ struct Counter {
     long long samples = 1000;
     long long perBatch = 100;
 
-    Summary operator()(const Case&, const RunCallback& callback) const
+    Summary operator()(const Case&, const RunCallback& callback, const RunOptions&) const
     {
         Summary summary;
         const double duration = static_cast<double>(samples - 1) * microsecond;
@@ -163,7 +163,7 @@ void TestRunController::keepsEventsWithTheirSamples()
 struct Photographer {
     std::size_t values = 1000;
 
-    Summary operator()(const Case&, const RunCallback& callback) const
+    Summary operator()(const Case&, const RunCallback& callback, const RunOptions&) const
     {
         SampleBatch batch;
         batch.columns.resize(1);
@@ -321,8 +321,9 @@ void TestRunController::startsAgainWhileRunning()
 
 void TestRunController::turnsAnExceptionIntoAFailure()
 {
-    RunController controller(
-        [](const Case&, const RunCallback&) -> Summary { throw std::runtime_error("out of cheese"); });
+    RunController controller([](const Case&, const RunCallback&, const RunOptions&) -> Summary {
+        throw std::runtime_error("out of cheese");
+    });
     Received received(controller);
     controller.start({});
     QTRY_COMPARE(controller.state(), State::Idle);
@@ -334,8 +335,8 @@ void TestRunController::joinsWhenDestroyed()
 {
     std::atomic<bool> returned = false;
     {
-        RunController controller([&returned](const Case& c, const RunCallback& callback) {
-            const Summary summary = Counter{std::numeric_limits<int>::max(), 100}(c, callback);
+        RunController controller([&returned](const Case& c, const RunCallback& callback, const RunOptions& options) {
+            const Summary summary = Counter{std::numeric_limits<int>::max(), 100}(c, callback, options);
             returned = true;
             return summary;
         });

@@ -89,6 +89,7 @@ private slots:
         f.solve();
         f.window.film().panel()->choose(1);
         const double pitch = f.window.film().result()->attitude.pitch;
+        const long long before = staticSolutions();
         const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
         f.click(QStringLiteral("Run from here"));
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
@@ -96,9 +97,42 @@ private slots:
         QCOMPARE(run.value.suspension.preload, f.solutions().record(0).value.suspension.preload);
         QCOMPARE(run.value.initial.state, InitialState::Static);
         QCOMPARE(run.value.initial.pitch, pitch);
+        QCOMPARE(staticSolutions(), before);
         QVERIFY2(std::abs(*run.last("pitch") - pitch) < 1e-8, qPrintable(QString::number(*run.last("pitch") - pitch)));
         f.window.edits().undoStack().undo();
         QCOMPARE(f.window.edits().value().suspension.preload, f.solutions().record(1).value.suspension.preload);
+    }
+
+    /// A run of the case whose static state the page shows solves for nothing again, however it starts.
+    void aRunTakesTheStateThatThePageShows_data()
+    {
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<int>("solved");
+        QTest::newRow("as it is") << "run.duration"
+                                  << "1 us" << 0;
+        QTest::newRow("from the static state") << "initial.state"
+                                               << "static" << 0;
+        QTest::newRow("over a rough disk") << "disk.surface.kind"
+                                           << "rough" << 0;
+        QTest::newRow("another case") << "disk.skew"
+                                      << "1 deg" << 1;
+    }
+    void aRunTakesTheStateThatThePageShows()
+    {
+        QFETCH(QString, key);
+        QFETCH(QString, value);
+        QFETCH(int, solved);
+        Solved f;
+        f.edit("run.duration", QStringLiteral("2 us"));
+        f.solve();
+        f.edit(key.toUtf8().constData(), value);
+        const long long before = staticSolutions();
+        const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+        f.window.startRun();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
+        QCOMPARE(f.window.runs().record(0).summary->status, RunStatus::Completed);
+        QCOMPARE(staticSolutions(), before + solved);
     }
 
     /// The message at the foot is of the case as it is edited: that no attitude was found leaves with undo and comes

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/static_state/static_solution.h"
+
+#include "core/simulation/static_state/contact_rest.h"
+
+namespace touchdown {
+
+bool sameFilm(const Case& a, Case b)
+{
+    b.title = a.title;
+    b.about = a.about;
+    b.folder = a.folder;
+    b.run = a.run;
+    b.spectrum = a.spectrum;
+    return a == b;
+}
+
+Case withRunOf(Case c, const Case& run)
+{
+    if (!seesStillDisk(c) && !seesStillDisk(run)) c.diskSurface = run.diskSurface;
+    c.run = run.run;
+    c.spectrum = run.spectrum;
+    const InitialCase attitude = c.initial;
+    c.initial = run.initial;
+    c.initial.nominalTrailingEdgeHeight = attitude.nominalTrailingEdgeHeight;
+    c.initial.pitch = attitude.pitch;
+    c.initial.roll = attitude.roll;
+    if (c.contact != noContact) c.initial.branch = attitude.branch; // it chooses among several states
+    return c;
+}
+
+bool hasStaticState(const Case& c, const Case& solved, const Attitude& found)
+{
+    Case same = withRunOf(solved, c);
+    const InitialCase& start = c.initial;
+    if (start.nominalTrailingEdgeHeight == found.height && start.pitch == found.pitch && start.roll == found.roll) {
+        const ContactBranch branch = same.initial.branch;
+        same.initial = start;
+        same.initial.branch = branch;
+    }
+    return sameFilm(c, same);
+}
+
+bool isRestOf(const Case& c, const Case& solved, const SteadyResult& state)
+{
+    if (state.pressure.empty() || state.status == SteadyStatus::Cancelled || solved.steady.fixedAttitude) return false;
+    const Case sought = attitudeCase(c), found = attitudeCase(solved);
+    return state.status == SteadyStatus::Converged ? hasStaticState(sought, found, state.attitude)
+                                                   : sameFilm(sought, withRunOf(found, sought));
+}
+
+} // namespace touchdown

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A static state with the case that it was found for, and which other cases have the same static state: those that
+// differ only in what a run in time alone uses.
+#pragma once
+
+#include "core/simulation/static_state/steady.h"
+
+namespace touchdown {
+
+struct StaticSolution {
+    Case solved;
+    SteadyResult state;
+};
+
+/// Nothing that a static state and its search depend on differs.
+bool sameFilm(const Case& a, Case b);
+
+/// `c` with what only a run in time uses as `run` has it: the disk's surface where no contact at rest sees it, the run
+/// and its spectra, and how it starts from an attitude.
+Case withRunOf(Case c, const Case& run);
+
+/// `c` has the static state that was found for `solved`: it differs in nothing that the state depends on. The search
+/// may start from the state itself.
+bool hasStaticState(const Case& c, const Case& solved, const Attitude& found);
+
+/// The state of `solved` is what a run of `c` would find, whatever else was asked about it: a state of the case at an
+/// attitude that was not given, or a search from the same start that found none.
+bool isRestOf(const Case& c, const Case& solved, const SteadyResult& state);
+
+} // namespace touchdown
