@@ -19,6 +19,7 @@ double noReach(const Case&) { return 0.0; }
 /// Three in 100,000 summits are higher.
 double highestSummit(const Case& c) { return c.asperity.planeHeight + 4.0 * c.asperity.heightDeviation; }
 bool neverPulls(const Case&) { return false; }
+bool attracts(const Case& c) { return c.adhesion.acts(); }
 bool alwaysPulls(const Case&) { return true; }
 
 /// An enumerator without a row does not compile (-Wswitch).
@@ -48,7 +49,7 @@ constexpr ContactLaw rowOf(ContactKind kind)
                            "adhesion.",
                 .refusal = {.springs = "it acts between surfaces given point by point, which springs do not have"},
                 .friction = elasticFriction,
-                .adheres = [](const Case& c) { return c.adhesion.acts(); },
+                .adheres = attracts,
                 .reach = noReach,
                 .remembers = true,
                 .recordsArea = true,
@@ -58,7 +59,7 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .label = "asperities",
                 .meaning = "Contact of many summits, by the statistics of the surface.",
                 .friction = asperityFriction,
-                .adheres = neverPulls,
+                .adheres = attracts,
                 .reach = highestSummit,
                 .recordsArea = true};
     case ContactKind::MultiAsperity:

@@ -15,11 +15,13 @@ constexpr const char* overcoats = "assumed: carbon overcoats on a glass disk and
 constexpr double stiffest = 1e14; // [Pa]
 
 bool withBodies(const Case& c) { return withSurfaces(c) || withAsperities(c); }
-bool withLennardJones(const Case& c) { return withSurfaces(c) && c.adhesion.kind == AdhesionKind::LennardJones; }
-bool withVanDerWaals(const Case& c) { return withSurfaces(c) && c.adhesion.kind == AdhesionKind::VanDerWaals; }
+/// Between surfaces that deform, or beside the summits of rigid ones.
+bool withAttraction(const Case& c) { return withSurfaces(c) || (c.contact == ContactKind::Asperity && contactActs(c)); }
+bool withLennardJones(const Case& c) { return withAttraction(c) && c.adhesion.kind == AdhesionKind::LennardJones; }
+bool withVanDerWaals(const Case& c) { return withAttraction(c) && c.adhesion.kind == AdhesionKind::VanDerWaals; }
 /// The slider finds out by itself where it can touch.
 bool withPatchSearch(const Case& c) { return withFilm(c) && withSurfaces(c); }
-bool withShift(const Case& c) { return withLennardJones(c) || (withSurfaces(c) && c.adhesion.voltage != 0.0); }
+bool withShift(const Case& c) { return withLennardJones(c) || (withAttraction(c) && c.adhesion.voltage != 0.0); }
 
 } // namespace
 
@@ -75,12 +77,14 @@ std::vector<Parameter> elasticParameters()
                "Height above the slider's lowest point, at elastic.patch_pitch, up to which its surface takes part in "
                "the contact. It must cover the roughness of the disk, the change of tilt and the indentation.",
                "ours"),
-        choice("adhesion.kind", "adhesion", {"none", "lennard-jones", "van-der-waals"},
-               at(&Case::adhesion, &Adhesion::kind), withSurfaces,
-               "Intermolecular forces between the surfaces: lennard-jones = shifted so that the forces vanish in "
-               "contact, van-der-waals = the classical form with its own repulsion.",
-               "paper, section 2: Lennard-Jones; the shifted form is a reading of the paper's reference [8], whose "
-               "equations were not available"),
+        choice(
+            "adhesion.kind", "adhesion", {"none", "lennard-jones", "van-der-waals"},
+            at(&Case::adhesion, &Adhesion::kind), withAttraction,
+            "Intermolecular forces between the surfaces: lennard-jones = shifted so that the forces vanish in "
+            "contact, van-der-waals = the classical form with its own repulsion. With contact = \"asperity\" they act "
+            "between the mean planes of two rigid surfaces, beside the summits.",
+            "paper, section 2: Lennard-Jones; the shifted form is a reading of the paper's reference [8], whose "
+            "equations were not available"),
         number("adhesion.surface_energy", "surface energy", "dgamma", millinewtonsPerMetre, notNegative(100),
                at(&Case::adhesion, &Adhesion::surfaceEnergy), withLennardJones,
                "Work of adhesion: the energy per area that is needed to separate the surfaces. It includes the effect "
@@ -97,7 +101,7 @@ std::vector<Parameter> elasticParameters()
                at(&Case::adhesion, &Adhesion::hamakerB), withVanDerWaals, "Strength of the repulsion B/(45 pi g^9).",
                "the usual 1e-76 J m^6"),
         number("adhesion.voltage", "voltage", "V", {"V", "V"}, within(1000), at(&Case::adhesion, &Adhesion::voltage),
-               withSurfaces,
+               withAttraction,
                "Voltage between slider and disk; it adds the attraction eps0 V^2/2 over the square of the distance.",
                "ours: none"),
     };

@@ -6,8 +6,8 @@
 #include "core/case/contact_kind.h"
 #include "core/case/contact_law.h"
 #include "core/numerics/interval.h"
-#include "core/physics/contact/asperity_contact.h"
 #include "core/physics/contact/characteristic_fit.h"
+#include "core/physics/contact/gap_law.h"
 #include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/ono_yamane.h"
 #include "core/simulation/contact/contact_lever.h"
@@ -64,21 +64,25 @@ private:
     ContactForces forces_;
 };
 
-/// A statistical surface, which keeps no memory.
+/// A pressure of the gap, which keeps no memory.
 class AsperityPad final : public ContactModel {
 public:
-    explicit AsperityPad(const Case& c) : contact_(c.asperity, c.elastic.pair), padArea_(c.pad.length * c.pad.width) {}
+    explicit AsperityPad(const Case& c)
+        : law_(c.asperity, c.elastic.pair, c.adhesion), padArea_(c.pad.length * c.pad.width)
+    {}
 
     const ContactForces& move(double separation, double) override
     {
         forces_.separation = separation;
-        forces_.contact = padArea_ * contact_.pressure(separation);
-        forces_.area = padArea_ * contact_.contactArea(separation);
+        const GapForces at = law_.at(separation);
+        forces_.contact = padArea_ * at.contact;
+        forces_.adhesion = padArea_ * at.adhesion;
+        forces_.area = padArea_ * at.area;
         return forces_;
     }
 
 private:
-    AsperityContact contact_;
+    GapLaw law_;
     double padArea_; // [m^2]
     ContactForces forces_;
 };

@@ -11,6 +11,7 @@
 #include "core/formats/units.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/sensitivity.h"
 #include "core/simulation/static_state/touching_places.h"
 #include "core/work/wall_clock.h"
 
@@ -212,6 +213,7 @@ private:
         if (case_.steady.stiffness) r.stiffness = level.flying.stiffness(level.pressure);
         r.contactStiffness = balance_->contactStiffness(found.place.region);
         r.sensitivities.clear();
+        if (case_.steady.sensitivities) r.sensitivities = sensitivitiesInContact(case_, *balance_, state.contact);
         r.otherEquilibria.clear();
         r.discretisationError = inFull ? errorOf(found, ofForces) : DiscretisationError{};
         KnownFilm fields = level.known(case_);

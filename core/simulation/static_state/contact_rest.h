@@ -45,6 +45,7 @@ public:
     bool valid() const { return valid_; }
     FilmLevel& level();
     const SliderBody& body() const;
+    FilmBalance* balance() { return touching_.get(); } // null in flight
     /// About the mass centre; zero in flight.
     const Matrix3& contactStiffness() const { return contact_; }
     /// Where an elastic contact deforms the disk; else null.

@@ -204,6 +204,28 @@ Matrix3 FilmBalance::stiffnessWithSprings(ContactRegion region, const GoOn& goOn
     return sum;
 }
 
+void FilmBalance::place(const Vector3& q, ContactBranch branch, ContactRegion region)
+{
+    q_ = q;
+    slopes_.reset();
+    filmStiffness_.reset();
+    begin(branch, q);
+    contactForces(region);
+    setSurface(body_.attitude(q));
+}
+
+Matrix3 FilmBalance::stiffnessBesideFilm(ContactRegion region)
+{
+    Matrix3 sum = contactStiffness(region);
+    sum.diagonal() += body_.springs();
+    // At a fixed height of the trailing edge the mass centre rises by half the length times the pitch.
+    sum.col(1) += 0.5 * case_.slider.length * sum.col(0);
+    sum(1, 1) -= load_.pitchStiffness;
+    sum(2, 2) -= load_.rollStiffness;
+    if (body_.holdsRoll()) sum.row(2).setZero();
+    return sum;
+}
+
 double FilmBalance::error(const Vector3& g) const
 {
     return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / case_.slider.length) / case_.suspension.preload;

@@ -48,6 +48,11 @@ public:
     /// Makes the film steady at q; false where it is not solved.
     bool solve(const Vector3& q, const GoOn& goOn);
 
+    /// Places slider and contact at q, with the film as it is.
+    void place(const Vector3& q, ContactBranch branch, ContactRegion region);
+    /// Of contact and springs about q, by the attitude, beside what `FlyingAttitude` knows; rows by force.
+    Matrix3 stiffnessBesideFilm(ContactRegion region);
+
     /// All of the following but spacing() are at the last q.
     Vector3 force(ContactRegion region);                       // G
     Matrix3 stiffness(ContactRegion region, const GoOn& goOn); // -dG/dq
@@ -61,6 +66,7 @@ public:
     /// Newton's step; zero for a held roll.
     Vector3 newtonStep(const Matrix3& stiffness, const Vector3& force) const;
 
+    const MinimumSpacing& spacings() const { return spacing_; }
     MinimumSpacing::Place nearest(const Vector3& q) const { return spacing_.at(body_.attitude(q)); }
     double spacing(const Vector3& q) const { return nearest(q).spacing; }
     /// Two without roll.

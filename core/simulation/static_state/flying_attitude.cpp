@@ -373,13 +373,13 @@ Matrix3 FlyingAttitude::currentStiffness(double shearArm) const
     return result;
 }
 
-FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p)
+FlyingAttitude::Adjoint FlyingAttitude::adjoint(std::span<const double> p, const Matrix3& added)
 {
     // S = dG/da - C J^-1 B (C = dG/dp, B = dR/da): balance row k = row k of S^-1, film = -that row times J^-T C^T.
     linearise(p, film_.attitude());
     AttitudeSolution count;
     solveColumns(1e-9, count);
-    const Matrix3 inverse = balanceSlopes().inverse();
+    const Matrix3 inverse = (balanceSlopes() - added).inverse();
     std::array<std::vector<double>, 3> adjoints;
     newton_.linear().prepareTransposed();
     for (std::size_t m = 0; m < 3; ++m) {

@@ -95,7 +95,8 @@ public:
         std::array<std::vector<double>, 3> film; // padded
         Matrix3 balance = Matrix3::Zero();
     };
-    Adjoint adjoint(std::span<const double> p);
+    /// `added`: stiffness of what else acts on the slider, by the attitude.
+    Adjoint adjoint(std::span<const double> p, const Matrix3& added = Matrix3::Zero());
 
     /// G at p and the film's attitude.
     Vector3 imbalance(std::span<const double> p);

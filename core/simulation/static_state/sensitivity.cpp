@@ -13,6 +13,8 @@
 #include "core/case/case_key.h"
 #include "core/physics/slider/rail_outline.h"
 #include "core/physics/slider/surface_check.h"
+#include "core/simulation/static_state/contact_rest.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_near.h"
 
@@ -58,6 +60,29 @@ std::vector<Varied> variedParameters(const Case& c)
     return list;
 }
 
+void addContactParameters(const Case& c, std::vector<Varied>& list)
+{
+    const std::pair<const char*, double> steps[]{{"ono_yamane.meniscus_force", 1e-7},
+                                                 {"ono_yamane.initial_contact_force", 1e-7},
+                                                 {"ono_yamane.contact_stiffness", 10.0},
+                                                 {"ono_yamane.touch_down", 1e-13},
+                                                 {"ono_yamane.friction", 1e-5},
+                                                 {"asperity.plane_height", 1e-13},
+                                                 {"asperity.height_deviation", 1e-14},
+                                                 {"asperity.density", 1e7},
+                                                 {"asperity.radius", 1e-11},
+                                                 {"asperity.friction", 1e-5},
+                                                 {"meniscus.surface_tension", 1e-7},
+                                                 {"elastic.modulus", 1e6},
+                                                 {"elastic.friction", 1e-5},
+                                                 {"adhesion.surface_energy", 1e-6}};
+    for (const auto& [key, step] : steps) {
+        auto found = numberKey(c, key);
+        auto* parameter = std::get_if<Parameter>(&found);
+        if (parameter && parameter->used(c)) list.push_back({std::move(*parameter), step});
+    }
+}
+
 } // namespace
 
 AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
@@ -68,6 +93,41 @@ AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmLevel& level, const 
       adjoint_(level.flying.adjoint(level.pressure)),
       nearest_(spacing.at(attitude_).at)
 {}
+
+AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmBalance& balance, const ContactAtRest& contact)
+    : case_(c),
+      level_(balance.level()),
+      spacing_(balance.spacings()),
+      attitude_(level_.film.attitude()),
+      adjoint_((level_.flying.setSlopes(balance.filmSlopes()),
+                level_.flying.adjoint(level_.pressure, balance.stiffnessBesideFilm(contact.region)))),
+      nearest_(spacing_.at(attitude_).at),
+      touching_(&balance),
+      contact_(contact)
+{}
+
+/// R and G of a changed case at the state: at the same attitude and pressure.
+Vector3 AttitudeSensitivity::misses(const Case& moved, std::shared_ptr<const FilmGaps> gaps, const Recess& recess,
+                                    std::vector<double>& residual) const
+{
+    const PaddedGrid& pad = gaps->pad;
+    const std::vector<double> plain = level_.gaps.pad.unpad<double>(level_.pressure);
+    if (touching_) {
+        FilmBalance there(moved, MinimumSpacing(moved.surface, recess), std::move(gaps),
+                          touching_->body().attitude(touching_->body().rest()));
+        there.place(touching_->place(), contact_.branch, contact_.region);
+        pad.pad<double>(plain, there.level().pressure); // the outline's may have changed
+        there.level().film.residual(there.level().pressure, residual);
+        return there.force(contact_.region);
+    }
+    GasFilm film(std::move(gaps), filmSetting(moved));
+    film.setAttitude(attitude_);
+    std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
+    pad.pad<double>(plain, pressure);
+    film.residual(pressure, residual);
+    FilmLoads loads(film);
+    return FlyingAttitude(film, loads, sliderLoad(moved), spacing_).imbalance(pressure);
+}
 
 Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& change, double step, bool ofSurface) const
 {
@@ -82,17 +142,12 @@ Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& ch
         const Recess recess(moved.surface, case_.slider.length, case_.slider.width);
         // Lines of the grid move with the edges that lie on them: off its line an edge has another error.
         const CellGrid& grid = level_.gaps.grid;
-        GasFilm film(ofSurface ? std::make_shared<const FilmGaps>(
-                                     recess, movedGrid(grid, case_.surface, moved.surface).value_or(grid))
-                               : level_.film.sharedGaps(),
-                     filmSetting(moved));
-        film.setAttitude(attitude_);
-        std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
-        pad.pad<double>(pad.unpad<double>(level_.pressure), pressure);
-        film.residual(pressure, residual);
-        FilmLoads loads(film);
-        FlyingAttitude flying(film, loads, sliderLoad(moved), spacing_);
-        const Vector3 balance = flying.imbalance(pressure);
+        const Vector3 balance = misses(
+            moved,
+            ofSurface
+                ? std::make_shared<const FilmGaps>(recess, movedGrid(grid, case_.surface, moved.surface).value_or(grid))
+                : level_.film.sharedGaps(),
+            recess, residual);
         for (std::size_t k = 0; k < 3; ++k) {
             double sum = 0.0;
             for (std::size_t at = 0; at < residual.size(); ++at) sum += adjoint_.film[k][at] * residual[at];
@@ -106,11 +161,12 @@ Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& ch
     return {"", "m", attitudeChange[0], attitudeChange[1], attitudeChange[2], atNearest + direct};
 }
 
-std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
+namespace {
+
+std::vector<Sensitivity> toEach(const std::vector<Varied>& list, const AttitudeSensitivity& attitude)
 {
-    const AttitudeSensitivity attitude(c, level, spacing);
     std::vector<Sensitivity> result;
-    for (const Varied& varied : variedParameters(c)) {
+    for (const Varied& varied : list) {
         const Parameter& parameter = varied.parameter;
         // Not by setFromNumber: a value at the end of its range is moved, too.
         const auto change = [&](Case& moved, double by) { parameter.set(moved, numberOf(parameter, moved) + by); };
@@ -120,6 +176,20 @@ std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const Mi
         result.push_back(std::move(found));
     }
     return result;
+}
+
+} // namespace
+
+std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
+{
+    return toEach(variedParameters(c), AttitudeSensitivity(c, level, spacing));
+}
+
+std::vector<Sensitivity> sensitivitiesInContact(const Case& c, FilmBalance& balance, const ContactAtRest& contact)
+{
+    std::vector<Varied> list = variedParameters(c);
+    addContactParameters(c, list);
+    return toEach(list, AttitudeSensitivity(c, balance, contact));
 }
 
 namespace {
@@ -189,6 +259,7 @@ std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& sta
 {
     constexpr double recessStep = 1e-12, smallShift = 0.5e-6; // [m]
     std::unique_ptr<StaticFilm> film;
+    std::unique_ptr<RestingSlider> touching;
     std::unique_ptr<AttitudeSensitivity> attitude;
     std::vector<PartInfluence> result;
     const auto goOn = [&callback] { return !callback || callback(nullptr); };
@@ -205,7 +276,11 @@ std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& sta
             continue;
         }
         if (!edge && part.kind != PartKind::Rail) continue;
-        if (!film) {
+        if (!attitude && state.contact.acts()) {
+            touching = std::make_unique<RestingSlider>(c, state, goOn);
+            if (!touching->valid()) break;
+            attitude = std::make_unique<AttitudeSensitivity>(c, *touching->balance(), state.contact);
+        } else if (!attitude) {
             film = std::make_unique<StaticFilm>(c, state);
             attitude = std::make_unique<AttitudeSensitivity>(c, film->level, film->spacing);
         }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/physics/slider/surface_edit.h"
@@ -13,28 +14,41 @@
 
 namespace touchdown {
 
+class FilmBalance;
 class MinimumSpacing;
+class Recess;
+struct FilmGaps;
 struct FilmLevel;
 
 /// Of a level that is solved for its flying attitude; the case, the level and the spacing must last.
 class AttitudeSensitivity {
 public:
     AttitudeSensitivity(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
+    /// Of a slider in contact, solved at its balance's place; the balance must last. The place where the suspension
+    /// exerts its load is kept: its change counts as little as the springs do beside film and contact.
+    AttitudeSensitivity(const Case& c, FilmBalance& balance, const ContactAtRest& contact);
 
     /// To a change of the case by an amount, from central differences of plus and minus `step`; without a name, per
     /// unit of the amount. `ofSurface`: it changes the recess.
     Sensitivity to(const std::function<void(Case&, double)>& change, double step, bool ofSurface) const;
 
 private:
+    Vector3 misses(const Case& moved, std::shared_ptr<const FilmGaps> gaps, const Recess& recess,
+                   std::vector<double>& residual) const;
+
     const Case& case_;
     FilmLevel& level_;
     const MinimumSpacing& spacing_;
     Attitude attitude_;
     FlyingAttitude::Adjoint adjoint_;
     SurfacePoint nearest_;
+    FilmBalance* touching_ = nullptr;
+    ContactAtRest contact_;
 };
 
 std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
+/// In contact, to the parameters of the contact, too.
+std::vector<Sensitivity> sensitivitiesInContact(const Case& c, FilmBalance& balance, const ContactAtRest& contact);
 
 /// What a part of the shape does to the state.
 struct PartInfluence {
