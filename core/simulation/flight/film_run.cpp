@@ -49,18 +49,18 @@ std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
 class FilmRun {
 public:
-    FilmRun(const Case& c, const RunCallback& callback, const RunOptions& options)
+    FilmRun(const Case& c, const RunCallback& callback)
         : case_(c),
-          rest_(options.rest.get()),
           run_(c, filmQuantities(c), callback),
           scene_(c),
           length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
                   c.run.steps == StepControl::Fixed ? 0.0 : c.run.stepError)
     {}
 
-    Summary run()
+    /// `known`: a static state in hand; null: none.
+    Summary run(const StaticSolution* known)
     {
-        if (prepare()) advance();
+        if (prepare(known)) advance();
         if (recorder_) {
             recorder_->end();
             if (!run_.send(reached()) && end_.completed()) stop();
@@ -102,9 +102,9 @@ private:
     }
 
     /// False when the run ends here.
-    bool prepare()
+    bool prepare(const StaticSolution* known)
     {
-        switch (scene_.prepare([this] { return goOn(); }, rest_)) {
+        switch (scene_.prepare([this] { return goOn(); }, known)) {
         case FilmScene::State::Stopped: return stop();
         case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
@@ -371,7 +371,6 @@ private:
     bool goOn() { return run_.lookAtClock(reached()); }
 
     const Case& case_;
-    const StaticSolution* rest_; // in hand; null: none
     RunRecorder run_;
     FilmScene scene_;
     const SliderBody* body_ = nullptr;
@@ -398,7 +397,7 @@ private:
 
 Summary runFilm(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
-    return FilmRun(c, callback, options).run();
+    return FilmRun(c, callback).run(options.rest.get());
 }
 
 } // namespace touchdown

@@ -362,14 +362,6 @@ std::atomic<long long> solutionsAskedFor = 0; // on any thread
 
 long long staticSolutions() { return solutionsAskedFor; }
 
-void SteadyResult::dropFields()
-{
-    pressure = {};
-    gap = {};
-    recess = {};
-    gaps = {};
-}
-
 std::string_view name(SteadyStatus status)
 {
     switch (status) {

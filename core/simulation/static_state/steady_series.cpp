@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The series of static states that a case lists.
+// The series of static states that a case lists, and what of their results is kept.
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
@@ -44,6 +44,14 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point)
         at.air.altitude = *point.altitude;
     }
     return at;
+}
+
+void SteadyResult::dropFields()
+{
+    pressure = {};
+    gap = {};
+    recess = {};
+    gaps = {};
 }
 
 } // namespace touchdown
