@@ -284,13 +284,10 @@ foreach(source IN LISTS sources)
 endforeach()
 
 # The parameters of Ono and Yamane belong to one law: who needs them asks characteristic() in core/case/contact_law.h,
-# which gives none under another law. These rooms still read them by themselves.
-set(reads_by_itself
-    core/simulation/contact core/simulation/static_state core/simulation/springs core/simulation/flight
-    core/simulation/equilibria)
+# which gives none under another law.
 foreach(source IN LISTS sources)
     cmake_path(GET source PARENT_PATH room)
-    if(room MATCHES "^core/case(_files)?(/|$)" OR room IN_LIST reads_by_itself)
+    if(room MATCHES "^core/case(_files)?(/|$)")
         continue()
     endif()
     file(STRINGS ${SOURCE_DIR}/${source} lines REGEX "[.>]onoYamane")

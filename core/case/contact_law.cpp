@@ -52,6 +52,7 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .adheres = attracts,
                 .reach = noReach,
                 .remembers = true,
+                .seesDisk = true,
                 .recordsArea = true,
                 .recordsSurfaces = true};
     case ContactKind::Asperity:
@@ -61,6 +62,7 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .friction = asperityFriction,
                 .adheres = attracts,
                 .reach = highestSummit,
+                .seesDisk = true,
                 .recordsArea = true};
     case ContactKind::MultiAsperity:
         return {.name = "multi-asperity",

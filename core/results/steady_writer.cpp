@@ -170,12 +170,19 @@ struct SteadyWriter::File {
     {
         const Hdf5Access access;
         writeState(root.create("states/" + std::to_string(++count)), value, result);
-        std::size_t column = 0;
         for (const auto& numbers : {seriesQuantities(point), steadyQuantities(result)})
-            for (const auto& [quantity, number] : numbers) {
-                if (column == series.size()) series.emplace_back(quantity, std::vector<double>());
-                series[column++].second.push_back(number);
-            }
+            for (const auto& [quantity, number] : numbers) columnOf(quantity).push_back(number);
+        // A state that was not found has no numbers of its contact.
+        for (auto& [quantity, values] : series) values.resize(count, std::numeric_limits<double>::quiet_NaN());
+    }
+
+    std::vector<double>& columnOf(const Quantity& wanted)
+    {
+        for (auto& [quantity, values] : series)
+            if (quantity.name == wanted.name) return values;
+        std::vector<double>& values = series.emplace_back(wanted, std::vector<double>()).second;
+        values.resize(count - 1, std::numeric_limits<double>::quiet_NaN());
+        return values;
     }
 
     void finish(SteadyStatus status, const std::string& message)

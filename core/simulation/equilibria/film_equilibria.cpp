@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
@@ -53,7 +53,7 @@ Equilibrium describeEquilibrium(FilmBalance& balance, ContactRegion region, std:
 std::string reasonForNoFilmEquilibria(const Case& c)
 {
     if (c.model != ModelKind::Film) return "is no case of model \"film\"";
-    if (c.contact != ContactKind::OnoYamane)
+    if (!characteristic(c))
         return "equilibria of a film are sought with contact \"ono-yamane\" alone; the contact of surfaces depends on "
                "how it was reached";
     return {};
@@ -81,7 +81,7 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
         result.lost += at.lost;
         if (!goOn()) result.found.pop_back();
     };
-    if (rest.status == SteadyStatus::Converged && rest.minimumSpacing > c.onoYamane.touchDown &&
+    if (rest.status == SteadyStatus::Converged && rest.minimumSpacing > characteristic(c)->touchDown &&
         balance.solve(balance.body().coordinates(rest.attitude), goOn))
         add(ContactRegion::Apart);
     const TouchingPlaces touching = touchingPlaces(balance, rest.attitude, near, goOn);

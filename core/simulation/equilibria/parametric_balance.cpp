@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/contact_law.h"
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_setup.h"
@@ -29,7 +30,8 @@ std::vector<ParametricBalance::Look> ParametricBalance::look(int looks, std::vec
     for (int k = 0; k < looks && goOn_(); ++k) {
         const double p = double(k) / (looks - 1);
         const std::optional<Case> c = caseAt_(parameter(p));
-        if (!c) continue;
+        const std::optional<OnoYamane> law = c ? characteristic(*c) : std::nullopt;
+        if (!law) continue;
         SteadyResult rest = staticStateOf(*c, goOn_);
         if (rest.status == SteadyStatus::Cancelled) break;
         const bool converged = rest.status == SteadyStatus::Converged;
@@ -37,12 +39,12 @@ std::vector<ParametricBalance::Look> ParametricBalance::look(int looks, std::vec
             if (std::ranges::find(problems, rest.message) == problems.end()) problems.push_back(rest.message);
             continue;
         }
-        found.push_back({p, rest.attitude, converged && rest.minimumSpacing > c->onoYamane.touchDown});
+        found.push_back({p, rest.attitude, converged && rest.minimumSpacing > law->touchDown});
         rests_.emplace_back(p, rest.attitude);
         const double distance = std::abs(p - 0.5) + (converged ? 0.0 : 1.0);
         if (distance >= best) continue;
         best = distance;
-        length_ = std::max({rest.minimumSpacing, c->onoYamane.takeOff, shortest});
+        length_ = std::max({rest.minimumSpacing, law->takeOff, shortest});
         slider_ = c->slider;
         preload_ = c->suspension.preload;
         grid_ = std::move(rest.grid);

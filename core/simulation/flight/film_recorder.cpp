@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/case/case.h"
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/physics/slider/disk_clearance.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/flight/film_run.h"
@@ -64,10 +64,11 @@ std::vector<FilmQuantity> filmRows(const Case& c)
              {{"net_contact_force", "N", "mN", "Net contact force"}, [](S s) { return s.contact + s.adhesion; }},
              {{"friction_force", "N", "mN", "Friction force"}, [](S s) { return s.friction; }},
              {{"contact_energy", "J", "pJ", "Elastic energy of the contact"}, [](S s) { return s.stored; }}});
-    if (c.contact == ContactKind::Elastic)
-        list.insert(list.end(), {{{"contact_area", "m^2", "um^2", "Real area of contact"}, [](S s) { return s.area; }},
-                                 {{"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"},
-                                  [](S s) { return s.peakPressure; }}});
+    if (contactLaw(c).recordsArea)
+        list.push_back({{"contact_area", "m^2", "um^2", "Real area of contact"}, [](S s) { return s.area; }});
+    if (contactLaw(c).recordsSurfaces)
+        list.push_back(
+            {{"peak_contact_pressure", "Pa", "MPa", "Peak contact pressure"}, [](S s) { return s.peakPressure; }});
     return list;
 }
 

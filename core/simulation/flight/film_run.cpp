@@ -7,7 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/numerics/events.h"
 #include "core/physics/disk/disk_passage.h"
@@ -253,7 +253,7 @@ private:
         if (!reached || !unseenDisk_.empty()) return true;
         std::string message = diskReachesSlider(case_, reached->place, reached->time);
         if (case_.contact == noContact) return fail(RunFailure::Other, std::move(message));
-        if (case_.contact == ContactKind::OnoYamane) unseenDisk_ = std::move(message);
+        if (!contactLaw(case_).seesDisk) unseenDisk_ = std::move(message);
         return true;
     }
 

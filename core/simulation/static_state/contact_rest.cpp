@@ -52,6 +52,19 @@ std::string stateName(const FilmBalance& balance, ContactRegion region)
     return {};
 }
 
+ContactAtRest notFound()
+{
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    return {.state = "not found",
+            .contact = none,
+            .adhesion = none,
+            .friction = none,
+            .pitchTorque = none,
+            .rollTorque = none,
+            .area = none,
+            .peakPressure = none};
+}
+
 class ContactRestSearch {
 public:
     ContactRestSearch(const Case& c, SteadyResult& result, const SteadyCallback& callback)
@@ -77,7 +90,7 @@ public:
                                               : transfer(result_.grid, result_.pressure, level.film.ambient(), grid_),
                                        level.pressure);
         const Vector3 q = balance_->body().coordinates(rest_);
-        result_.contact.state = "flying";
+        result_.contact = {.state = "flying"};
         const bool above = balanced && result_.status == SteadyStatus::Converged;
         if (!balance_->solve(q, goOn_) && above) ++givenUp_;
         const SliderContactForces fromAfar = balance_->contactForces(balance_->begin(ContactBranch::TouchDown, q));
@@ -123,6 +136,7 @@ private:
     {
         result_.status = SteadyStatus::Cancelled;
         result_.message = "cancelled while contact was sought";
+        result_.contact = notFound();
     }
 
     struct Found {
@@ -175,7 +189,7 @@ private:
         if (touches) setState(states.front());
         for (std::size_t i = touches ? 1 : 0; i < states.size(); ++i) result_.contactStates.push_back(states[i].state);
         if (!flies_ && states.empty()) {
-            result_.contact = {};
+            result_.contact = notFound();
             result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
             result_.message += (result_.message.empty() ? "" : "; ") +
                                std::string("no state in contact was found from the attitudes that were tried");
@@ -329,7 +343,7 @@ const SliderBody& RestingSlider::body() const { return flying_ ? flying_->body :
 bool seesStillDisk(const Case& c)
 {
     return c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Still &&
-           (c.contact == ContactKind::Elastic || c.contact == ContactKind::Asperity);
+           contactLaw(c).seesDisk;
 }
 
 bool actsInFlight(const Case& c, double spacing)
@@ -359,7 +373,9 @@ SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
     SteadyResult result = steady(c, callback);
-    if (c.contact == noContact || c.steady.fixedAttitude || result.status == SteadyStatus::Cancelled) return result;
+    if (c.contact == noContact || c.steady.fixedAttitude) return result;
+    result.contact = notFound();
+    if (result.status == SteadyStatus::Cancelled) return result;
     ContactRestSearch(c, result, callback).search();
     result.wallSeconds = wallClock() - start;
     return result;

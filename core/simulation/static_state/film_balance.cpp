@@ -20,7 +20,7 @@ constexpr double sameSlope = 1e-9; // of the stiffness [-]
 /// With the part of the disk's surface that is still, for a contact that sees it, and contact solved in full.
 Case overStillDisk(Case c)
 {
-    if (c.diskSurface.motion != SurfaceMotion::Still || makeSeparationLaw(c)) c.diskSurface = {};
+    if (c.diskSurface.motion != SurfaceMotion::Still || !contactLaw(c).seesDisk) c.diskSurface = {};
     c.run.fieldSnapshots = 0;
     c.elastic.tolerance *= 1e-4; // under a film it is looser: see slider_patch.h
     return c;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/high_disk.h"
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/case/disk_setup.h"
 #include "core/formats/units.h"
 #include "core/simulation/static_state/disk_on_cells.h"
@@ -21,9 +21,9 @@ std::string placeOf(const DiskClearance::Place& place)
 std::string diskReachesSlider(const Case& c, const DiskClearance::Place& place, double time)
 {
     const std::string when = time > 0.0 ? " at " + fewDigitsOfTime(time, 4) : std::string(" at the start");
-    const std::string law = c.contact == ContactKind::OnoYamane
-                                ? "; contact = \"ono-yamane\" acts on the mean plane and does not see it"
-                                : "; no law of contact acts there (contact = \"none\")";
+    const std::string law = c.contact != noContact ? "; contact = \"" + std::string(contactLaw(c).name) +
+                                                         "\" acts on the mean plane and does not see it"
+                                                   : "; no law of contact acts there (contact = \"none\")";
     const double slider = place.gap + place.diskHeight;
     if (place.diskHeight == 0.0)
         return "the slider reaches the mean plane of the disk" + when + ": at " + placeOf(place) + " it is " +
@@ -61,7 +61,7 @@ DiskAtStart diskAtStart(const Case& c)
         diskOnCells(c, disk, recess, unadaptedGrid(c, {c.film.nodes[0] - 1, c.film.nodes[1] - 1}), start);
     if (!given) cells.hasMap = false; // what matters of a map depends on the gap
     found.warnings = doubtsOnDisk(cells, c.run.steps == StepControl::Fixed ? c.run.step : 0.0);
-    if (!given || (c.contact != noContact && (c.contact != ContactKind::OnoYamane || disk.flat()))) return found;
+    if (!given || (c.contact != noContact && (contactLaw(c).seesDisk || disk.flat()))) return found;
     const MinimumSpacing spacing(c.surface, recess);
     const DiskClearance::Place place = DiskClearance(recess, spacing, disk, {}).at(start, 0.0);
     if (place.gap > 0.0) return found;

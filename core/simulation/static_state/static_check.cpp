@@ -41,8 +41,7 @@ std::string whyNoStaticState(const Case& c, const MinimumSpacing& spacing)
         return "there is no flying attitude over a disk at rest (disk.speed is 0 rpm): no air bearing forms, and the "
                "film carries nothing" +
                (c.suspension.preload != 0.0 ? " of the preload of " + fewDigits(c.suspension.preload, "gf", 4)
-                                            : std::string()) +
-               (c.contact == noContact ? "" : "; contact has a part in runs in time only");
+                                            : std::string());
     }
     if (c.contact != noContact) return {};
     const MinimumSpacing::Place lowest = spacing.at(startOf(c));

@@ -4,7 +4,7 @@
 // what to know of a state that was found.
 //
 // - A flying attitude needs a moving disk: over one at rest the steady film has ambient pressure everywhere and carries
-//   nothing. Contact has no part in a static state. Without a load every height is a static state then: that of the
+//   nothing. A slider in contact: contact_rest.h. Without a load every height is a static state then: that of the
 //   initial attitude is taken, as for a squeeze film.
 // - A film at a fixed attitude needs rails above the mean plane of the disk. Where the gap is closed the film's
 //   equation does not hold. With a contact law in the case such an attitude occurs in runs in time, where contact

@@ -297,7 +297,7 @@ private:
             std::snprintf(
                 text, sizeof text,
                 "the film alone would carry the load only with the rails %.3g nm below the mean plane of the disk: "
-                "the slider touches, and a static state knows the film alone: contact has a part in runs in time",
+                "the slider touches the disk",
                 -result_.minimumSpacing * 1e9);
             result_.message = text;
         }

@@ -4,6 +4,7 @@
 // suspension balance, with forces, stiffness matrix, sensitivities and an estimate of the discretisation error.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -48,7 +49,8 @@ struct DiscretisationError {
 
 /// The contact of a slider at rest; zeros in flight.
 struct ContactAtRest {
-    std::string state;         // "flying", "pressed", "held by menisci", "in contact"; "": no contact was sought
+    /// "flying", "pressed", "held by menisci", "in contact"; "not found": its numbers are NaN; "": none was sought.
+    std::string state;
     double contact = 0.0;      // >= 0 [N]
     double adhesion = 0.0;     // <= 0 [N]
     double friction = 0.0;     // in the disk's direction [N]
@@ -60,7 +62,7 @@ struct ContactAtRest {
     // How the state is found again: the region of Ono and Yamane's law, or the branch on which another was reached.
     ContactRegion region = ContactRegion::Apart;
     ContactBranch branch = ContactBranch::TouchDown;
-    bool acts() const { return contact != 0.0 || adhesion != 0.0; }
+    bool acts() const { return std::abs(contact) + std::abs(adhesion) > 0.0; }
 };
 /// One of the static states of a slider with a contact.
 struct RestingState {

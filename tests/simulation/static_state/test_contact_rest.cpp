@@ -7,11 +7,13 @@
 
 #include <QTest>
 
+#include "core/case/case_key.h"
 #include "core/case/contact_kind.h"
 #include "core/simulation/run.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady_near.h"
 #include "tests/simulation/run_trace.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
@@ -158,6 +160,54 @@ private slots:
         const double period = (crossings[5] - crossings[1]) / 4.0;
         QVERIFY2(std::abs(period * fastest.frequency - 1.0) < 0.02,
                  qPrintable(QString("%1 %2").arg(1.0 / period).arg(fastest.frequency)));
+    }
+
+    void sensitivitiesAreDifferences_data()
+    {
+        QTest::addColumn<int>("contact");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<double>("step");
+        QTest::newRow("preload, ono-yamane") << int(ContactKind::OnoYamane) << "suspension.preload" << 1e-6;
+        QTest::newRow("menisci, ono-yamane") << int(ContactKind::OnoYamane) << "ono_yamane.meniscus_force" << 1e-6;
+        QTest::newRow("friction, ono-yamane") << int(ContactKind::OnoYamane) << "ono_yamane.friction" << 1e-4;
+        QTest::newRow("summits, asperity") << int(ContactKind::Asperity) << "asperity.plane_height" << 1e-12;
+        QTest::newRow("friction, asperity") << int(ContactKind::Asperity) << "asperity.friction" << 1e-4;
+        QTest::newRow("rail, asperity") << int(ContactKind::Asperity) << "abs.rail[2].recess" << 1e-12;
+        QTest::newRow("speed, multi-asperity") << int(ContactKind::MultiAsperity) << "disk.speed" << 1e-2;
+    }
+    /// Of states on the same grid. Second order in steps of some 1e-4 of what changes; the states are found to 1e-9 of
+    /// the load, over changes of some 1e-4 of it.
+    void sensitivitiesAreDifferences()
+    {
+        QFETCH(int, contact);
+        QFETCH(QString, key);
+        QFETCH(double, step);
+        Case c = pressed(static_cast<ContactKind>(contact));
+        c.degreesOfFreedom = 2;
+        c.steady.sensitivities = true;
+        c.steady.loadTolerance = 1e-11;
+        c.film.tolerance = 1e-12;
+        const SteadyResult state = steadyWithContact(c);
+        QVERIFY(state.contact.acts());
+        const auto found = std::ranges::find(state.sensitivities, key.toStdString(), &Sensitivity::parameter);
+        QVERIFY(found != state.sensitivities.end());
+        double spacing[2], pitch[2];
+        for (const int side : {0, 1}) {
+            Case moved = c;
+            auto parameter = std::get<Parameter>(numberKey(c, key.toStdString()));
+            parameter.set(moved, std::get<double>(parameter.get(c)) + (side == 0 ? step : -step));
+            const SteadyResult there = steadyNear(moved, c, state);
+            QCOMPARE(there.status, SteadyStatus::Converged);
+            spacing[side] = there.minimumSpacing;
+            pitch[side] = there.attitude.pitch;
+        }
+        const double bySpacing = (spacing[0] - spacing[1]) / (2.0 * step),
+                     byPitch = (pitch[0] - pitch[1]) / (2.0 * step);
+        const double size = std::abs(bySpacing) + c.slider.length * std::abs(byPitch);
+        QVERIFY2(std::abs(bySpacing - found->minimumSpacing) < 1e-4 * size &&
+                     c.slider.length * std::abs(byPitch - found->pitch) < 1e-4 * size,
+                 qPrintable(
+                     QString("%1 %2, %3 %4").arg(bySpacing).arg(found->minimumSpacing).arg(byPitch).arg(found->pitch)));
     }
 
     void stopsWhenAsked()

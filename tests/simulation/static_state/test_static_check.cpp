@@ -76,8 +76,6 @@ private slots:
         const QString why = check(c).refusal;
         QVERIFY2(why.contains("disk at rest") && why.contains("1 gf"), qPrintable(why));
         QVERIFY(!why.contains("contact"));
-        c.contact = ContactKind::OnoYamane;
-        QVERIFY(check(c).refusal.contains("contact has a part in runs in time only"));
         c.disk.speed = 1e-3;
         QCOMPARE(check(c).refusal, QString());
     }
