@@ -78,6 +78,7 @@ set(known_arrows
     core/physics/film/gaps/film_gaps->core/physics/film/gaps/gap_sampler
     core/simulation/contact/contact_model->core/simulation/contact/elastic_pad
     core/simulation/contact/slider_contact->core/simulation/contact/elastic_slider_contact
+    core/simulation/contact/slider_contact->core/simulation/contact/gap_contact
     core/simulation/contact/slider_contact->core/simulation/contact/pad_contact
     ui/maps/field_sections->ui/maps/field_cursor_table
     ui/slider/slider_plan->ui/slider/plan_marks

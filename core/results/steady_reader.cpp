@@ -83,6 +83,15 @@ void readSensitivities(const Hdf5Group& state, SteadyResult& result)
     }
 }
 
+Matrix3 matrix(const Hdf5Group& state, const char* name)
+{
+    const std::vector<double> values = numbers(state, name, 9);
+    Matrix3 result;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) result(i, j) = values[static_cast<std::size_t>(3 * i + j)];
+    return result;
+}
+
 void readOther(const Hdf5Group& group, SteadyResult& result)
 {
     const auto number = [&](const char* name) { return numbers(group, name, 1).front(); };
@@ -107,6 +116,19 @@ SteadyResult readState(const Hdf5Group& state)
     result.residual = state.numberAttribute("residual");
     result.loadError = state.numberAttribute("load_error");
     result.contact.state = state.attribute("contact_state");
+    if (!result.contact.state.empty()) {
+        const double region = state.numberAttribute("contact_region"), branch = state.numberAttribute("contact_branch");
+        if (!(region >= 0.0 && region < 4.0) || !(branch >= 0.0 && branch < 2.0))
+            throw Hdf5Error("contact_region or contact_branch is none");
+        result.contact.region = static_cast<ContactRegion>(region);
+        result.contact.branch = static_cast<ContactBranch>(branch);
+    }
+    if (state.has("suspension_rest")) {
+        const std::vector<double> rest = numbers(state, "suspension_rest", 3);
+        checkFinite(rest, "suspension_rest");
+        result.suspensionRest = {rest[0], rest[1], rest[2]};
+    }
+    if (state.has("contact_stiffness")) result.contactStiffness = matrix(state, "contact_stiffness");
     for (const SteadyQuantity& each : steadyQuantities(result))
         if (state.has(each.quantity.name))
             setSteadyQuantity(result, each.quantity.name, numbers(state, each.quantity.name, 1).front());
@@ -115,12 +137,7 @@ SteadyResult readState(const Hdf5Group& state)
     result.forces.minimumAt = place(state, "minimum_pressure_at");
     result.forces.centreOfPositive = place(state, "centre_of_positive_pressure");
     result.forces.centreOfNegative = place(state, "centre_of_negative_pressure");
-    if (state.has("stiffness")) {
-        const std::vector<double> values = numbers(state, "stiffness", 9);
-        result.stiffness.emplace();
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) (*result.stiffness)(i, j) = values[static_cast<std::size_t>(3 * i + j)];
-    }
+    if (state.has("stiffness")) result.stiffness = matrix(state, "stiffness");
     if (state.has("other_states")) {
         const Hdf5Group others = state.group("other_states");
         for (const std::string& number : others.names()) readOther(others.group(number), result);

@@ -119,7 +119,15 @@ void writeState(const Hdf5Group& state, const Case& c, const SteadyResult& resul
         state.table("contact_stiffness", 3, 3, Matrix3(result.contactStiffness->transpose()).data(), "SI",
                     "Stiffness of the contact: force, pitch and roll torque (rows) by height of the mass centre, pitch "
                     "and roll (columns)");
-    if (!result.contact.state.empty()) state.set("contact_state", result.contact.state);
+    if (!result.contact.state.empty()) {
+        state.set("contact_state", result.contact.state);
+        state.set("contact_region", static_cast<std::int64_t>(result.contact.region));
+        state.set("contact_branch", static_cast<std::int64_t>(result.contact.branch));
+    }
+    if (const auto& rest = result.suspensionRest)
+        state.put(
+            "suspension_rest", std::vector{rest->height, rest->pitch, rest->roll}, "SI",
+            "Height of the trailing edge's centre [m], pitch and roll [rad] at which the suspension exerts its load");
     writeOthers(state, result.contactStates);
     writeInterest(state, c.surface.pointsOfInterest, result.interestSpacing);
     writeSensitivities(state, result.sensitivities);

@@ -10,7 +10,8 @@
 //                             minimum_spacing_error, ..., load_error: of the grid; unresolved_ridges (since 1.1): the
 //                             number of edges with a ridge narrower than a cell, which these errors count;
 //                             contact_force, ..., peak_contact_pressure (since 1.2) where the attribute contact_state
-//                             names the state of the contact
+//                             names the state of the contact; contact_region, contact_branch: how it is found again
+//       suspension_rest       trailing edge height, pitch, roll (since 1.2) where they are not those of the state
 //       minimum_spacing_at    x, y [m]; also maximum_pressure_at, ..., centre_of_positive_pressure, ...
 //       stiffness             3 x 3, if it was asked for
 //       contact_stiffness     3 x 3 (since 1.2, as the following), of a state in contact

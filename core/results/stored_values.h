@@ -69,7 +69,7 @@ void pass(auto& stream, Passed<SteadyResult> auto& state)
            state.loadError, state.attitude, state.minimumSpacing, state.minimumAt, state.forces, state.shearPitchTorque,
            state.shearRollTorque, state.stiffness, state.sensitivities, state.discretisationError,
            state.unresolvedRidges, state.interestSpacing, state.otherEquilibria, state.contact, state.contactStates,
-           state.contactStiffness, state.grid, state.pressure, state.gap, state.recess);
+           state.contactStiffness, state.suspensionRest, state.grid, state.pressure, state.gap, state.recess);
 }
 
 void pass(auto& stream, Passed<StoredSteady> auto& stored)

@@ -77,13 +77,13 @@ void TestModesCommand::errors()
     QVERIFY2(text.out.contains(" +- ") && text.out.contains("grids of half and of a quarter"), text.out);
 }
 
-// Modes are of the film alone, and say so where the case has more.
+// Modes are over a disk that stands still, and say so where the case has more.
 void TestModesCommand::saysWhatIsLeftOut()
 {
-    const QStringList settings = quick() + QStringList{"contact=ono-yamane"};
+    const QStringList settings = quick() + QStringList{"contact=ono-yamane", "disk.surface.kind=rough"};
     const Outcome o = folder_->touchdown(QStringList{"modes", "film_pico", "--json"} + settings);
     QCOMPARE(o.code, 0);
-    QVERIFY2(o.json()["message"].toString().contains("contact has no part in it"), o.out);
+    QVERIFY2(o.json()["message"].toString().contains("over a flat disk: disk.surface has no part in it"), o.out);
     QCOMPARE(o.json()["modes"].toArray().size(), 3);
 }
 

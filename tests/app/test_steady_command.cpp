@@ -146,7 +146,7 @@ void TestSteadyCommand::unknownGridError()
     QVERIFY(!folder_->touchdown(QStringList{"steady", "film_pico"} + quick()).out.contains("not known"));
 }
 
-// A static state is of the film alone, and says so where the case has more.
+// A static state is over a disk that stands still, at a fixed attitude without contact, and says so.
 void TestSteadyCommand::saysWhatIsLeftOut()
 {
     const Outcome alone = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + quick());
@@ -154,10 +154,13 @@ void TestSteadyCommand::saysWhatIsLeftOut()
     const QStringList settings = quick({"contact=ono-yamane", "disk.surface.kind=rough"});
     const Outcome more = folder_->touchdown(QStringList{"steady", "film_pico", "--json"} + settings);
     QCOMPARE(more.code, 0);
-    QVERIFY2(more.json()["message"].toString().contains("contact and disk.surface have no part in it"), more.out);
+    QVERIFY2(more.json()["message"].toString().contains("over a flat disk: disk.surface has no part in it"), more.out);
     QCOMPARE(more.json()["minimum_spacing"].toDouble(), alone.json()["minimum_spacing"].toDouble());
     const Outcome text = folder_->touchdown(QStringList{"steady", "film_pico"} + quick({"contact=ono-yamane"}));
-    QVERIFY2(text.out.contains("left out") && text.out.contains("contact has no part in it"), text.out);
+    QVERIFY2(!text.out.contains("left out") && text.out.contains("flying"), text.out);
+    const Outcome held = folder_->touchdown(QStringList{"steady", "film_pico"} +
+                                            quick({"contact=ono-yamane", "steady.fixed_attitude=true"}));
+    QVERIFY2(held.out.contains("left out") && held.out.contains("contact has no part in it"), held.out);
 }
 
 // A list for scripts, a table for people; each state is that of a case of its own.

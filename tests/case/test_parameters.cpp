@@ -386,7 +386,9 @@ private slots:
         ofContact("elastic.modulus", "contact=ono-yamane", false);
         ofContact("elastic.cell", "contact=asperity", false);
         ofContact("adhesion.kind", "", true);
-        ofContact("adhesion.kind", "contact=asperity", false);
+        ofContact("adhesion.kind", "contact=asperity", true);
+        ofContact("adhesion.kind", "contact=multi-asperity", false);
+        ofFilm("attraction beside summits", "adhesion.voltage", "contact=asperity", true);
         ofContact("adhesion.surface_energy", "", false);
         ofContact("adhesion.surface_energy", "adhesion.kind=lennard-jones", true);
         ofContact("adhesion.equilibrium_distance", "", false);

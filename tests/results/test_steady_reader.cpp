@@ -60,6 +60,17 @@ private slots:
         QCOMPARE(state.sensitivities[0].parameter, std::string("abs.crown"));
         QCOMPARE(state.sensitivities[0].unit, std::string("m"));
         QCOMPARE(state.sensitivities[0].minimumSpacing, 0.4);
+        QCOMPARE(state.contact.state, expected.contact.state);
+        QCOMPARE(state.contact.region, expected.contact.region);
+        QCOMPARE(state.contact.branch, expected.contact.branch);
+        QVERIFY(*state.contactStiffness == *expected.contactStiffness);
+        QCOMPARE(state.suspensionRest->pitch, 151e-6);
+        QCOMPARE(state.suspensionRest->height, 13e-9);
+        QCOMPARE(state.contactStates.size(), std::size_t{1});
+        QCOMPARE(state.contactStates[0].attitude.pitch, 149e-6);
+        QCOMPARE(state.contactStates[0].minimumSpacing, 10e-9);
+        QCOMPARE(state.contactStates[0].contact.state, std::string("flying"));
+        QVERIFY(state.contactStates[0].contact.diverges);
         QCOMPARE(state.interestSpacing, expected.interestSpacing);
         QCOMPARE(state.grid.x, expected.grid.x);
         QCOMPARE(state.grid.y, expected.grid.y);

@@ -71,7 +71,7 @@ private slots:
 
         const Reader file(path());
         QCOMPARE(file.attribute("/", "format"), std::string("touchdown-steady"));
-        QCOMPARE(file.attribute("/", "format_version"), std::string("1.1"));
+        QCOMPARE(file.attribute("/", "format_version"), std::string("1.2"));
         QCOMPARE(file.attribute("/", "software_version"), std::string(TOUCHDOWN_VERSION));
         QCOMPARE(file.attribute("/", "title"), std::string("A plane"));
         QCOMPARE(file.attribute("/", "status"), std::string("converged"));

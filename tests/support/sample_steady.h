@@ -50,6 +50,19 @@ inline SteadyResult sampleSteady()
     r.sensitivities = {{"abs.crown", "m", 0.1, 2e3, 3.0, 0.4}};
     r.discretisationError = {1e-11, 1e-8, 2e-8, 1e-5};
     r.unresolvedRidges = 7;
+    r.contact = {.state = "held by menisci",
+                 .contact = 1e-3,
+                 .adhesion = -2e-3,
+                 .friction = 3e-4,
+                 .pitchTorque = 4e-8,
+                 .rollTorque = 5e-9,
+                 .area = 6e-12,
+                 .peakPressure = 7e8,
+                 .region = ContactRegion::Bridged,
+                 .branch = ContactBranch::TakeOff};
+    r.contactStiffness = Matrix3{{2e5, 1.0, 4.0}, {3.0, 6e-3, 5e-4}, {8.0, 7e-4, 2e-3}};
+    r.suspensionRest = {13e-9, 151e-6, -2e-6};
+    r.contactStates = {{{14e-9, 149e-6, 1e-6}, 10e-9, {.state = "flying", .diverges = true}}};
     r.interestSpacing = {11e-9, 180e-9};
     r.grid = {{0.0, 0.5e-3, 1.0e-3, 1.25e-3}, {0.0, 0.4e-3, 1.0e-3}};
     for (int j = 0; j < 2; ++j)

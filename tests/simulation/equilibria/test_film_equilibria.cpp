@@ -8,6 +8,7 @@
 
 #include "core/case/contact_kind.h"
 #include "core/simulation/contact/pad_contact.h"
+#include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
@@ -109,6 +110,22 @@ private slots:
         QVERIFY2(std::abs(expected.attitude.pitch - at->q[1]) < 1e-9,
                  qPrintable(QString::number(expected.attitude.pitch - at->q[1])));
         QVERIFY(std::abs(expected.attitude.roll - at->q[2]) < 1e-9);
+    }
+
+    /// Every state in contact of one search is one of the other, at the same place.
+    void steadyFindsTheSameStates()
+    {
+        for (const int degreesOfFreedom : {2, 3}) {
+            const Case c = withMenisci(degreesOfFreedom);
+            const FilmEquilibria all = filmEquilibria(c, {}, [] { return true; });
+            const SteadyResult state = steadyWithContact(c);
+            std::vector<double> spacings{state.minimumSpacing};
+            for (const RestingState& other : state.contactStates) spacings.push_back(other.minimumSpacing);
+            QCOMPARE(spacings.size(), all.found.size());
+            for (const Equilibrium& at : all.found)
+                QVERIFY2(std::ranges::any_of(spacings, [&](double d) { return std::abs(d - at.spacing) < 1e-6 * d; }),
+                         qPrintable(QString::number(at.spacing)));
+        }
     }
 
     void saysWhereThereAreNone()

@@ -216,7 +216,7 @@ private slots:
         c.onoYamane.takeOff = 12e-9;
         const Recess recess(c.surface, c.slider.length, c.slider.width);
         const MinimumSpacing spacing(c.surface, recess);
-        PadContact contact(c, makeSeparationLaw(c), spacing);
+        PadContact contact(c, std::make_unique<CharacteristicLaw>(c.onoYamane), spacing);
         FlyingSlider slider(c, picoAtRest(), byDefault(FilmCoupling(coupling)), {-1e-9, 0.0, 0.0}, &contact);
         QVERIFY(slider.takeAll(1e-7, 5));
         const long long before = allocations;

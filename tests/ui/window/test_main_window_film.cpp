@@ -13,6 +13,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/cml_case.h"
 #include "core/simulation/run.h"
+#include "core/simulation/static_state/contact_rest.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "ui/calculation/progress_strip.h"
@@ -135,7 +136,7 @@ void TestMainWindowFilm::solvesTheSampleCases()
     Fixture f(name.toLatin1().constData());
     const SteadyResult& shown = f.solve();
     // What the window shows is what the core says.
-    const SteadyResult alone = steady(f.window.edits().value());
+    const SteadyResult alone = steadyWithContact(f.window.edits().value());
     QCOMPARE(shown.status, SteadyStatus::Converged);
     QCOMPARE(shown.attitude.height, alone.attitude.height);
     QCOMPARE(shown.pressure, alone.pressure);
