@@ -63,9 +63,9 @@ std::string shapeText(const Case& c, const AirBearingMode& mode)
     return text;
 }
 
-std::string withLeftOut(const Case& c, const std::string& message)
+std::string withLeftOut(const Case& c, const SteadyResult& state, const std::string& message)
 {
-    const std::string reason = leftOut(c);
+    const std::string reason = leftOut(c, state);
     return message + (message.empty() || reason.empty() ? "" : "; ") + reason;
 }
 
@@ -79,7 +79,7 @@ std::string modesJson(const Case& c, const ModesResult& result)
                              {"stiffness", matrixJson(at.stiffness)},
                              {"damping", matrixJson(at.damping)}});
     return jsonText({{"status", name(result.status)},
-                     {"message", withLeftOut(c, result.message)},
+                     {"message", withLeftOut(c, result.steady, result.message)},
                      {"modes", all},
                      {"dynamic_stiffness", stiffness},
                      {"steady", steadyObject(c, result.steady)}});
@@ -89,7 +89,7 @@ std::string modesText(const Case& c, const ModesResult& result)
 {
     std::string text = c.title + "\n";
     text += reportRow("status", statusText(name(result.status), result.message));
-    if (const std::string reason = leftOut(c); !reason.empty()) text += reportRow("left out", reason);
+    if (const std::string reason = leftOut(c, result.steady); !reason.empty()) text += reportRow("left out", reason);
     const Attitude& a = result.steady.attitude;
     if (result.steady.grid.x.size() > 1)
         text += reportRow("static attitude", displayed(a.height, "nm", 5) + ", " + displayed(a.pitch, "urad", 5) +

@@ -91,7 +91,7 @@ std::string jsonMessage(const Case& c, const SteadyResult& r)
 {
     std::string message = r.message;
     const auto add = [&](const std::string& reason) { message += (message.empty() ? "" : "; ") + reason; };
-    if (const std::string reason = leftOut(c); !reason.empty()) add(reason);
+    if (const std::string reason = leftOut(c, r); !reason.empty()) add(reason);
     if (!isKnown(r))
         add("null because there is no solution");
     else if (r.contact.state.empty())
@@ -159,7 +159,7 @@ std::string contactText(const SteadyResult& r)
 {
     if (r.contact.state.empty()) return {};
     const auto forces = [](const ContactAtRest& at) {
-        if (at.contact == 0.0 && at.adhesion == 0.0) return std::string();
+        if (!at.acts()) return std::string();
         return ": contact " + displayedInFull(at.contact, "mN") + ", adhesion " + displayedInFull(at.adhesion, "mN") +
                ", friction " + displayedInFull(at.friction, "mN");
     };
@@ -194,7 +194,7 @@ std::string oneText(const Case& c, const SteadyResult& r)
 {
     std::string text = reportRow("status", statusText(name(r.status), r.message));
     if (!isKnown(r)) return text;
-    if (const std::string reason = leftOut(c); !reason.empty()) text += reportRow("left out", reason);
+    if (const std::string reason = leftOut(c, r); !reason.empty()) text += reportRow("left out", reason);
     text += reportRow("solution", std::to_string(r.iterations) + " iterations on " + std::to_string(r.grid.x.size()) +
                                       " x " + std::to_string(r.grid.y.size()) + " nodes, " +
                                       displayed(r.wallSeconds, "s", 3));
@@ -270,10 +270,10 @@ std::string steadyText(const Case& c, const std::vector<SteadyState>& states)
 
 } // namespace
 
-std::string leftOut(const Case& c)
+std::string leftOut(const Case& c, const SteadyResult& state)
 {
     const bool touches = c.contact != noContact && c.steady.fixedAttitude;
-    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat || (!touches && seesStillDisk(c));
+    const bool flat = c.diskSurface.kind == DiskSurfaceKind::Flat || (state.contact.acts() && seesStillDisk(c));
     if (!touches && flat) return {};
     const std::string what = !touches ? "disk.surface has" : flat ? "contact has" : "contact and disk.surface have";
     return (touches ? "of the film alone, over a flat disk: " : "over a flat disk: ") + what + " no part in it";

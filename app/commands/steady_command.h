@@ -14,7 +14,7 @@ namespace touchdown {
 struct CommandArguments;
 
 /// A sentence about the parts of the case that a static state and its modes leave out; "" if there are none.
-std::string leftOut(const Case& c);
+std::string leftOut(const Case& c, const SteadyResult& state);
 /// The rows of the matrix.
 Json matrixJson(const Matrix3& m);
 /// The keys of one state; numbers in SI, unknown values as null with the reason in the message.

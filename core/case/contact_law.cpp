@@ -41,7 +41,8 @@ constexpr ContactLaw rowOf(ContactKind kind)
                     "Straight lines for contact force and menisci, which differ between touch-down and take-off.",
                 .friction = [](const Case& c) { return c.onoYamane.friction; },
                 .adheres = alwaysPulls,
-                .reach = [](const Case& c) { return std::max(c.onoYamane.touchDown, c.onoYamane.takeOff); }};
+                .reach = [](const Case& c) { return std::max(c.onoYamane.touchDown, c.onoYamane.takeOff); },
+                .menisci = true};
     case ContactKind::Elastic:
         return {.name = "elastic",
                 .label = "elastic",
@@ -75,6 +76,7 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .adheres = alwaysPulls,
                 .reach = [](const Case& c) { return highestSummit(c) + c.meniscus.breakingLength; },
                 .remembers = true,
+                .menisci = true,
                 .recordsArea = true};
     }
     return {}; // beyond the last enumerator

@@ -27,6 +27,7 @@ struct ContactLaw {
     bool (*adheres)(const Case&){};    // whether it also pulls
     double (*reach)(const Case&){};    // separation up to which it acts; 0 where no length stands for it [m]
     bool remembers = false;            // more of its past than the branch of a characteristic
+    bool menisci = false;              // they hold a pad whose asperities do not touch any more
     bool seesDisk = false;             // the heights of the disk's surface, not its mean plane alone
     bool recordsArea = false;          // real area of contact
     bool recordsSurfaces = false;      // acts on cells of the surfaces: peak pressure, smallest gap, maps

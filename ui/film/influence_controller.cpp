@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/influence_controller.h"
 
+#include "core/simulation/static_state/contact_rest.h"
+
 #include <algorithm>
 #include <exception>
 #include <utility>
@@ -28,7 +30,7 @@ void InfluenceController::start(const Case& c, const PartSelection& parts)
         const auto goOn = [&] { return !stop.stop_requested(); };
         bool flies = false;
         try {
-            const SteadyResult state = steady(solved, [&](const SteadyProgress&) { return goOn(); });
+            const SteadyResult state = steadyWithContact(solved, [&](const SteadyProgress&) { return goOn(); });
             flies = state.status == SteadyStatus::Converged && !held;
             std::vector<PartInfluence> influence;
             if (flies)

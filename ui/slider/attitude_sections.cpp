@@ -78,20 +78,36 @@ AttitudeSection forces(const Case& c, const SteadyResult& r, const QLocale& loca
              {tr("Roll torque"), torque(f.rollTorque)}}};
 }
 
-/// What the contact carries; the other states that the law has.
+QString stateText(const ContactAtRest& at)
+{
+    const QString state = QString::fromStdString(at.state);
+    return at.diverges ? tr("%1, unstable").arg(state) : state;
+}
+
 AttitudeSection contact(const SteadyResult& r, const QLocale& locale)
 {
-    AttitudeSection section{tr("Contact"), {tr("Minimum spacing"), tr("Contact"), tr("Adhesion"), tr("Friction")}, {}};
-    const auto add = [&](const ContactAtRest& at, double spacing) {
-        const auto milli = [&](double newtons) { return withError(newtons, 0.0, "mN", locale); };
-        const QString state = QString::fromStdString(at.state);
-        section.rows.push_back({at.diverges ? tr("%1, unstable").arg(state) : state,
-                                withError(spacing, 0.0, "nm", locale), milli(at.contact), milli(at.adhesion),
-                                milli(at.friction)});
+    AttitudeSection section{tr("Contact"), {}, {}};
+    const ContactAtRest& at = r.contact;
+    if (at.state.empty()) return section;
+    const auto row = [&](const QString& name, double value, const char* unit) {
+        section.rows.push_back({name, withError(value, 0.0, unit, locale)});
     };
-    if (r.contact.state.empty()) return section;
-    add(r.contact, r.minimumSpacing);
-    for (const RestingState& other : r.contactStates) add(other.contact, other.minimumSpacing);
+    section.rows.push_back({tr("State"), stateText(at)});
+    if (!at.acts()) return section;
+    row(tr("Real contact force"), at.contact, "mN");
+    row(tr("Adhesion force"), at.adhesion, "mN");
+    row(tr("Friction force"), at.friction, "mN");
+    if (at.area > 0.0) row(tr("Real area"), at.area, "um^2");
+    return section;
+}
+
+/// Of the law of contact.
+AttitudeSection otherStates(const SteadyResult& r, const QLocale& locale)
+{
+    AttitudeSection section{tr("Other states"), {tr("Minimum spacing"), tr("Net contact")}, {}};
+    for (const RestingState& other : r.contactStates)
+        section.rows.push_back({stateText(other.contact), withError(other.minimumSpacing, 0.0, "nm", locale),
+                                withError(other.contact.contact + other.contact.adhesion, 0.0, "mN", locale)});
     return section;
 }
 
@@ -213,9 +229,9 @@ std::vector<AttitudeSection> attitudeSections(const Case& c, const SteadyResult&
 {
     std::vector<AttitudeSection> sections;
     if (!result.pressure.empty()) {
-        sections = {attitude(result, locale),  interest(c, result, locale), contact(result, locale),
-                    forces(c, result, locale), stiffness(result, locale),   sensitivities(result, locale),
-                    equilibria(result, locale)};
+        sections = {attitude(result, locale),      interest(c, result, locale), contact(result, locale),
+                    otherStates(result, locale),   forces(c, result, locale),   stiffness(result, locale),
+                    sensitivities(result, locale), equilibria(result, locale)};
         std::erase_if(sections, [](const AttitudeSection& section) { return section.rows.empty(); });
         if (const QString state = notFoundText(result); !state.isEmpty())
             sections.insert(sections.begin(),
@@ -251,7 +267,12 @@ QString steadyText(const SteadyResult& result, const QLocale& locale)
     if (result.status == SteadyStatus::NotConverged)
         return (reason.isEmpty() ? tr("Not converged.") : reason) + QLatin1Char(' ') +
                tr("The last state: %1").arg(state);
-    return sentence(state.toStdString()) + (reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
+    QString text = sentence(state.toStdString());
+    if (const ContactAtRest& at = result.contact; at.acts())
+        text += QLatin1Char(' ') + tr("The slider is %1: contact force %2, adhesion force %3.")
+                                       .arg(stateText(at), withError(at.contact, 0.0, "mN", locale),
+                                            withError(at.adhesion, 0.0, "mN", locale));
+    return text + (reason.isEmpty() ? QString() : QLatin1Char(' ') + reason);
 }
 
 } // namespace touchdown

@@ -80,8 +80,15 @@ public:
         forces_.area = padArea_ * at.area;
         return forces_;
     }
+    std::vector<PullPoint> pullsUntil(double separation) const override
+    {
+        if (!(separation > forces_.separation)) return {};
+        const TracedContact way{[this](double d) { return padArea_ * law_.pressures(d).total(); }, {}, [] {}};
+        return {strongestPull(way, forces_.separation, separation, resolution)};
+    }
 
 private:
+    static constexpr double resolution = 1e-14; // of the separation of the strongest pull [m]
     GapLaw law_;
     double padArea_; // [m^2]
     ContactForces forces_;

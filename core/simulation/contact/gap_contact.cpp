@@ -11,7 +11,7 @@ namespace touchdown {
 namespace {
 
 constexpr int strips = 8;               // of a cell that an edge crosses
-constexpr double deepestRecess = 1e-6;  // where nothing touches and no attraction counts, above the lowest [m]
+constexpr double deepestRecess = 1e-6;  // where nothing touches, above the lowest [m]
 constexpr double pointsPerScale = 1.5;  // of a change of the gap, in the law's scale [-]
 constexpr std::size_t fewestPoints = 3; // along a side
 constexpr std::size_t mostPoints = 24;  // a longer way is divided
@@ -67,7 +67,8 @@ GapContact::GapContact(const Case& c, const MinimumSpacing& spacing, const DiskT
     }
     double lowest = std::numeric_limits<double>::infinity();
     for (const Piece& piece : pieces_) lowest = std::min(lowest, piece.recess);
-    std::erase_if(pieces_, [&](const Piece& piece) { return piece.recess > lowest + deepestRecess; });
+    std::erase_if(pieces_,
+                  [&](const Piece& piece) { return piece.recess > lowest + std::max(deepestRecess, law_.reach()); });
 }
 
 void GapContact::addCell(const Recess& recess, const CellGrid& grid, int i, int j)

@@ -35,8 +35,11 @@ SteadyResult FilmScene::findRest(const StaticSolution* known, const std::functio
 {
     const Case still = attitudeCase(case_);
     const auto ask = [&](const SteadyProgress&) { return goOn(); };
-    if (!known || !isRestOf(case_, known->solved, known->state))
-        return case_.initial.state == InitialState::Static ? steadyWithContact(still, ask) : steady(still, ask);
+    const bool fromRest = case_.initial.state == InitialState::Static;
+    // A start that is given needs the state of the film alone, where the suspension exerts its load.
+    const bool fits = known && isRestOf(case_, known->solved, known->state) &&
+                      (fromRest || !known->state.contact.acts()) && known->state.contact.state != "not found";
+    if (!fits) return fromRest ? steadyWithContact(still, ask) : steady(still, ask);
     // Without its gaps it may come from a file, and is then solved again from near: at once, if the file is right.
     return known->state.gaps ? known->state : steadyNear(still, still, known->state, ask);
 }

@@ -77,7 +77,7 @@ WelchOptions welchOptions(const SpectrumCase& spectrum, double interval)
 TouchColumns::TouchColumns(const Case& c, const std::vector<Quantity>& quantities)
     : contact_(findQuantity(quantities, "contact_force")),
       adhesion_(findQuantity(quantities, "adhesion_force")),
-      menisci_(contactLaw(c).adheres(c) && !contactLaw(c).recordsSurfaces)
+      menisci_(contactLaw(c).menisci)
 {}
 
 Touch TouchColumns::between(std::span<const double> least, std::span<const double> most) const

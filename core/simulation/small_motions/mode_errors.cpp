@@ -43,7 +43,7 @@ std::vector<Complex> coarserRates(const Case& c, const SteadyResult& fine, doubl
     const std::string stage =
         "modes on " + std::to_string(there.film.nodes[0]) + " x " + std::to_string(there.film.nodes[1]) + " nodes";
     const SteadyResult state = steadyWithContact(there, [&](const SteadyProgress&) { return goOn(stage); });
-    if (state.status != SteadyStatus::Converged) return {};
+    if (state.status != SteadyStatus::Converged || state.contact.state != fine.contact.state) return {};
     bool goesOn = true;
     const auto ask = [&] { return goesOn = goesOn && goOn(stage); };
     RestingSlider slider(there, state, ask);

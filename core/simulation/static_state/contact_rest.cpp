@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/contact_rest.h"
-#include "core/case/contact_kind.h"
-#include "core/case/contact_law.h"
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <limits>
 #include <memory>
 #include <utility>
 
-#include "core/formats/units.h"
+#include "core/case/contact_law.h"
+#include "core/formats/words.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/sensitivity.h"
+#include "core/simulation/static_state/static_check.h"
 #include "core/simulation/static_state/touching_places.h"
 #include "core/work/wall_clock.h"
 
@@ -19,8 +21,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr double sameState = 1e-10;          // of two states, at the slider's corners [m]
-constexpr double farthestAttraction = 20e-9; // from which surfaces attract each other enough to be looked at [m]
+constexpr double sameState = 1e-10; // of two states, at the slider's corners [m]
 
 /// Half of the lines, of which the first and the last stay.
 std::vector<double> everySecond(const std::vector<double>& lines)
@@ -40,9 +41,12 @@ std::unique_ptr<FilmBalance> balanceOn(const Case& c, const CellGrid& grid, cons
     return goOn() ? std::move(balance) : nullptr;
 }
 
-std::string stateName(const FilmBalance& balance, ContactRegion region)
+std::string stateName(const Case& c, ContactRegion region, const SliderContactForces& forces)
 {
-    if (!characteristic(balance.setup())) return "in contact";
+    if (!characteristic(c)) {
+        if (forces.contact > 0.0) return "in contact";
+        return contactLaw(c).menisci ? "held by menisci" : "flying, attracted";
+    }
     switch (region) {
     case ContactRegion::Apart: return "flying";
     case ContactRegion::Pressed: return "pressed";
@@ -50,6 +54,16 @@ std::string stateName(const FilmBalance& balance, ContactRegion region)
     case ContactRegion::Bridged: return "held by menisci";
     }
     return {};
+}
+
+/// Whether a small motion against this stiffness grows without oscillating; rows by force.
+bool divergesAt(const Matrix3& stiffness, const SliderBody& body, Eigen::Index unknowns)
+{
+    const Vector3 root = body.inertia().cwiseSqrt();
+    const Matrix3 perMass = root.cwiseInverse().asDiagonal() * stiffness * root.cwiseInverse().asDiagonal();
+    for (const std::complex<double> value : eigenvaluesOf(SmallMatrix(perMass.topLeftCorner(unknowns, unknowns))))
+        if (value.imag() == 0.0 && value.real() < 0.0) return true;
+    return false;
 }
 
 ContactAtRest notFound()
@@ -92,8 +106,9 @@ public:
         const Vector3 q = balance_->body().coordinates(rest_);
         result_.contact = {.state = "flying"};
         const bool above = balanced && result_.status == SteadyStatus::Converged;
-        if (!balance_->solve(q, goOn_) && above) ++givenUp_;
-        const SliderContactForces fromAfar = balance_->contactForces(balance_->begin(ContactBranch::TouchDown, q));
+        const ContactRegion region = balance_->begin(ContactBranch::TouchDown, q);
+        balance_->place(q, ContactBranch::TouchDown, region);
+        const SliderContactForces fromAfar = balance_->contactForces(region);
         flies_ = above && fromAfar.contact == 0.0 && fromAfar.adhesion == 0.0;
         std::vector<TouchingPlace> found;
         const auto take = [&](TouchingPlaces places) {
@@ -106,8 +121,11 @@ public:
         };
         // A law that acts in flight: the state that is reached from afar.
         if (above && !flies_) take(touchingPlaces(*balance_, {rest_}, ContactBranch::TouchDown, goOn_));
-        const bool remembers = makeSeparationLaw(case_) != nullptr || case_.adhesion.acts();
-        if (found.empty() || remembers) take(touchingPlaces(*balance_, rest_, {}, goOn_));
+        const bool mayHaveSeveral = makeSeparationLaw(case_) != nullptr || contactLaw(case_).adheres(case_);
+        if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, {}, goOn_));
+        // Parked: without air it lies flat on its crown.
+        if (found.empty() && case_.disk.speed == 0.0)
+            take(touchingPlaces(*balance_, {rest_.height, 0.0, 0.0}, {}, goOn_));
         if (stopped_) return stop();
         report(found);
     }
@@ -147,25 +165,26 @@ private:
     /// Solves film and contact at a place.
     std::optional<Found> look(const TouchingPlace& place)
     {
-        if (!balance_->solve(place.q, goOn_)) return std::nullopt;
-        balance_->begin(place.branch, place.q);
+        if (!balance_->settle(place.q, place.branch, goOn_)) return std::nullopt;
         const Attitude attitude = balance_->body().attitude(place.q);
+        if (std::string problem = balance_->contact().problemAt(attitude); !problem.empty()) {
+            problem_ = std::move(problem);
+            return std::nullopt;
+        }
         Found found{place, {attitude, balance_->spacing(place.q), {}}};
         const SliderContactForces forces = balance_->contactForces(place.region);
         const Matrix3 still = balance_->stiffnessWithSprings(place.region, goOn_);
-        const bool three = balance_->unknowns() == 3;
-        found.state.contact = {
-            .state = stateName(*balance_, place.region),
-            .contact = forces.contact,
-            .adhesion = forces.adhesion,
-            .friction = forces.friction,
-            .pitchTorque = forces.pitchTorque,
-            .rollTorque = forces.rollTorque,
-            .area = forces.area,
-            .peakPressure = forces.peakPressure,
-            .diverges = (three ? still.determinant() : still(0, 0) * still(1, 1) - still(0, 1) * still(1, 0)) < 0.0,
-            .region = place.region,
-            .branch = place.branch};
+        found.state.contact = {.state = stateName(case_, place.region, forces),
+                               .contact = forces.contact,
+                               .adhesion = forces.adhesion,
+                               .friction = forces.friction,
+                               .pitchTorque = forces.pitchTorque,
+                               .rollTorque = forces.rollTorque,
+                               .area = forces.area,
+                               .peakPressure = forces.peakPressure,
+                               .diverges = divergesAt(still, balance_->body(), balance_->unknowns()),
+                               .region = place.region,
+                               .branch = place.branch};
         return found;
     }
 
@@ -192,7 +211,11 @@ private:
             result_.contact = notFound();
             result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
             result_.message += (result_.message.empty() ? "" : "; ") +
-                               std::string("no state in contact was found from the attitudes that were tried");
+                               (problem_.empty() ? std::string("no state in contact was found from the attitudes that "
+                                                               "were tried")
+                                                 : problem_);
+            if (givenUp_ > 0)
+                result_.message += " (" + counted(static_cast<std::size_t>(givenUp_), "search") + " came to no end)";
         }
     }
 
@@ -200,8 +223,7 @@ private:
     void setState(const Found& found, bool inFull = true)
     {
         const RestingState& state = found.state;
-        if (!balance_->solve(found.place.q, goOn_)) return stop();
-        balance_->begin(found.place.branch, found.place.q);
+        if (!balance_->settle(found.place.q, found.place.branch, goOn_)) return stop(); // it was solved before
         FilmLevel& level = balance_->level();
         SteadyResult& r = result_;
         r.suspensionRest = rest_;
@@ -218,6 +240,7 @@ private:
         const double arm = balance_->body().shearArm();
         r.shearPitchTorque = -arm * r.forces.shearX;
         r.shearRollTorque = -arm * r.forces.shearY;
+        r.residual = balance_->residual();
         r.loadError = balance_->error(balance_->force(found.place.region));
         const Recess recess(case_.surface, case_.slider.length, case_.slider.width);
         r.interestSpacing.clear();
@@ -240,25 +263,44 @@ private:
         if (!wasFound)
             note("the film alone has no static state, so that the suspension is taken to exert its load at the initial "
                  "attitude");
+        if (const std::string held = noteOnHeldRoll(case_, r); !held.empty()) note(held);
+        for (const std::string& remark : balance_->contact().remarks()) note(remark);
         if (state.contact.diverges) note("the state is unstable: a small motion grows");
         if (case_.diskSurface.kind != DiskSurfaceKind::Flat && case_.diskSurface.motion == SurfaceMotion::Moving)
             note("the contact is that of the disk's mean plane; a run shows what its moving surface adds");
+        if (stopped_) stop();
     }
 
     /// By which the grid may miss force and torques of the film, as far as the state of the film alone tells.
-    Vector3 errorOfForces() const
+    Vector3 errorOfForces()
     {
         const DiscretisationError& e = result_.discretisationError;
-        if (!result_.balanced() || !result_.stiffness || std::isnan(e.load)) return Vector3::Zero();
-        const Matrix3& film = *result_.stiffness;
+        if (!result_.balanced() || std::isnan(e.load)) return Vector3::Zero();
+        FilmLevel& level = balance_->level();
+        const Matrix3 film = result_.stiffness ? *result_.stiffness : level.flying.roughStiffness(level.pressure);
         return {e.load, std::abs(film(1, 1)) * e.pitch, std::abs(film(2, 2)) * e.roll};
     }
 
-    /// Half of the difference from the state on half of the lines; at least what an error of the film's forces moves
-    /// the slider against film, contact and suspension.
+    /// Half of the difference from the state on half of the film's lines, and of an elastic contact that from cells
+    /// twice as large; at least what an error of the film's forces moves the slider against film, contact and
+    /// suspension.
     DiscretisationError errorOf(const Found& found, const Vector3& ofForces)
     {
-        DiscretisationError error = differenceFromCoarser(found);
+        DiscretisationError error;
+        if (grid_.nx() % 2 == 0 && grid_.ny() % 2 == 0)
+            error = differenceFrom(found, case_, {everySecond(grid_.x), everySecond(grid_.y)}, nullptr, 0.5);
+        if (contactLaw(case_).recordsSurfaces) {
+            if (edgesHangOnCells(case_)) return {}; // the remark says so
+            constexpr double ofCells = 1.5; // as in slider_patch.cpp
+            Case coarse = case_;
+            coarse.elastic.cell *= 2.0;
+            const DiscretisationError cells =
+                differenceFrom(found, coarse, grid_, balance_->level().film.sharedGaps(), ofCells);
+            error.minimumSpacing += cells.minimumSpacing;
+            error.pitch += cells.pitch;
+            error.roll += cells.roll;
+            error.load += cells.load;
+        }
         Matrix3 stiffness = balance_->stiffnessWithSprings(found.place.region, goOn_);
         if (balance_->unknowns() == 2) {
             stiffness.row(2).setZero();
@@ -278,28 +320,25 @@ private:
         return error;
     }
 
-    /// NaN where the coarser grid has no such state.
-    DiscretisationError differenceFromCoarser(const Found& found)
+    /// A share of the difference from the state on another grid; NaN where that has no such state.
+    DiscretisationError differenceFrom(const Found& found, const Case& c, const CellGrid& grid,
+                                       const std::shared_ptr<const FilmGaps>& gaps, double share)
     {
         DiscretisationError error;
-        if (grid_.nx() % 2 != 0 || grid_.ny() % 2 != 0) return error;
-        const CellGrid half{everySecond(grid_.x), everySecond(grid_.y)};
-        const std::unique_ptr<FilmBalance> coarse = FilmBalance::make(case_, half, rest_, goOn_);
-        if (!coarse) return error;
-        FilmLevel& level = coarse->level();
+        const std::unique_ptr<FilmBalance> other = balanceOn(c, grid, gaps, rest_, goOn_);
+        if (!other) return error;
+        FilmLevel& level = other->level();
         const FilmLevel& fine = balance_->level();
         level.gaps.pad.pad<double>(
-            transfer(grid_, fine.gaps.pad.unpad<double>(fine.pressure), fine.film.ambient(), half), level.pressure);
-        const TouchingPlaces places = touchingPlaces(*coarse, {found.state.attitude}, found.place.branch, goOn_);
-        if (places.found.empty()) return error;
+            transfer(grid_, fine.gaps.pad.unpad<double>(fine.pressure), fine.film.ambient(), grid), level.pressure);
+        const TouchingPlaces places = touchingPlaces(*other, {found.state.attitude}, found.place.branch, goOn_);
+        if (places.found.empty() || !other->settle(places.found.front().q, found.place.branch, goOn_)) return error;
         const Vector3 q = places.found.front().q;
-        const Attitude there = coarse->body().attitude(q);
-        constexpr double share = 0.5; // as in grid_error.cpp
-        error.minimumSpacing = share * std::abs(coarse->spacing(q) - found.state.minimumSpacing);
+        const Attitude there = other->body().attitude(q);
+        error.minimumSpacing = share * std::abs(other->spacing(q) - found.state.minimumSpacing);
         error.pitch = share * std::abs(there.pitch - found.state.attitude.pitch);
         error.roll = share * std::abs(there.roll - found.state.attitude.roll);
-        if (coarse->solve(q, goOn_))
-            error.load = share * std::abs(level.loads.forces(level.pressure).net - result_.forces.net);
+        error.load = share * std::abs(level.loads.forces(level.pressure).net - result_.forces.net);
         return error;
     }
 
@@ -310,7 +349,8 @@ private:
     Attitude rest_;
     CellGrid grid_;
     std::unique_ptr<FilmBalance> balance_;
-    int givenUp_ = 0;
+    int givenUp_ = 0;     // searches
+    std::string problem_; // of a state that was not taken
 };
 
 } // namespace
@@ -327,8 +367,7 @@ RestingSlider::RestingSlider(const Case& c, const SteadyResult& state, const std
     FilmLevel& level = touching_->level();
     level.gaps.pad.pad<double>(state.pressure, level.pressure);
     const Vector3 q = touching_->body().coordinates(state.attitude);
-    touching_->begin(state.contact.branch, q);
-    valid_ = touching_->solve(q, goOn);
+    valid_ = touching_->settle(q, state.contact.branch, goOn).has_value();
     if (valid_) contact_ = touching_->contactStiffness(state.contact.region);
 }
 
@@ -346,17 +385,14 @@ bool seesStillDisk(const Case& c)
            contactLaw(c).seesDisk;
 }
 
-bool actsInFlight(const Case& c, double spacing)
+bool actsInFlight(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn)
 {
-    if (const std::unique_ptr<SeparationLaw> law = makeSeparationLaw(c)) {
-        law->begin(ContactBranch::TouchDown, spacing);
-        return law->acts() && !law->outOfReach(spacing);
-    }
-    switch (c.contact) {
-    case ContactKind::Asperity: return spacing < GapLaw(c.asperity, c.elastic.pair, c.adhesion).reach();
-    case ContactKind::Elastic: return spacing <= (c.adhesion.acts() ? farthestAttraction : 0.0);
-    default: return false;
-    }
+    const std::unique_ptr<FilmBalance> balance = balanceOn(c, state.grid, state.gaps, state.attitude, goOn);
+    if (!balance) return false;
+    const Vector3 q = balance->body().coordinates(state.attitude);
+    const ContactRegion region = balance->begin(ContactBranch::TouchDown, q);
+    balance->place(q, ContactBranch::TouchDown, region);
+    return balance->contactForces(region).load() != Vector3::Zero();
 }
 
 std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback)

@@ -31,8 +31,8 @@ SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback = {
 std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback = {});
 /// Whether the contact of the case at rest is that over the disk's own surface, not over its mean plane.
 bool seesStillDisk(const Case& c);
-/// Whether the case's contact exerts a force on a slider that flies at this minimum spacing [m], and came from afar.
-bool actsInFlight(const Case& c, double spacing);
+/// Whether the case's contact exerts a force on a slider that flies in this state and came from afar.
+bool actsInFlight(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn);
 
 /// Film, slider and contact at a converged static state, for motions about it. Neither copied nor moved.
 class RestingSlider {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/film_balance.h"
-#include "core/case/contact_kind.h"
-#include "core/case/contact_law.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/case/disk_setup.h"
 #include "core/simulation/static_state/film_setup.h"
 
@@ -90,7 +90,15 @@ bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
     setSurface(attitude);
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
     const FilmSolution film = level_->flying.solveFilm(level_->pressure, options, [&](int, double) { return goOn(); });
+    residual_ = film.residual;
     return film.converged;
+}
+
+std::optional<ContactRegion> FilmBalance::settle(const Vector3& q, ContactBranch branch, const GoOn& goOn)
+{
+    const ContactRegion region = begin(branch, q);
+    if (!solve(q, goOn) || !contactForces(region).problem.empty()) return std::nullopt;
+    return region;
 }
 
 void FilmBalance::setRegion(ContactRegion region)
@@ -183,6 +191,7 @@ const Matrix3& FilmBalance::filmStiffness(const GoOn& goOn)
     if (filmStiffness_) return *filmStiffness_;
     level_->flying.setSlopes(filmSlopes());
     filmStiffness_ = level_->flying.balanceStiffness(level_->pressure, goOn);
+    level_->flying.setSlopes(nullptr);
     // From the mass centre's height: the trailing edge's falls by half the length times the pitch.
     filmStiffness_->col(1) -= 0.5 * case_.slider.length * filmStiffness_->col(0);
     return *filmStiffness_;

@@ -48,6 +48,10 @@ public:
     /// Makes the film steady at q; false where it is not solved.
     bool solve(const Vector3& q, const GoOn& goOn);
 
+    /// The contact at q on a branch, then the film; the region that acts, nothing where the film or the contact is not
+    /// solved.
+    std::optional<ContactRegion> settle(const Vector3& q, ContactBranch branch, const GoOn& goOn);
+    double residual() const { return residual_; } // of the film last solved [-]
     /// Places slider and contact at q, with the film as it is.
     void place(const Vector3& q, ContactBranch branch, ContactRegion region);
     /// Of contact and springs about q, by the attitude, beside what `FlyingAttitude` knows; rows by force.
@@ -117,6 +121,7 @@ private:
     std::optional<FilmSlopes> slopes_; // of an elastic contact, at the last q, as its stiffness
     Matrix3 elasticStiffness_ = Matrix3::Zero();
     Vector3 q_ = Vector3::Zero();
+    double residual_ = 0.0;
     std::optional<Matrix3> filmStiffness_; // at q_
 };
 

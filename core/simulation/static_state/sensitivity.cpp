@@ -104,7 +104,9 @@ AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmBalance& balance, co
       nearest_(spacing_.at(attitude_).at),
       touching_(&balance),
       contact_(contact)
-{}
+{
+    level_.flying.setSlopes(nullptr);
+}
 
 /// R and G of a changed case at the state: at the same attitude and pressure.
 Vector3 AttitudeSensitivity::misses(const Case& moved, std::shared_ptr<const FilmGaps> gaps, const Recess& recess,

@@ -47,7 +47,7 @@ private:
 };
 
 std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
-/// In contact, to the parameters of the contact, too; of many asperities with the menisci that have formed.
+/// In contact, to the main parameters of the contact, too; of many asperities with the menisci that have formed.
 std::vector<Sensitivity> sensitivitiesInContact(const Case& c, FilmBalance& balance, const ContactAtRest& contact);
 
 /// What a part of the shape does to the state.

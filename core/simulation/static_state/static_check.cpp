@@ -83,12 +83,14 @@ std::string noteOnHeldRoll(const Case& c, const SteadyResult& state)
     constexpr double leastTold = 1e-3; // of the film's force times the width [-]
     const SliderLoad load = sliderLoad(c);
     if (c.steady.fixedAttitude || !load.holdsRoll) return {};
-    const double torque = state.forces.rollTorque + state.shearRollTorque + load.rollTorque -
+    const double torque = state.forces.rollTorque + state.shearRollTorque + state.contact.rollTorque + load.rollTorque -
                           load.rollStiffness * (state.attitude.roll - load.staticRoll);
-    const double force = state.forces.net;
+    double force = state.forces.net;
+    if (state.contact.acts()) force += state.contact.contact + state.contact.adhesion;
     if (!(std::abs(torque) > leastTold * std::abs(force) * c.slider.width)) return {};
     return "two degrees of freedom hold the roll at " + fewDigits(state.attitude.roll, "urad", 4) +
-           " and leave a roll torque of " + fewDigits(torque, "uN m", 4) + " unbalanced: the film carries " +
+           " and leave a roll torque of " + fewDigits(torque, "uN m", 4) +
+           " unbalanced: " + (state.contact.acts() ? "film and contact carry " : "the film carries ") +
            fewDigits(std::abs(torque / force), "um", 3) +
            " beside the centre line of the load; with three degrees of freedom the slider rolls until it is balanced";
 }

@@ -123,7 +123,7 @@ SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& f
             result = from.contact.acts() ? touchingNear(c, moved, callback) : followed(c, moved, callback);
             // A slider that came down to its contact.
             if (result && !from.contact.acts() && !from.contact.state.empty() &&
-                actsInFlight(c, result->minimumSpacing))
+                actsInFlight(c, *result, [&] { return !callback || callback(progressAbout(*result, "contact")); }))
                 result.reset();
             if (result && !from.contact.acts()) result->contact.state = from.contact.state;
         }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "core/case/contact_law.h"
@@ -40,32 +42,34 @@ private:
     /// With the law of the branch at q. False where the search gave up; true without an equilibrium near q.
     bool refine(Vector3 q)
     {
-        if (!balance_.solve(q, goOn_)) return false;
-        const auto region = [&] { return balance_.begin(branch_, balance_.place()); };
-        Vector3 g = balance_.force(region());
+        std::optional<ContactRegion> region = balance_.settle(q, branch_, goOn_);
+        if (!region) return false;
+        Vector3 g = balance_.force(*region);
         for (int k = 0; k < mostNewtonSteps; ++k) {
             if (!goOn_()) return false;
             if (balance_.error(g) <= balance_.setup().steady.loadTolerance) {
-                if (region() != ContactRegion::Apart) add(q, region());
+                if (*region != ContactRegion::Apart) add(q, *region);
                 return true;
             }
-            const Vector3 change = balance_.newtonStep(balance_.stiffness(region(), goOn_), g);
+            const Vector3 change = balance_.newtonStep(balance_.stiffness(*region, goOn_), g);
             double share = std::min(1.0, longestNewtonStep / std::max(balance_.body().displacement(change), 1e-300));
             const std::vector<double> before = balance_.level().pressure;
             bool better = false, solved = false;
             for (int halving = 0; halving < mostStepHalvings && !better; ++halving, share *= 0.5) {
                 const Vector3 tried = q + share * change;
                 balance_.level().pressure = before;
-                if (!balance_.solve(tried, goOn_)) {
+                const std::optional<ContactRegion> there = balance_.settle(tried, branch_, goOn_);
+                if (!there) {
                     if (!goOn_()) return false;
                     continue;
                 }
                 solved = true;
-                const Vector3 there = balance_.force(region());
-                better = balance_.error(there) < balance_.error(g);
+                const Vector3 force = balance_.force(*there);
+                better = balance_.error(force) < balance_.error(g);
                 if (!better) continue;
                 q = tried;
-                g = there;
+                g = force;
+                region = there;
             }
             if (!better) return solved;
         }
@@ -86,19 +90,18 @@ private:
 };
 
 /// `rest` set down to where the contact alone carries these shares of the load, out of a contact.
-std::vector<Attitude> startsByForce(FilmBalance& balance, const Attitude& rest)
+std::vector<Attitude> startsByForce(FilmBalance& balance, const Attitude& rest, const std::function<bool()>& goOn)
 {
-    constexpr double deepest = 100e-9, located = 1e-11; // below the contact's reach [m]
+    constexpr double deepest = 100e-9, located = 1e-10; // below the contact's reach [m]
     const double load = std::max(std::abs(balance.body().load()[0]), 1e-6);
     const double reached = balance.spacing(balance.body().coordinates(rest)) - balance.reach();
     std::vector<Attitude> starts;
     for (const double share : {0.03, 0.5}) {
         Attitude lowered = rest;
         double above = 0.0, below = deepest;
-        while (below - above > located) {
+        while (below - above > located && goOn()) {
             const double middle = 0.5 * (above + below);
             lowered.height = rest.height - reached - middle;
-            balance.contact().begin(ContactBranch::TakeOff, lowered);
             (balance.contact().at(lowered, 0.0).contact < share * load ? above : below) = middle;
         }
         starts.push_back(lowered);
@@ -126,7 +129,7 @@ TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const 
             starts.push_back(lowered);
         }
     } else {
-        std::ranges::move(startsByForce(balance, rest), std::back_inserter(starts));
+        std::ranges::move(startsByForce(balance, rest, goOn), std::back_inserter(starts));
     }
     return touchingPlaces(balance, starts, ContactBranch::TakeOff, goOn);
 }

@@ -44,6 +44,7 @@ private slots:
     void scalesSensitivitiesToTheUnitsOfTheFields();
     void leavesOutWhatThereIsNot();
     void listsOtherEquilibria();
+    void listsContactAndOtherStates();
     void keepsTheOutcomeOfAFailure();
     void copiesAsATable();
     void saysTheOutcomeInASentence_data();
@@ -142,6 +143,21 @@ void TestAttitudeSections::listsOtherEquilibria()
     result.otherEquilibria = {{250e-9, 40e-6, 0.0}};
     QCOMPARE(row(attitudeSections(c, result, QLocale::c()), "Other equilibria", "2"),
              (QStringList{"250.0" + nbsp + "nm", "40.00" + nbsp + "µrad", "0.000" + nbsp + "µrad"}));
+}
+
+void TestAttitudeSections::listsContactAndOtherStates()
+{
+    const Case c = sampleFilmCase();
+    SteadyResult result = sampleResult(c);
+    QVERIFY(!has(attitudeSections(c, result, QLocale::c()), "Contact"));
+    result.contact = {.state = "held by menisci", .contact = 1e-3, .adhesion = -4e-3, .area = 2e-12};
+    result.contactStates = {{{}, 7e-9, {.state = "flying", .diverges = true}}};
+    const auto sections = attitudeSections(c, result, QLocale::c());
+    QCOMPARE(row(sections, "Contact", "State"), QStringList{"held by menisci"});
+    QCOMPARE(row(sections, "Contact", "Adhesion force"), QStringList{QStringLiteral("−4.000") + nbsp + "mN"});
+    QCOMPARE(row(sections, "Other states", "flying, unstable"),
+             (QStringList{"7.000" + nbsp + "nm", "0.000" + nbsp + "mN"}));
+    QVERIFY(steadyText(result, QLocale::c()).contains("The slider is held by menisci: contact force 1.000"));
 }
 
 void TestAttitudeSections::keepsTheOutcomeOfAFailure()
