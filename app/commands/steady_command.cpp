@@ -209,7 +209,8 @@ std::string oneText(const Case& c, const SteadyResult& r)
     for (std::size_t i = 0; i < std::min(points.size(), r.interestSpacing.size()); ++i)
         text += reportRow("spacing of point " + std::to_string(i + 1),
                           displayedInFull(r.interestSpacing[i], "nm") + " at " + placeText(points[i]));
-    if (r.stiffness) text += matrixText("stiffness", *r.stiffness);
+    if (r.stiffness) text += matrixText("film's stiffness", *r.stiffness);
+    if (r.contactStiffness) text += matrixText("contact's stiffness", *r.contactStiffness);
     for (std::size_t i = 0; i < r.otherEquilibria.size(); ++i) {
         const Attitude& a = r.otherEquilibria[i];
         text += reportRow(i == 0 ? "other equilibria" : "", displayedInFull(a.height, "nm") + ", " +
@@ -232,7 +233,8 @@ std::string seriesText(const std::vector<SteadyState>& states)
         for (const auto& [quantity, value] : seriesQuantities(state.point)) add(quantity, value, true);
         const bool known = isKnown(state.result);
         for (const auto& [quantity, value] : steadyQuantities(state.result))
-            for (const char* wanted : {"nominal_trailing_edge_height", "pitch", "roll", "minimum_spacing", "net_force"})
+            for (const char* wanted : {"nominal_trailing_edge_height", "pitch", "roll", "minimum_spacing", "net_force",
+                                       "contact_force", "intermolecular_force"})
                 if (quantity.name == wanted) add(quantity, value, known && std::isfinite(value));
         head.push_back("status");
         row.emplace_back(name(state.result.status));

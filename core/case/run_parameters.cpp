@@ -16,6 +16,8 @@ bool withPitch(const Case& c) { return withBearing(c) || withSliderPad(c); }
 bool withOffsets(const Case& c) { return withFilm(c) && c.initial.state == InitialState::Static; }
 bool withRollOffset(const Case& c) { return withOffsets(c) && withRoll(c); }
 /// The gap and the pressure of the film, and those of a contact patch.
+/// A law with branches, or a slider that may fly and touch.
+bool withSeveralStates(const Case& c) { return withOnoYamane(c) || (withFilm(c) && c.contact != noContact); }
 bool withSnapshots(const Case& c) { return withFilm(c) || withSurfaces(c); }
 
 } // namespace
@@ -63,8 +65,10 @@ std::vector<Parameter> runParameters()
                "Roll velocity at the start, positive when the inner edge rises.",
                "assumed: at rest; the paper does not say"),
         choice("initial.branch", "initial branch", {"touch-down", "take-off"}, at(&Case::initial, &InitialCase::branch),
-               withOnoYamane,
-               "Branch of the contact characteristic at the start, if the separation is between d_s and d_e.",
+               withSeveralStates,
+               "Branch of the contact characteristic at the start, if the separation is between d_s and d_e. Of a film "
+               "with a contact it also chooses the static state where there are several: touch-down = flying, if it "
+               "can, take-off = in contact.",
                "paper, section 4: touch-down"),
         number("run.duration", "duration", "", milliseconds, positive(longestRun), at(&Case::run, &RunCase::duration),
                always, "Simulated time.", "paper, Figs. 10-14: 2 ms"),

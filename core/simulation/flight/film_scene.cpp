@@ -72,7 +72,14 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
     }
 
     if (!makeParts(rest, goOn)) return State::Stopped;
-    if (fromRest && rest.contact.acts()) contact->begin(rest.contact.branch, start);
+    if (fromRest && rest.contact.acts()) {
+        contact->begin(rest.contact.branch, start);
+        contact->at(start, 0.0);
+        startSurface.assign(level->gaps.pad.size(), 0.0);
+        if (!disk->moves()) disk->at(0.0, startSurface);
+        contact->deform(startSurface);
+        level->film.setSurface(startSurface);
+    }
     if (checkDisk() == State::Failed) return State::Failed;
     if (balanced) {
         level->film.setAttitude(rest.attitude);

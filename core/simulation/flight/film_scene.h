@@ -53,7 +53,8 @@ public:
     std::optional<DiskUnderFilm> disk;
     std::unique_ptr<SliderContact> contact; // null: only air acts
     Attitude start;
-    double restEnergy = 0.0; // stored by the air in the static state, or at the start if there is none [J]
+    std::vector<double> startSurface; // of a start in contact: the disk under the film, deformed; padded [m]
+    double restEnergy = 0.0;          // stored by the air in the static state, or at the start if there is none [J]
 
 private:
     State fail(std::string reason);

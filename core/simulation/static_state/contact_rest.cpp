@@ -44,6 +44,7 @@ std::unique_ptr<FilmBalance> balanceOn(const Case& c, const CellGrid& grid, cons
 std::string stateName(const Case& c, ContactRegion region, const SliderContactForces& forces)
 {
     if (!characteristic(c)) {
+        if (forces.contact == 0.0 && forces.adhesion == 0.0) return "flying";
         if (forces.contact > 0.0) return "in contact";
         return contactLaw(c).menisci ? "held by menisci" : "flying, attracted";
     }
@@ -66,10 +67,10 @@ bool divergesAt(const Matrix3& stiffness, const SliderBody& body, Eigen::Index u
     return false;
 }
 
-ContactAtRest notFound()
+ContactAtRest notFound(std::string state = "not found")
 {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    return {.state = "not found",
+    return {.state = std::move(state),
             .contact = none,
             .adhesion = none,
             .friction = none,
@@ -123,9 +124,10 @@ public:
         if (above && !flies_) take(touchingPlaces(*balance_, {rest_}, ContactBranch::TouchDown, goOn_));
         const bool mayHaveSeveral = makeSeparationLaw(case_) != nullptr || contactLaw(case_).adheres(case_);
         if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, {}, goOn_));
-        // Parked: without air it lies flat on its crown.
-        if (found.empty() && case_.disk.speed == 0.0)
-            take(touchingPlaces(*balance_, {rest_.height, 0.0, 0.0}, {}, goOn_));
+        // Pressed hard it lies flatter, and parked, without air, flat on its crown.
+        for (const double share : {0.6, 0.3, 0.0})
+            if (found.empty() && !flies_ && !stopped_)
+                take(touchingPlaces(*balance_, {rest_.height, share * rest_.pitch, share * rest_.roll}, {}, goOn_));
         if (stopped_) return stop();
         report(found);
     }
@@ -154,7 +156,7 @@ private:
     {
         result_.status = SteadyStatus::Cancelled;
         result_.message = "cancelled while contact was sought";
-        result_.contact = notFound();
+        result_.contact = notFound("not known");
     }
 
     struct Found {
@@ -192,7 +194,8 @@ private:
     {
         std::vector<Found> states;
         for (const TouchingPlace& place : places)
-            if (std::optional<Found> found = look(place)) states.push_back(std::move(*found));
+            if (std::optional<Found> found = look(place))
+                if (!flies_ || found->state.contact.acts()) states.push_back(std::move(*found));
         if (stopped_) return stop();
         // The one that a slider comes to: stable ones first, then the highest.
         std::ranges::stable_sort(states, [](const Found& a, const Found& b) {
@@ -291,7 +294,7 @@ private:
             error = differenceFrom(found, case_, {everySecond(grid_.x), everySecond(grid_.y)}, nullptr, 0.5);
         if (contactLaw(case_).recordsSurfaces) {
             if (edgesHangOnCells(case_)) return {}; // the remark says so
-            constexpr double ofCells = 1.5; // as in slider_patch.cpp
+            constexpr double ofCells = 1.5;         // as in slider_patch.cpp
             Case coarse = case_;
             coarse.elastic.cell *= 2.0;
             const DiscretisationError cells =
@@ -410,7 +413,7 @@ SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
     const double start = wallClock();
     SteadyResult result = steady(c, callback);
     if (c.contact == noContact || c.steady.fixedAttitude) return result;
-    result.contact = notFound();
+    result.contact = notFound("not known");
     if (result.status == SteadyStatus::Cancelled) return result;
     ContactRestSearch(c, result, callback).search();
     result.wallSeconds = wallClock() - start;

@@ -237,7 +237,7 @@ Matrix3 FilmBalance::stiffnessBesideFilm(ContactRegion region)
 
 double FilmBalance::error(const Vector3& g) const
 {
-    return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / case_.slider.length) / case_.suspension.preload;
+    return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / case_.slider.length) / level_->flying.loadScale();
 }
 
 Vector3 FilmBalance::newtonStep(const Matrix3& stiffness, const Vector3& g) const

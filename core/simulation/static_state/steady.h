@@ -49,7 +49,8 @@ struct DiscretisationError {
 
 /// The contact of a slider at rest; zeros in flight.
 struct ContactAtRest {
-    /// "flying", "pressed", "held by menisci", "in contact"; "not found": its numbers are NaN; "": none was sought.
+    /// "flying", "pressed", "held by menisci", "in contact"; "not found", "not known" (stopped): its numbers
+    /// are NaN; "": none was sought.
     std::string state;
     double contact = 0.0;      // >= 0 [N]
     double adhesion = 0.0;     // <= 0 [N]

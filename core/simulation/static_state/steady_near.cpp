@@ -127,7 +127,8 @@ SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& f
                 result.reset();
             if (result && !from.contact.acts()) result->contact.state = from.contact.state;
         }
-    if (!result) result = from.contact.state.empty() ? steady(c, callback) : steadyWithContact(c, callback);
+    const bool alone = from.status == SteadyStatus::Converged && from.contact.state.empty();
+    if (!result) result = alone ? steady(c, callback) : steadyWithContact(c, callback);
     result->wallSeconds = wallClock() - start;
     return *result;
 }

@@ -15,7 +15,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr int mostNewtonSteps = 25;        // of Newton
+constexpr int mostSteps = 120;             // in all
+constexpr int mostNewtonSteps = 25;        // of Newton, those that are not shortened to the longest
 constexpr int mostStepHalvings = 8;        // of one of its steps
 constexpr double longestNewtonStep = 3e-9; // of the slider's corners in one of its steps [m]
 constexpr double samePlace = 1e-11;        // of two places, at the slider's corners [m]
@@ -45,7 +46,7 @@ private:
         std::optional<ContactRegion> region = balance_.settle(q, branch_, goOn_);
         if (!region) return false;
         Vector3 g = balance_.force(*region);
-        for (int k = 0; k < mostNewtonSteps; ++k) {
+        for (int k = 0, all = 0; k < mostNewtonSteps && all < mostSteps; ++all) {
             if (!goOn_()) return false;
             if (balance_.error(g) <= balance_.setup().steady.loadTolerance) {
                 if (*region != ContactRegion::Apart) add(q, *region);
@@ -53,6 +54,7 @@ private:
             }
             const Vector3 change = balance_.newtonStep(balance_.stiffness(*region, goOn_), g);
             double share = std::min(1.0, longestNewtonStep / std::max(balance_.body().displacement(change), 1e-300));
+            if (share == 1.0) ++k;
             const std::vector<double> before = balance_.level().pressure;
             bool better = false, solved = false;
             for (int halving = 0; halving < mostStepHalvings && !better; ++halving, share *= 0.5) {
