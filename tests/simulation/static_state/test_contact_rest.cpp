@@ -15,6 +15,7 @@
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_near.h"
 #include "tests/simulation/run_trace.h"
+#include "tests/support/sample_case.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 
@@ -45,6 +46,16 @@ Case pressed(ContactKind contact)
     return c;
 }
 
+/// The sample whose film alone leaves the pad 5 nm inside the disk.
+Case pressedPad()
+{
+    Case c = sample("film_fig2_pressed_pad");
+    c.film.nodes = {97, 97};
+    c.steady.loadTolerance = 1e-8;
+    c.run.fieldSnapshots = 0;
+    return c;
+}
+
 /// Where the run of the case ends that starts at the state with its pitch raised by `raised` [rad].
 Summary endOfRun(const Case& c, const SteadyResult& state, double raised, double duration)
 {
@@ -69,12 +80,13 @@ private slots:
         QTest::newRow("ono-yamane") << int(ContactKind::OnoYamane);
         QTest::newRow("asperity") << int(ContactKind::Asperity);
         QTest::newRow("multi-asperity") << int(ContactKind::MultiAsperity);
+        QTest::newRow("elastic") << int(ContactKind::Elastic);
     }
     /// Film, contact and preload, to the tolerance; and the run stays there.
     void forcesBalance()
     {
         QFETCH(int, contact);
-        const Case c = pressed(static_cast<ContactKind>(contact));
+        const Case c = contact == int(ContactKind::Elastic) ? pressedPad() : pressed(static_cast<ContactKind>(contact));
         const SteadyResult state = steadyWithContact(c);
         QCOMPARE(state.status, SteadyStatus::Converged);
         QVERIFY2(state.contact.contact > 1e-4, qPrintable(QString::number(state.contact.contact)));
@@ -208,6 +220,44 @@ private slots:
                      c.slider.length * std::abs(byPitch - found->pitch) < 2e-5 * size,
                  qPrintable(
                      QString("%1 %2, %3 %4").arg(bySpacing).arg(found->minimumSpacing).arg(byPitch).arg(found->pitch)));
+    }
+
+    /// A slider is listed once, and what it cannot touch has no name.
+    void fliesOnce()
+    {
+        Case c = pressed(ContactKind::Elastic);
+        const SteadyResult state = steadyWithContact(c);
+        QCOMPARE(QString::fromStdString(state.contact.state), QStringLiteral("flying"));
+        QVERIFY(state.contactStates.empty());
+        c.contact = ContactKind::Asperity;
+        c.asperity.planeHeight = -20e-9;
+        c.adhesion.voltage = 0.2;
+        const SteadyResult attracted = steadyWithContact(c);
+        QCOMPARE(QString::fromStdString(attracted.contact.state), QStringLiteral("flying, attracted"));
+        QVERIFY(attracted.minimumSpacing < state.minimumSpacing);
+        QVERIFY(!std::isnan(attracted.discretisationError.minimumSpacing));
+    }
+
+    /// A run of "static" begins in the state, whichever it is.
+    void runBeginsInTheState()
+    {
+        for (const ContactKind contact : {ContactKind::OnoYamane, ContactKind::Elastic}) {
+            Case c = contact == ContactKind::Elastic ? pressedPad() : pressed(contact);
+            c.initial.state = InitialState::Static;
+            c.initial.branch = ContactBranch::TakeOff;
+            c.run.duration = 10e-6;
+            c.run.sampleInterval = 0.1e-6;
+            const SteadyResult state = steadyWithContact(c);
+            const long long before = staticSolutions();
+            const Summary summary = run(c);
+            QCOMPARE(staticSolutions() - before, 1LL);
+            QCOMPARE(summary.status, RunStatus::Completed);
+            for (const auto& [quantity, extremes] : summary.extremes)
+                if (quantity == "minimum_spacing")
+                    QVERIFY2(extremes.most - extremes.least < 2e-12 &&
+                                 std::abs(extremes.least - state.minimumSpacing) < 2e-12,
+                             qPrintable(QString("%1 %2").arg(extremes.most - extremes.least).arg(extremes.least)));
+        }
     }
 
     void stopsWhenAsked()

@@ -40,6 +40,13 @@ private slots:
                                              {"pitch_error", 1e-8},
                                              {"roll_error", 2e-8},
                                              {"load_error", 1e-5},
+                                             {"contact_force", 1e-3},
+                                             {"intermolecular_force", -2e-3},
+                                             {"friction_force", 3e-4},
+                                             {"contact_pitch_torque", 4e-8},
+                                             {"contact_roll_torque", 5e-9},
+                                             {"contact_area", 6e-12},
+                                             {"peak_contact_pressure", 7e8},
                                              {"unresolved_ridges", 7.0}};
         QMap<QString, double> told;
         for (const auto& [quantity, value] : steadyQuantities(test::sampleSteady()))
