@@ -50,20 +50,18 @@ Case pressed(ContactKind contact)
 Case pressedPad()
 {
     Case c = sample("film_fig2_pressed_pad");
-    c.film.nodes = {97, 97};
+    c.film.nodes = {65, 65};
     c.steady.loadTolerance = 1e-8;
+    c.elastic.tolerance = 1e-10; // a run solves contacts 1e4 times as loosely
     c.run.fieldSnapshots = 0;
     return c;
 }
 
-/// Where the run of the case ends that starts at the state with its pitch raised by `raised` [rad].
-Summary endOfRun(const Case& c, const SteadyResult& state, double raised, double duration)
+/// The run that begins in the state.
+Summary runFrom(const Case& c, const SteadyResult& state, double duration)
 {
     Case there = c;
-    there.initial.state = InitialState::Given;
-    there.initial.nominalTrailingEdgeHeight = state.attitude.height;
-    there.initial.pitch = state.attitude.pitch + raised;
-    there.initial.roll = state.attitude.roll;
+    there.initial.state = InitialState::Static;
     there.initial.branch = state.contact.branch;
     there.run.duration = duration;
     there.run.sampleInterval = 0.1e-6;
@@ -94,7 +92,7 @@ private slots:
         QVERIFY2(std::abs(carried - c.suspension.preload) < 1e-5 * c.suspension.preload,
                  qPrintable(QString::number(carried / c.suspension.preload)));
         QVERIFY(state.contact.friction > 0.29 * state.contact.contact);
-        const Summary end = endOfRun(c, state, 0.0, 20e-6);
+        const Summary end = runFrom(c, state, contact == int(ContactKind::Elastic) ? 1e-6 : 20e-6);
         QVERIFY2(std::abs(test::finalValue(end, "minimum_spacing") - state.minimumSpacing) < 2e-12,
                  qPrintable(QString::number(test::finalValue(end, "minimum_spacing") - state.minimumSpacing)));
         QVERIFY(std::abs(test::finalValue(end, "pitch") - state.attitude.pitch) < 2e-3 * state.attitude.pitch);
@@ -241,8 +239,8 @@ private slots:
     /// A run of "static" begins in the state, whichever it is.
     void runBeginsInTheState()
     {
-        for (const ContactKind contact : {ContactKind::OnoYamane, ContactKind::Elastic}) {
-            Case c = contact == ContactKind::Elastic ? pressedPad() : pressed(contact);
+        for (const ContactKind contact : {ContactKind::OnoYamane, ContactKind::Asperity}) {
+            Case c = pressed(contact);
             c.initial.state = InitialState::Static;
             c.initial.branch = ContactBranch::TakeOff;
             c.run.duration = 10e-6;
