@@ -68,7 +68,9 @@ std::vector<Parameter> runParameters()
                withSeveralStates,
                "Branch of the contact characteristic at the start, if the separation is between d_s and d_e. Of a film "
                "with a contact it also chooses the static state where there are several: touch-down = flying, if it "
-               "can, take-off = in contact.",
+               "can, take-off = in contact. Under elastic contact with attraction other states are sought with "
+               "take-off only, "
+               "as that takes long.",
                "paper, section 4: touch-down"),
         number("run.duration", "duration", "", milliseconds, positive(longestRun), at(&Case::run, &RunCase::duration),
                always, "Simulated time.", "paper, Figs. 10-14: 2 ms"),

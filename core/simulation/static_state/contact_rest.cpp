@@ -122,7 +122,9 @@ public:
         };
         // A law that acts in flight: the state that is reached from afar.
         if (above && !flies_) take(touchingPlaces(*balance_, {rest_}, ContactBranch::TouchDown, goOn_));
-        const bool mayHaveSeveral = makeSeparationLaw(case_) != nullptr || contactLaw(case_).adheres(case_);
+        // Those of surfaces that attract each other take long: only where they are asked for.
+        const bool asked = !contactLaw(case_).recordsSurfaces || case_.initial.branch == ContactBranch::TakeOff;
+        const bool mayHaveSeveral = makeSeparationLaw(case_) || (contactLaw(case_).adheres(case_) && asked);
         if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, {}, goOn_));
         // Pressed hard it lies flatter, and parked, without air, flat on its crown.
         for (const double share : {0.6, 0.3, 0.0})

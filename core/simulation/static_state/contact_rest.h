@@ -23,7 +23,8 @@ struct StaticFilm;
 
 /// As `steady`, with the contact: the state is the flying one where there is one, else that in contact; with
 /// `initial.branch` "take-off" one in contact where there is a stable one. The others are in
-/// SteadyResult::contactStates. Of a case without contact, or at a fixed attitude: `steady`.
+/// SteadyResult::contactStates; of elastic contact with attraction they are sought with "take-off" only. Of a case
+/// without contact, or at a fixed attitude: `steady`.
 SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback = {});
 
 /// The state in contact of a case that was changed a little, near to `from`, one in contact, on its grid; nothing where

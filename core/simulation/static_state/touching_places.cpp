@@ -91,21 +91,28 @@ private:
     TouchingPlaces result_;
 };
 
-/// `rest` set down to where the contact alone carries these shares of the load, out of a contact.
+/// `rest` set down to where the contact alone carries these shares of the load.
 std::vector<Attitude> startsByForce(FilmBalance& balance, const Attitude& rest, const std::function<bool()>& goOn)
 {
-    constexpr double deepest = 100e-9, located = 1e-10; // below the contact's reach [m]
+    constexpr double first = 1e-9, located = 1e-10; // of the way below the contact's reach [m]
+    constexpr double inside = 100e-9;               // the disk, at most [m]
+    const double deepest = std::max(balance.reach(), 0.0) + inside;
     const double load = std::max(std::abs(balance.body().load()[0]), 1e-6);
     const double reached = balance.spacing(balance.body().coordinates(rest)) - balance.reach();
     std::vector<Attitude> starts;
     for (const double share : {0.03, 0.5}) {
         Attitude lowered = rest;
-        double above = 0.0, below = deepest;
-        while (below - above > located && goOn()) {
+        const auto carries = [&](double depth) {
+            lowered.height = rest.height - reached - depth;
+            return balance.contact().at(lowered, 0.0).load()[0] >= share * load;
+        };
+        double above = 0.0, below = first;
+        while (goOn() && below < deepest && !carries(below)) above = std::exchange(below, 2.0 * below);
+        while (goOn() && below - above > located) {
             const double middle = 0.5 * (above + below);
-            lowered.height = rest.height - reached - middle;
-            (balance.contact().at(lowered, 0.0).contact < share * load ? above : below) = middle;
+            (carries(middle) ? below : above) = middle;
         }
+        carries(below);
         starts.push_back(lowered);
     }
     return starts;
