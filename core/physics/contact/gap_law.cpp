@@ -10,8 +10,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double leastAttraction = 1e-6; // of the largest, that counts [-]
-constexpr double farthestGap = 1e-4;     // [m]
+constexpr double leastAttraction = 1e-10; // of the largest, that counts: far rails are large [-]
+constexpr double farthestGap = 1e-4;      // [m]
 
 double reachOfAttraction(const AdhesionLaw& law)
 {

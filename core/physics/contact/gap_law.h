@@ -31,7 +31,7 @@ public:
     GapForces at(double gap) const;
     /// The pressures alone.
     GapForces pressures(double gap) const;
-    /// Nothing acts from this gap on [m]; of an attraction, less than 1e-6 of its largest value.
+    /// Nothing acts from this gap on [m]; of an attraction, less than 1e-10 of its largest value.
     double reach() const { return reach_; }
     /// Over which the pressures change near a gap [m].
     double scale(double gap) const;

@@ -199,14 +199,17 @@ private:
             if (std::optional<Found> found = look(place))
                 if (!flies_ || found->state.contact.acts()) states.push_back(std::move(*found));
         if (stopped_) return stop();
-        // The one that a slider comes to: stable ones first, then the highest.
-        std::ranges::stable_sort(states, [](const Found& a, const Found& b) {
+        // The one that a slider comes to: stable ones first, then those in contact where they are asked for, then the
+        // highest.
+        const bool inContact = case_.initial.branch == ContactBranch::TakeOff;
+        std::ranges::stable_sort(states, [inContact](const Found& a, const Found& b) {
             const RestingState &x = a.state, &y = b.state;
             if (x.contact.diverges != y.contact.diverges) return y.contact.diverges;
+            const bool touchesX = x.contact.contact > 0.0, touchesY = y.contact.contact > 0.0;
+            if (inContact && touchesX != touchesY) return touchesX;
             return x.minimumSpacing > y.minimumSpacing;
         });
-        const bool preferred =
-            case_.initial.branch == ContactBranch::TakeOff && !states.empty() && !states.front().state.contact.diverges;
+        const bool preferred = inContact && !states.empty() && !states.front().state.contact.diverges;
         const bool touches = (!flies_ || preferred) && !states.empty();
         if (touches && flies_)
             result_.contactStates.push_back({result_.attitude, result_.minimumSpacing, result_.contact});

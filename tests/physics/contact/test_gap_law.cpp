@@ -75,7 +75,7 @@ private slots:
         const Adhesion far = attraction(AdhesionKind::None, 1.0);
         const GapLaw law(summits, {}, far);
         QVERIFY(law.reach() > 100e-9);
-        QVERIFY(std::abs(law.at(law.reach()).adhesion) <= 1.1e-6 * AdhesionLaw(far).peakAttraction() ||
+        QVERIFY(std::abs(law.at(law.reach()).adhesion) <= 1.1e-10 * AdhesionLaw(far).peakAttraction() ||
                 law.reach() >= 1e-4);
     }
 };

@@ -97,6 +97,33 @@ private slots:
         }
     }
 
+    /// The same of summits and an attraction, by its energy. The rest of the slider, 2 um higher, adds 1e-6.
+    void attractionIsIntegratedWithinItsCells()
+    {
+        Case c = withPad();
+        for (const AdhesionKind kind : {AdhesionKind::LennardJones, AdhesionKind::VanDerWaals}) {
+            c.adhesion.kind = kind;
+            const GapLaw law(c.asperity, c.elastic.pair, c.adhesion);
+            for (const int cells : {16, 48}) {
+                Contact contact(c, cells);
+                for (const double pitch : {20e-6, 150e-6})
+                    for (const double d : {2.6e-9, 6e-9}) {
+                        const double far = law.at(d + pitch * padLength).energy;
+                        const double expected = padWidth * (law.at(d).energy - far) / pitch;
+                        const SliderContactForces& f = contact.law.at(at(d, pitch), 0.0);
+                        const double found = f.contact + f.adhesion;
+                        QVERIFY2(std::abs(found - expected) < 1e-5 * std::abs(expected),
+                                 qPrintable(QString("%1 cells, %2, %3: %4 %5")
+                                                .arg(cells)
+                                                .arg(pitch)
+                                                .arg(d)
+                                                .arg(found)
+                                                .arg(expected)));
+                    }
+            }
+        }
+    }
+
     /// At attitudes drawn at random, with friction: central differences over 1e-13 m at the corners.
     void stiffnessIsTheForcesSlope()
     {
