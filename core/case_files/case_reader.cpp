@@ -12,8 +12,6 @@
 #include "core/physics/slider/surface_check.h"
 
 #include <algorithm>
-#include <functional>
-#include <ranges>
 #include <set>
 
 namespace touchdown {
@@ -116,9 +114,9 @@ public:
         readRailFile(toml);
         for (const TomlTable& table : toml.tables) readTable(table);
         // First: some spellings of the law stand for asperity.model as well, which counts where it is given by itself.
-        const auto isLaw = [](const TomlEntry& entry) { return entry.key == "contact"; };
-        for (const TomlEntry& entry : toml.entries | std::views::filter(isLaw)) readEntry(entry);
-        for (const TomlEntry& entry : toml.entries | std::views::filter(std::not_fn(isLaw))) readEntry(entry);
+        for (const bool law : {true, false})
+            for (const TomlEntry& entry : toml.entries)
+                if ((entry.key == "contact") == law) readEntry(entry);
         for (const InputProblem& problem : readSurface(toml, document_.value.surface))
             add(problem.line, problem.key, problem.message);
         addCombinations(toml);
