@@ -56,7 +56,7 @@ inline std::optional<double> spacingUnder(double force, double spacing, const St
     Case c = withMenisci(spacing, TakeOffShape::Constant);
     c.onoYamane.meniscusForce = force;
     c.onoYamane.takeOff = spacing + 1e-9;
-    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.attitude, always);
+    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, always);
     FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
     const TouchingPlaces places = touchingPlaces(balance, rest.attitude, {}, always);

@@ -23,6 +23,7 @@ class MinimumSpacing {
 public:
     MinimumSpacing(const AirBearingSurface& surface, const Recess& recess);
 
+    const Recess& recess() const { return recess_; }
     struct Place {
         double spacing;  // [m], may be negative
         SurfacePoint at; // [m]

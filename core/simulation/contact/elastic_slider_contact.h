@@ -30,6 +30,7 @@ public:
     void begin(ContactBranch branch, const Attitude& attitude) override;
 
     double longestStep() const override { return longestStep_; }
+    bool deforms() const override { return true; }
     bool deform(std::span<double> height) const override;
     void clearTouching(std::span<double> field) const override;
     void observe(FieldSnapshot& snapshot) const override;

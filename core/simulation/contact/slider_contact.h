@@ -69,6 +69,8 @@ public:
 
     /// Longest step with which a moving surface is followed while it is in reach [s].
     virtual double longestStep() const { return std::numeric_limits<double>::infinity(); }
+    /// Whether it displaces the disk; then its stiffness() is rough.
+    virtual bool deforms() const { return false; }
     /// Subtracts the disk's mean displacement by contact in each cell from `height` (padded) [m]; false if none.
     virtual bool deform(std::span<double> /*height*/) const { return false; }
     /// Sets `field` (padded) to zero in the film's cells where the surfaces touch.

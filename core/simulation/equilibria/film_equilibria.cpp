@@ -71,7 +71,7 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
         result.problem = "there is no static state of the film: " + rest.message;
         return result;
     }
-    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.attitude, goOn);
+    const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, goOn);
     if (!made) return result.stopped = true, result;
     FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);

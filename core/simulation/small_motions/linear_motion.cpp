@@ -8,6 +8,7 @@
 
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 
 namespace touchdown {
@@ -149,8 +150,8 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
         motion.message = "cancelled while the modes were sought";
         return true;
     };
-    StaticFilm film(c, motion.steady);
-    SmallMotions motions(film.level, film.body);
+    const std::unique_ptr<FilmBalance> film = FilmBalance::at(c, motion.steady);
+    SmallMotions motions(film->level(), film->body());
     const bool all = parts == MotionParts::All;
     std::vector<SmallMotions::Mode> found;
     if (all) found = motions.find(modeTolerance, [&](std::size_t) { return !stopped(); });
@@ -160,13 +161,13 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
         motion.message = "a mode is so strongly damped that it does not oscillate, or could not be followed";
         return motion;
     }
-    const std::vector<Wave> waves = wavesOf(c, film.level.gaps);
+    const std::vector<Wave> waves = wavesOf(c, film->level().gaps);
     for (const Wave& wave : waves) {
         if (stopped()) return motion;
         motion.waves.push_back(answerTo(motions, wave));
     }
 
-    const SliderBody& body = film.body;
+    const SliderBody& body = film->body();
     const InitialCase& start = c.initial;
     Vector3 q, v(start.verticalVelocity, start.pitchVelocity, body.holdsRoll() ? 0.0 : start.rollVelocity);
     if (start.state == InitialState::Static) {

@@ -7,6 +7,7 @@
 
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/contact_rest.h"
+#include "core/simulation/static_state/film_balance.h"
 
 namespace touchdown {
 
@@ -46,9 +47,10 @@ std::vector<Complex> coarserRates(const Case& c, const SteadyResult& fine, doubl
     if (state.status != SteadyStatus::Converged || state.contact.state != fine.contact.state) return {};
     bool goesOn = true;
     const auto ask = [&] { return goesOn = goesOn && goOn(stage); };
-    RestingSlider slider(there, state, ask);
-    if (!slider.valid()) return {};
-    SmallMotions solver(slider.level(), slider.body(), slider.contactStiffness(), slider.filmSlopes());
+    const std::unique_ptr<FilmBalance> slider = FilmBalance::at(there, state, ask);
+    if (!slider) return {};
+    SmallMotions solver(slider->level(), slider->body(), slider->contactStiffness(state.contact.region),
+                        slider->filmSlopes());
     solver.ask(ask);
     std::vector<Complex> rates;
     for (const SmallMotions::Mode& mode : solver.find(

@@ -9,6 +9,7 @@
 #include "core/simulation/small_motions/mode_errors.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/contact_rest.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/work/wall_clock.h"
 
@@ -65,14 +66,15 @@ ModesResult modes(const Case& c, const SteadyCallback& callback)
     result.message = result.steady.message;
     if (result.status != SteadyStatus::Converged) return result;
 
-    RestingSlider slider(c, result.steady,
-                         [&] { return !callback || callback(progressAbout(result.steady, "contact")); });
-    if (!slider.valid()) {
+    const std::unique_ptr<FilmBalance> slider = FilmBalance::at(
+        c, result.steady, [&] { return !callback || callback(progressAbout(result.steady, "contact")); });
+    if (!slider) {
         result.status = SteadyStatus::Cancelled;
         result.message = "cancelled while the modes were sought";
         return result;
     }
-    SmallMotions solver(slider.level(), slider.body(), slider.contactStiffness(), slider.filmSlopes());
+    SmallMotions solver(slider->level(), slider->body(), slider->contactStiffness(result.steady.contact.region),
+                        slider->filmSlopes());
     std::string stage;
     double reported = 0.0;
     const auto report = [&](const std::string& doing) {

@@ -31,16 +31,6 @@ std::vector<double> everySecond(const std::vector<double>& lines)
     return half;
 }
 
-/// With the gaps of the grid where they are known; null where `goOn` ends the making.
-std::unique_ptr<FilmBalance> balanceOn(const Case& c, const CellGrid& grid, const std::shared_ptr<const FilmGaps>& gaps,
-                                       const Attitude& rest, const std::function<bool()>& goOn)
-{
-    if (!gaps) return FilmBalance::make(c, grid, rest, goOn);
-    const Recess recess(c.surface, c.slider.length, c.slider.width);
-    auto balance = std::make_unique<FilmBalance>(c, MinimumSpacing(c.surface, recess), gaps, rest, goOn);
-    return goOn() ? std::move(balance) : nullptr;
-}
-
 std::string stateName(const Case& c, ContactRegion region, const SliderContactForces& forces)
 {
     if (!characteristic(c)) {
@@ -97,7 +87,7 @@ public:
         const std::array<int, 2> cells{case_.film.nodes[0] - 1, case_.film.nodes[1] - 1};
         const bool finest = balanced || (!result_.pressure.empty() && result_.grid.nx() == cells[0]);
         grid_ = finest ? result_.grid : unadaptedGrid(case_, cells);
-        balance_ = balanceOn(case_, grid_, finest ? result_.gaps : nullptr, rest_, goOn_);
+        balance_ = balanceOn(case_, grid_, finest ? result_.gaps : nullptr);
         if (!balance_) return stop();
         FilmLevel& level = balance_->level();
         if (!result_.pressure.empty())
@@ -139,21 +129,25 @@ public:
     {
         rest_ = result_.suspensionRest.value_or(result_.attitude);
         grid_ = result_.grid;
-        balance_ = balanceOn(case_, grid_, result_.gaps, rest_, goOn_);
+        balance_ = balanceOn(case_, grid_, result_.gaps);
         if (!balance_) return stop(), true;
         FilmLevel& level = balance_->level();
         level.gaps.pad.pad<double>(result_.pressure, level.pressure);
         const TouchingPlaces near = touchingPlaces(*balance_, {result_.attitude}, result_.contact.branch, goOn_);
         if (stopped_) return stop(), true;
-        if (near.found.empty()) return false;
-        const std::optional<Found> found = look(near.found.front());
+        const std::optional<Found> found = near.found.empty() ? std::nullopt : look(near.found.front());
         if (!found) return false;
         result_.contactStates.clear();
-        setState(*found, false);
+        take(*found, false);
         return true;
     }
 
 private:
+    std::unique_ptr<FilmBalance> balanceOn(const Case& c, const CellGrid& grid, std::shared_ptr<const FilmGaps> gaps)
+    {
+        return FilmBalance::make(c, grid, std::move(gaps), rest_, goOn_);
+    }
+
     void stop()
     {
         result_.status = SteadyStatus::Cancelled;
@@ -213,24 +207,22 @@ private:
         const bool touches = (!flies_ || preferred) && !states.empty();
         if (touches && flies_)
             result_.contactStates.push_back({result_.attitude, result_.minimumSpacing, result_.contact});
-        if (touches) setState(states.front());
+        if (touches) take(states.front());
         for (std::size_t i = touches ? 1 : 0; i < states.size(); ++i) result_.contactStates.push_back(states[i].state);
         if (!flies_ && states.empty()) {
             result_.contact = notFound();
             result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
-            result_.message += (result_.message.empty() ? "" : "; ") +
-                               (problem_.empty() ? std::string("no state in contact was found from the attitudes that "
-                                                               "were tried")
-                                                 : problem_);
+            result_.note(problem_.empty() ? "no state in contact was found from the attitudes that were tried"
+                                          : problem_);
             if (givenUp_ > 0)
                 result_.message += " (" + counted(static_cast<std::size_t>(givenUp_), "search") + " came to no end)";
         }
     }
 
     /// Makes it the state of the result. `inFull`: with the error of the grid.
-    void setState(const Found& found, bool inFull = true)
+    void take(const Found& found, bool inFull = true)
     {
-        const RestingState& state = found.state;
+        const ContactAtRest& contact = found.state.contact;
         if (!balance_->settle(found.place.q, found.place.branch, goOn_)) return stop(); // it was solved before
         FilmLevel& level = balance_->level();
         SteadyResult& r = result_;
@@ -239,43 +231,25 @@ private:
         const Vector3 ofForces = errorOfForces();
         r.status = SteadyStatus::Converged;
         r.message.clear();
-        r.contact = state.contact;
-        r.attitude = state.attitude;
-        const MinimumSpacing::Place nearest = balance_->nearest(found.place.q);
-        r.minimumSpacing = nearest.spacing;
-        r.minimumAt = nearest.at;
-        r.forces = level.loads.forces(level.pressure);
-        const double arm = balance_->body().shearArm();
-        r.shearPitchTorque = -arm * r.forces.shearX;
-        r.shearRollTorque = -arm * r.forces.shearY;
+        r.contact = contact;
+        setState(r, case_, level, balance_->spacings(), found.state.attitude);
         r.residual = balance_->residual();
         r.loadError = balance_->error(balance_->force(found.place.region));
-        const Recess recess(case_.surface, case_.slider.length, case_.slider.width);
-        r.interestSpacing.clear();
-        for (const SurfacePoint& point : case_.surface.pointsOfInterest)
-            r.interestSpacing.push_back(recess.at(point.x, point.y) + level.gaps.lift(r.attitude, point.x, point.y));
         r.stiffness.reset();
         if (case_.steady.stiffness) r.stiffness = level.flying.stiffness(level.pressure);
         r.contactStiffness = balance_->contactStiffness(found.place.region);
         r.sensitivities.clear();
-        if (case_.steady.sensitivities) r.sensitivities = sensitivitiesInContact(case_, *balance_, state.contact);
+        if (case_.steady.sensitivities) r.sensitivities = sensitivities(case_, *balance_, contact);
         r.otherEquilibria.clear();
         r.discretisationError = inFull ? errorOf(found, ofForces) : DiscretisationError{};
-        KnownFilm fields = level.known(case_);
-        r.grid = std::move(fields.grid);
-        r.pressure = std::move(fields.pressure);
-        r.gap = std::move(fields.gap);
-        r.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
-        r.gaps = level.film.sharedGaps();
-        const auto note = [&r](const std::string& text) { r.message += (r.message.empty() ? "" : "; ") + text; };
         if (!wasFound)
-            note("the film alone has no static state, so that the suspension is taken to exert its load at the initial "
-                 "attitude");
-        if (const std::string held = noteOnHeldRoll(case_, r); !held.empty()) note(held);
-        for (const std::string& remark : balance_->contact().remarks()) note(remark);
-        if (state.contact.diverges) note("the state is unstable: a small motion grows");
+            r.note("the film alone has no static state, so that the suspension is taken to exert its load at the "
+                   "initial attitude");
+        r.note(noteOnHeldRoll(case_, r));
+        for (const std::string& remark : balance_->contact().remarks()) r.note(remark);
+        if (contact.diverges) r.note("the state is unstable: a small motion grows");
         if (case_.diskSurface.kind != DiskSurfaceKind::Flat && case_.diskSurface.motion == SurfaceMotion::Moving)
-            note("the contact is that of the disk's mean plane; a run shows what its moving surface adds");
+            r.note("the contact is that of the disk's mean plane; a run shows what its moving surface adds");
         if (stopped_) stop();
     }
 
@@ -310,11 +284,7 @@ private:
             error.load += cells.load;
         }
         Matrix3 stiffness = balance_->stiffnessWithSprings(found.place.region, goOn_);
-        if (balance_->unknowns() == 2) {
-            stiffness.row(2).setZero();
-            stiffness.col(2).setZero();
-            stiffness(2, 2) = 1.0;
-        }
+        if (balance_->body().holdsRoll()) holdRoll(stiffness);
         const auto moved = [&](const Vector3& direction) {
             const Vector3 byForces = solvePartialPivoting(stiffness.transpose(), direction).cwiseAbs();
             return byForces.head(balance_->unknowns()).dot(ofForces.head(balance_->unknowns()));
@@ -333,7 +303,7 @@ private:
                                        const std::shared_ptr<const FilmGaps>& gaps, double share)
     {
         DiscretisationError error;
-        const std::unique_ptr<FilmBalance> other = balanceOn(c, grid, gaps, rest_, goOn_);
+        const std::unique_ptr<FilmBalance> other = balanceOn(c, grid, gaps);
         if (!other) return error;
         FilmLevel& level = other->level();
         const FilmLevel& fine = balance_->level();
@@ -363,30 +333,6 @@ private:
 
 } // namespace
 
-RestingSlider::RestingSlider(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn)
-{
-    if (!state.contact.acts()) {
-        flying_ = std::make_unique<StaticFilm>(c, state);
-        return;
-    }
-    touching_ = balanceOn(c, state.grid, state.gaps, state.suspensionRest.value_or(state.attitude), goOn);
-    valid_ = touching_ != nullptr;
-    if (!valid_) return;
-    FilmLevel& level = touching_->level();
-    level.gaps.pad.pad<double>(state.pressure, level.pressure);
-    const Vector3 q = touching_->body().coordinates(state.attitude);
-    valid_ = touching_->settle(q, state.contact.branch, goOn).has_value();
-    if (valid_) contact_ = touching_->contactStiffness(state.contact.region);
-}
-
-RestingSlider::~RestingSlider() = default;
-
-FilmLevel& RestingSlider::level() { return flying_ ? flying_->level : touching_->level(); }
-
-const FilmSlopes* RestingSlider::filmSlopes() { return touching_ ? touching_->filmSlopes() : nullptr; }
-
-const SliderBody& RestingSlider::body() const { return flying_ ? flying_->body : touching_->body(); }
-
 bool seesStillDisk(const Case& c)
 {
     return c.diskSurface.kind != DiskSurfaceKind::Flat && c.diskSurface.motion == SurfaceMotion::Still &&
@@ -395,7 +341,7 @@ bool seesStillDisk(const Case& c)
 
 bool actsInFlight(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn)
 {
-    const std::unique_ptr<FilmBalance> balance = balanceOn(c, state.grid, state.gaps, state.attitude, goOn);
+    const std::unique_ptr<FilmBalance> balance = FilmBalance::make(c, state.grid, state.gaps, state.attitude, goOn);
     if (!balance) return false;
     const Vector3 q = balance->body().coordinates(state.attitude);
     const ContactRegion region = balance->begin(ContactBranch::TouchDown, q);

@@ -9,17 +9,11 @@
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <optional>
 
 #include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
-
-class FilmBalance;
-class SliderBody;
-struct FilmLevel;
-struct FilmSlopes;
-struct StaticFilm;
 
 /// As `steady`, with the contact: the state is the flying one where there is one, else that in contact; with
 /// `initial.branch` "take-off" one in contact where there is a stable one. The others are in
@@ -34,29 +28,5 @@ std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from
 bool seesStillDisk(const Case& c);
 /// Whether the case's contact exerts a force on a slider that flies in this state and came from afar.
 bool actsInFlight(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn);
-
-/// Film, slider and contact at a converged static state, for motions about it. Neither copied nor moved.
-class RestingSlider {
-public:
-    /// Over the disk of the contact at rest. Where `goOn` returns false it is invalid.
-    RestingSlider(const Case& c, const SteadyResult& state, const std::function<bool()>& goOn);
-    RestingSlider(const RestingSlider&) = delete;
-    ~RestingSlider();
-
-    bool valid() const { return valid_; }
-    FilmLevel& level();
-    const SliderBody& body() const;
-    FilmBalance* balance() { return touching_.get(); } // null in flight
-    /// About the mass centre; zero in flight.
-    const Matrix3& contactStiffness() const { return contact_; }
-    /// Where an elastic contact deforms the disk; else null.
-    const FilmSlopes* filmSlopes();
-
-private:
-    std::unique_ptr<StaticFilm> flying_;
-    std::unique_ptr<FilmBalance> touching_;
-    Matrix3 contact_ = Matrix3::Zero();
-    bool valid_ = true;
-};
 
 } // namespace touchdown

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/case/contact_kind.h"
 #include "core/case/contact_law.h"
 #include "core/case/disk_setup.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/steady.h"
 
 namespace touchdown {
 
@@ -18,9 +18,10 @@ constexpr double sameForce = 1e-9; // on both sides of a switch, of the preload 
 constexpr double sameSlope = 1e-9; // of the stiffness [-]
 
 /// With the part of the disk's surface that is still, for a contact that sees it, and contact solved in full.
-Case overStillDisk(Case c)
+Case overStillDisk(Case c, FilmBalance::Contact contact)
 {
-    if (c.diskSurface.motion != SurfaceMotion::Still || !contactLaw(c).seesDisk) c.diskSurface = {};
+    const bool sees = contact == FilmBalance::Contact::Acts && contactLaw(c).seesDisk;
+    if (c.diskSurface.motion != SurfaceMotion::Still || !sees) c.diskSurface = {};
     c.run.fieldSnapshots = 0;
     c.elastic.tolerance *= 1e-4; // under a film it is looser: see slider_patch.h
     return c;
@@ -28,29 +29,46 @@ Case overStillDisk(Case c)
 
 } // namespace
 
-std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid, const Attitude& rest,
-                                               const GoOn& goOn)
+std::unique_ptr<FilmBalance> FilmBalance::make(const Case& c, const CellGrid& grid,
+                                               std::shared_ptr<const FilmGaps> gaps, const Attitude& rest,
+                                               const GoOn& goOn, Contact contact)
 {
     const Recess recess(c.surface, c.slider.length, c.slider.width);
-    auto gaps = std::make_shared<const FilmGaps>(recess, grid, goOn);
-    if (!goOn()) return nullptr;
-    auto balance = std::make_unique<FilmBalance>(c, MinimumSpacing(c.surface, recess), std::move(gaps), rest, goOn);
-    return goOn() ? std::move(balance) : nullptr;
+    if (!gaps) gaps = std::make_shared<const FilmGaps>(recess, grid, goOn);
+    if (goOn && !goOn()) return nullptr;
+    auto balance =
+        std::make_unique<FilmBalance>(c, MinimumSpacing(c.surface, recess), std::move(gaps), rest, goOn, contact);
+    return !goOn || goOn() ? std::move(balance) : nullptr;
+}
+
+std::unique_ptr<FilmBalance> FilmBalance::at(const Case& c, const SteadyResult& state, const GoOn& goOn)
+{
+    const Contact contact = state.contact.acts() ? Contact::Acts : Contact::Out;
+    auto balance = make(c, state.grid, state.gaps, state.suspensionRest.value_or(state.attitude), goOn, contact);
+    if (!balance) return nullptr;
+    FilmLevel& level = *balance->level_;
+    level.gaps.pad.pad<double>(state.pressure, level.pressure);
+    const Vector3 q = balance->body_.coordinates(state.attitude);
+    if (contact == Contact::Out)
+        balance->moveTo(q), level.film.setAttitude(state.attitude);
+    else if (!balance->settle(q, state.contact.branch, goOn))
+        return nullptr;
+    return balance;
 }
 
 FilmBalance::FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps,
-                         const Attitude& rest, const GoOn& goOn)
-    : case_(overStillDisk(c)),
+                         const Attitude& rest, const GoOn& goOn, Contact contact)
+    : case_(overStillDisk(c, contact)),
       spacing_(std::move(spacing)),
       body_(case_, rest),
       load_(sliderLoad(case_)),
       level_(std::make_unique<FilmLevel>(case_, std::move(gaps), spacing_)),
       topography_(diskTopography(case_, goOn)),
       disk_(case_, topography_, level_->gaps.grid, level_->gaps.pad),
-      surface_(level_->gaps.pad.size(), 0.0),
-      contact_(makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn)),
-      law_(nullptr)
+      surface_(level_->gaps.pad.size(), 0.0)
 {
+    if (contact == Contact::Out) return;
+    contact_ = makeSliderContact(case_, spacing_, topography_, level_->gaps.grid, level_->gaps.pad, goOn);
     contact_->begin(ContactBranch::TouchDown, rest);
     if (auto* pad = dynamic_cast<PadContact*>(contact_.get())) law_ = pad->characteristic();
 }
@@ -71,7 +89,7 @@ void FilmBalance::startFrom(const FilmBalance& other)
 /// The contact is at the attitude.
 void FilmBalance::setSurface(const Attitude& attitude)
 {
-    if (!law_) {
+    if (contact_ && !law_) {
         disk_.at(0.0, surface_);
         const bool deformed = contact_->deform(surface_);
         level_->film.setSurface(deformed || !disk_.flat() ? std::span<const double>(surface_)
@@ -80,13 +98,18 @@ void FilmBalance::setSurface(const Attitude& attitude)
     level_->film.setAttitude(attitude);
 }
 
-bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
+void FilmBalance::moveTo(const Vector3& q)
 {
     q_ = q;
-    const Attitude attitude = body_.attitude(q);
     slopes_.reset();
     filmStiffness_.reset();
-    if (!law_ && !contact_->at(attitude, 0.0).problem.empty()) return false;
+}
+
+bool FilmBalance::solve(const Vector3& q, const GoOn& goOn)
+{
+    moveTo(q);
+    const Attitude attitude = body_.attitude(q);
+    if (contact_ && !law_ && !contact_->at(attitude, 0.0).problem.empty()) return false;
     setSurface(attitude);
     const FilmOptions options{.tolerance = case_.film.tolerance, .maximumIterations = case_.film.maximumIterations};
     const FilmSolution film = level_->flying.solveFilm(level_->pressure, options, [&](int, double) { return goOn(); });
@@ -108,12 +131,14 @@ void FilmBalance::setRegion(ContactRegion region)
 
 const SliderContactForces& FilmBalance::contactForces(ContactRegion region)
 {
+    static const SliderContactForces none;
     setRegion(region);
-    return contact_->at(body_.attitude(q_), 0.0);
+    return contact_ ? contact_->at(body_.attitude(q_), 0.0) : none;
 }
 
 ContactRegion FilmBalance::begin(ContactBranch branch, const Vector3& q)
 {
+    if (!contact_) return ContactRegion::Apart;
     contact_->begin(branch, body_.attitude(q));
     return law_ ? law_->region() : ContactRegion::Pressed;
 }
@@ -129,8 +154,9 @@ Vector3 FilmBalance::force(ContactRegion region)
 
 Matrix3 FilmBalance::contactStiffness(ContactRegion region)
 {
+    if (!contact_) return Matrix3::Zero();
     contactForces(region);
-    if (case_.contact != ContactKind::Elastic) return contact_->stiffness();
+    if (!contact_->deforms()) return contact_->stiffness();
     followElastic();
     return elasticStiffness_;
 }
@@ -181,7 +207,7 @@ void FilmBalance::followElastic()
 
 const FilmSlopes* FilmBalance::filmSlopes()
 {
-    if (case_.contact != ContactKind::Elastic) return nullptr;
+    if (!contact_ || !contact_->deforms()) return nullptr;
     followElastic();
     return &*slopes_;
 }
@@ -215,30 +241,32 @@ Matrix3 FilmBalance::stiffnessWithSprings(ContactRegion region, const GoOn& goOn
 
 void FilmBalance::place(const Vector3& q, ContactBranch branch, ContactRegion region)
 {
-    q_ = q;
-    slopes_.reset();
-    filmStiffness_.reset();
+    moveTo(q);
     begin(branch, q);
     contactForces(region);
     setSurface(body_.attitude(q));
 }
 
-Matrix3 FilmBalance::stiffnessBesideFilm(ContactRegion region)
+FlyingAttitude::Adjoint FilmBalance::adjoint(ContactRegion region)
 {
-    Matrix3 sum = contactStiffness(region);
-    sum.diagonal() += body_.springs();
-    // At a fixed height of the trailing edge the mass centre rises by half the length times the pitch.
-    sum.col(1) += 0.5 * case_.slider.length * sum.col(0);
-    sum(1, 1) -= load_.pitchStiffness;
-    sum(2, 2) -= load_.rollStiffness;
-    if (body_.holdsRoll()) sum.row(2).setZero();
-    return sum;
+    // Of contact and springs about q, by the attitude, beside what the film's balance knows; rows by force.
+    Matrix3 beside = Matrix3::Zero();
+    if (region != ContactRegion::Apart) {
+        beside = contactStiffness(region);
+        beside.diagonal() += body_.springs();
+        // At a fixed height of the trailing edge the mass centre rises by half the length times the pitch.
+        beside.col(1) += 0.5 * case_.slider.length * beside.col(0);
+        beside(1, 1) -= load_.pitchStiffness;
+        beside(2, 2) -= load_.rollStiffness;
+        if (body_.holdsRoll()) beside.row(2).setZero();
+    }
+    level_->flying.setSlopes(filmSlopes());
+    FlyingAttitude::Adjoint adjoint = level_->flying.adjoint(level_->pressure, beside);
+    level_->flying.setSlopes(nullptr);
+    return adjoint;
 }
 
-double FilmBalance::error(const Vector3& g) const
-{
-    return (std::abs(g[0]) + (std::abs(g[1]) + std::abs(g[2])) / case_.slider.length) / level_->flying.loadScale();
-}
+double FilmBalance::error(const Vector3& g) const { return level_->flying.loadError(g); }
 
 Vector3 FilmBalance::newtonStep(const Matrix3& stiffness, const Vector3& g) const
 {
@@ -246,9 +274,7 @@ Vector3 FilmBalance::newtonStep(const Matrix3& stiffness, const Vector3& g) cons
     Matrix3 scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
     Vector3 b = scale.asDiagonal() * g;
     if (body_.holdsRoll()) {
-        scaled.row(2).setZero();
-        scaled.col(2).setZero();
-        scaled(2, 2) = 1.0;
+        holdRoll(scaled);
         b[2] = 0.0;
     }
     return scale.asDiagonal() * solveFullPivoting(scaled, b);

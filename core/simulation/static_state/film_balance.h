@@ -5,13 +5,15 @@
 //   G(q) = film(q) + contact(q) + load - K (q - q_0),   q = (height of the mass centre, pitch, roll)
 //
 // K of the suspension, q_0 where it exerts its load: the static state of the film alone. Without contact that state
-// itself is sought, and G has no springs. The film's force includes the torques of its shear.
+// itself is sought, and G has no springs. The film's force includes the torques of its shear. A balance made without
+// the contact is that of the film alone.
 //
 // The disk is flat, or what stands still under a contact that sees its surface; a surface that moves counts as its mean
 // plane. Regions are those of Ono and Yamane's characteristic; under other laws they are Apart, or anything else in
 // contact, whose branch begin() chooses.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -21,25 +23,31 @@
 #include "core/physics/film/film_slopes.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/pad_contact.h"
+#include "core/simulation/static_state/flying_attitude.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
 
 struct FilmGaps;
 struct FilmLevel;
+struct SteadyResult;
 
 /// Neither copied nor moved: its parts point at each other.
 class FilmBalance {
 public:
     using GoOn = std::function<bool()>;
 
-    /// `c` is valid, with a film and a contact; spacing and gaps are of its slider, `rest` is q_0. Invalid where `goOn`
-    /// ends the making.
+    enum class Contact : std::uint8_t { Acts, Out };
+    /// `c` is valid, with a film; spacing and gaps are of its slider, `rest` is q_0. Invalid where `goOn` ends the
+    /// making.
     FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest,
-                const GoOn& goOn = {});
-    /// On a grid. Null where `goOn` ends the making.
-    static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, const Attitude& rest,
-                                             const GoOn& goOn);
+                const GoOn& goOn = {}, Contact contact = Contact::Acts);
+    /// On a grid, with its gaps where they are known. Null where `goOn` ends the making.
+    static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, std::shared_ptr<const FilmGaps> gaps,
+                                             const Attitude& rest, const GoOn& goOn, Contact contact = Contact::Acts);
+    /// At a static state of `c`, with the contact where that acts; what else the state is with its slider in flight
+    /// counts for nothing. Null where `goOn` ends the making.
+    static std::unique_ptr<FilmBalance> at(const Case& c, const SteadyResult& state, const GoOn& goOn = {});
     FilmBalance(const FilmBalance&) = delete;
     ~FilmBalance();
 
@@ -54,15 +62,13 @@ public:
     double residual() const { return residual_; } // of the film last solved [-]
     /// Places slider and contact at q, with the film as it is.
     void place(const Vector3& q, ContactBranch branch, ContactRegion region);
-    /// Of contact and springs about q, by the attitude, beside what `FlyingAttitude` knows; rows by force.
-    Matrix3 stiffnessBesideFilm(ContactRegion region);
-
     /// All of the following but spacing() are at the last q.
     Vector3 force(ContactRegion region);                       // G
     Matrix3 stiffness(ContactRegion region, const GoOn& goOn); // -dG/dq
     /// The stiffness of small motions about q: with the suspension's springs, also apart.
     Matrix3 stiffnessWithSprings(ContactRegion region, const GoOn& goOn);
     Matrix3 contactStiffness(ContactRegion region);
+    FlyingAttitude::Adjoint adjoint(ContactRegion region);
     const SliderContactForces& contactForces(ContactRegion region);
     double netContactForce(ContactRegion region) { return contactForces(region).load()[0]; } // [N]
     /// |G| as a share of the preload [-].
@@ -83,9 +89,10 @@ public:
     ContactRegion begin(ContactBranch branch, const Vector3& q);
     /// The greatest spacing at which the contact exerts a force on any branch [m].
     double reach() const { return contact_->reach(); }
-    bool outOfReach(const Vector3& q) const { return contact_->outOfReach(body_.attitude(q)); }
+    bool outOfReach(const Vector3& q) const { return !contact_ || contact_->outOfReach(body_.attitude(q)); }
+    /// It must act.
     SliderContact& contact() { return *contact_; }
-    /// Of the film at the last q, where an elastic contact deforms the disk; else null.
+    /// Of the film at the last q, where the contact deforms the disk; else null.
     const FilmSlopes* filmSlopes();
     struct Beyond {
         ContactRegion region;
@@ -105,8 +112,9 @@ private:
     Vector3 contactForce(ContactRegion region) { return contactForces(region).load(); }
     const Matrix3& filmStiffness(const GoOn& goOn);
     void setSurface(const Attitude& attitude);
-    /// Sets slopes_ and elasticStiffness_ at the last q.
+    /// Sets slopes_ and elasticStiffness_ at q_.
     void followElastic();
+    void moveTo(const Vector3& q);
 
     Case case_;
     MinimumSpacing spacing_;
@@ -115,10 +123,10 @@ private:
     std::unique_ptr<FilmLevel> level_;
     DiskTopography topography_;
     DiskUnderFilm disk_;
-    std::vector<double> surface_; // under the film, less the deformation by contact; padded [m]
-    std::unique_ptr<SliderContact> contact_;
-    CharacteristicLaw* law_;           // of contact_; null: another one
-    std::optional<FilmSlopes> slopes_; // of an elastic contact, at the last q, as its stiffness
+    std::vector<double> surface_;            // under the film, less the deformation by contact; padded [m]
+    std::unique_ptr<SliderContact> contact_; // null: it does not act
+    CharacteristicLaw* law_ = nullptr;       // of contact_; null: another one
+    std::optional<FilmSlopes> slopes_;       // of an elastic contact, at the last q, as its stiffness
     Matrix3 elasticStiffness_ = Matrix3::Zero();
     Vector3 q_ = Vector3::Zero();
     double residual_ = 0.0;

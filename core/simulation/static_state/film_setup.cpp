@@ -80,14 +80,27 @@ void FilmLevel::take(const KnownFilm& known)
     gaps.pad.pad<double>(transfer(known.grid, known.pressure, film.ambient(), gaps.grid), pressure);
 }
 
-StaticFilm::StaticFilm(const Case& c, const SteadyResult& state)
-    : recess(c.surface, c.slider.length, c.slider.width),
-      spacing(c.surface, recess),
-      level(c, state.gaps ? state.gaps : std::make_shared<const FilmGaps>(recess, state.grid), spacing),
-      body(c, state.attitude)
+void setState(SteadyResult& state, const Case& c, FilmLevel& level, const MinimumSpacing& spacing,
+              const Attitude& attitude)
 {
-    level.gaps.pad.pad<double>(state.pressure, level.pressure);
-    level.film.setAttitude(state.attitude);
+    state.attitude = attitude;
+    const MinimumSpacing::Place nearest = spacing.at(attitude);
+    state.minimumSpacing = nearest.spacing;
+    state.minimumAt = nearest.at;
+    state.forces = level.loads.forces(level.pressure);
+    const double arm = sliderLoad(c).shearArm;
+    state.shearPitchTorque = -arm * state.forces.shearX;
+    state.shearRollTorque = -arm * state.forces.shearY;
+    state.interestSpacing.clear();
+    for (const SurfacePoint& point : c.surface.pointsOfInterest)
+        state.interestSpacing.push_back(spacing.recess().at(point.x, point.y) +
+                                        level.gaps.lift(attitude, point.x, point.y));
+    KnownFilm fields = level.known(c);
+    state.grid = std::move(fields.grid);
+    state.pressure = std::move(fields.pressure);
+    state.gap = std::move(fields.gap);
+    state.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
+    state.gaps = level.film.sharedGaps();
 }
 
 } // namespace touchdown

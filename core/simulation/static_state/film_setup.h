@@ -55,15 +55,8 @@ struct FilmLevel {
     void take(const KnownFilm& known);
 };
 
-/// The film of a static state of `c` on the state's grid, with the slider's body. Neither copied nor moved, as its
-/// level.
-struct StaticFilm {
-    StaticFilm(const Case& c, const SteadyResult& state);
-
-    Recess recess;
-    MinimumSpacing spacing;
-    FilmLevel level;
-    SliderBody body;
-};
+/// What a static state says of its attitude and of the level's film there: spacing, forces, fields.
+void setState(SteadyResult& state, const Case& c, FilmLevel& level, const MinimumSpacing& spacing,
+              const Attitude& attitude);
 
 } // namespace touchdown

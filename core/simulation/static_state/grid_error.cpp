@@ -61,10 +61,7 @@ DiscretisationError gridError(const Case& c, const FilmLevel& level, const std::
     Vector3 edges = shareOfEdges(level.gaps) * edgeForces(level);
     Matrix3 resisting = stiffness.value_or(Matrix3::Identity());
     if (c.degreesOfFreedom == 2) {
-        // The roll is held.
-        resisting.row(2).setZero();
-        resisting.col(2).setZero();
-        resisting(2, 2) = 1.0;
+        holdRoll(resisting);
         edges[2] = 0.0;
     }
     double ridgeForce = 0.0; // [N]

@@ -85,56 +85,33 @@ void addContactParameters(const Case& c, std::vector<Varied>& list)
 
 } // namespace
 
-AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
-    : case_(c),
-      level_(level),
-      spacing_(spacing),
-      attitude_(level.film.attitude()),
-      adjoint_(level.flying.adjoint(level.pressure)),
-      nearest_(spacing.at(attitude_).at)
-{}
-
 AttitudeSensitivity::AttitudeSensitivity(const Case& c, FilmBalance& balance, const ContactAtRest& contact)
     : case_(c),
-      level_(balance.level()),
-      spacing_(balance.spacings()),
-      attitude_(level_.film.attitude()),
-      adjoint_((level_.flying.setSlopes(balance.filmSlopes()),
-                level_.flying.adjoint(level_.pressure, balance.stiffnessBesideFilm(contact.region)))),
-      nearest_(spacing_.at(attitude_).at),
-      touching_(&balance),
-      contact_(contact)
-{
-    level_.flying.setSlopes(nullptr);
-}
+      balance_(balance),
+      contact_(contact),
+      adjoint_(balance.adjoint(contact.region)),
+      nearest_(balance.nearest(balance.place()).at)
+{}
 
 /// R and G of a changed case at the state: at the same attitude and pressure.
-Vector3 AttitudeSensitivity::misses(const Case& moved, std::shared_ptr<const FilmGaps> gaps, const Recess& recess,
+Vector3 AttitudeSensitivity::misses(const Case& moved, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps,
                                     std::vector<double>& residual) const
 {
-    const PaddedGrid& pad = gaps->pad;
-    const std::vector<double> plain = level_.gaps.pad.unpad<double>(level_.pressure);
-    if (touching_) {
-        FilmBalance there(moved, MinimumSpacing(moved.surface, recess), std::move(gaps),
-                          touching_->body().attitude(touching_->body().rest()));
-        there.place(touching_->place(), contact_.branch, contact_.region);
-        pad.pad<double>(plain, there.level().pressure); // the outline's may have changed
-        there.level().film.residual(there.level().pressure, residual);
-        return there.force(contact_.region);
-    }
-    GasFilm film(std::move(gaps), filmSetting(moved));
-    film.setAttitude(attitude_);
-    std::vector<double> pressure(pad.size(), film.ambient()); // the outline's may have changed
-    pad.pad<double>(plain, pressure);
-    film.residual(pressure, residual);
-    FilmLoads loads(film);
-    return FlyingAttitude(film, loads, sliderLoad(moved), spacing_).imbalance(pressure);
+    FilmBalance there(moved, std::move(spacing), std::move(gaps), balance_.body().attitude(balance_.body().rest()), {},
+                      contact_.acts() ? FilmBalance::Contact::Acts : FilmBalance::Contact::Out);
+    there.place(balance_.place(), contact_.branch, contact_.region);
+    const std::vector<double> plain = balance_.level().gaps.pad.unpad<double>(balance_.level().pressure);
+    std::vector<double>& pressure = there.level().pressure; // the outline's may have changed
+    there.level().gaps.pad.pad<double>(plain, pressure);
+    there.level().film.residual(pressure, residual);
+    return there.force(contact_.region);
 }
 
 Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& change, double step, bool ofSurface) const
 {
-    const PaddedGrid& pad = level_.gaps.pad;
-    std::vector<double> residual(pad.size());
+    const FilmGaps& gaps = balance_.level().gaps;
+    const Attitude attitude = balance_.level().film.attitude();
+    std::vector<double> residual(gaps.pad.size());
     Vector3 attitudeChange = Vector3::Zero();
     double direct = 0.0;
     for (const double sign : {1.0, -1.0}) {
@@ -142,31 +119,32 @@ Sensitivity AttitudeSensitivity::to(const std::function<void(Case&, double)>& ch
         change(moved, sign * step);
         const double weight = sign / (2.0 * step);
         const Recess recess(moved.surface, case_.slider.length, case_.slider.width);
+        MinimumSpacing spacing = ofSurface ? MinimumSpacing(moved.surface, recess) : balance_.spacings();
+        if (ofSurface) direct += weight * spacing.at(attitude).spacing;
         // Lines of the grid move with the edges that lie on them: off its line an edge has another error.
-        const CellGrid& grid = level_.gaps.grid;
-        const Vector3 balance = misses(
-            moved,
-            ofSurface
-                ? std::make_shared<const FilmGaps>(recess, movedGrid(grid, case_.surface, moved.surface).value_or(grid))
-                : level_.film.sharedGaps(),
-            recess, residual);
+        const Vector3 balance =
+            misses(moved, std::move(spacing),
+                   ofSurface ? std::make_shared<const FilmGaps>(
+                                   recess, movedGrid(gaps.grid, case_.surface, moved.surface).value_or(gaps.grid))
+                             : balance_.level().film.sharedGaps(),
+                   residual);
         for (std::size_t k = 0; k < 3; ++k) {
             double sum = 0.0;
             for (std::size_t at = 0; at < residual.size(); ++at) sum += adjoint_.film[k][at] * residual[at];
             for (std::size_t m = 0; m < 3; ++m) sum += adjoint_.balance(k, m) * balance[m];
             attitudeChange[k] -= weight * sum;
         }
-        if (ofSurface) direct += weight * MinimumSpacing(moved.surface, recess).at(attitude_).spacing;
     }
     const double atNearest = attitudeChange[0] + attitudeChange[1] * (case_.slider.length - nearest_.x) -
                              attitudeChange[2] * (nearest_.y - 0.5 * case_.slider.width);
     return {"", "m", attitudeChange[0], attitudeChange[1], attitudeChange[2], atNearest + direct};
 }
 
-namespace {
-
-std::vector<Sensitivity> toEach(const std::vector<Varied>& list, const AttitudeSensitivity& attitude)
+std::vector<Sensitivity> sensitivities(const Case& c, FilmBalance& balance, const ContactAtRest& contact)
 {
+    std::vector<Varied> list = variedParameters(c);
+    if (contact.acts()) addContactParameters(c, list);
+    const AttitudeSensitivity attitude(c, balance, contact);
     std::vector<Sensitivity> result;
     for (const Varied& varied : list) {
         const Parameter& parameter = varied.parameter;
@@ -178,20 +156,6 @@ std::vector<Sensitivity> toEach(const std::vector<Varied>& list, const AttitudeS
         result.push_back(std::move(found));
     }
     return result;
-}
-
-} // namespace
-
-std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing)
-{
-    return toEach(variedParameters(c), AttitudeSensitivity(c, level, spacing));
-}
-
-std::vector<Sensitivity> sensitivitiesInContact(const Case& c, FilmBalance& balance, const ContactAtRest& contact)
-{
-    std::vector<Varied> list = variedParameters(c);
-    addContactParameters(c, list);
-    return toEach(list, AttitudeSensitivity(c, balance, contact));
 }
 
 namespace {
@@ -260,9 +224,8 @@ std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& sta
                                           const InfluenceCallback& callback)
 {
     constexpr double recessStep = 1e-12, smallShift = 0.5e-6; // [m]
-    std::unique_ptr<StaticFilm> film;
-    std::unique_ptr<RestingSlider> touching;
-    std::unique_ptr<AttitudeSensitivity> attitude;
+    std::unique_ptr<FilmBalance> balance;
+    std::optional<AttitudeSensitivity> attitude;
     std::vector<PartInfluence> result;
     const auto goOn = [&callback] { return !callback || callback(nullptr); };
     const auto add = [&](const SurfacePart& part, const Sensitivity& per) {
@@ -278,13 +241,10 @@ std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& sta
             continue;
         }
         if (!edge && part.kind != PartKind::Rail) continue;
-        if (!attitude && state.contact.acts()) {
-            touching = std::make_unique<RestingSlider>(c, state, goOn);
-            if (!touching->valid()) break;
-            attitude = std::make_unique<AttitudeSensitivity>(c, *touching->balance(), state.contact);
-        } else if (!attitude) {
-            film = std::make_unique<StaticFilm>(c, state);
-            attitude = std::make_unique<AttitudeSensitivity>(c, film->level, film->spacing);
+        if (!balance) {
+            balance = FilmBalance::at(c, state, goOn);
+            if (!balance) break;
+            attitude.emplace(c, *balance, state.contact);
         }
         const auto deeper = [&](Case& moved, double by) {
             for (double& recess : moved.surface.rails[part.item].recess) recess += by;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sensitivities of a flying attitude to every continuous parameter, from its adjoint: three adjoint films serve all
-// parameters, each of which costs two evaluations of the film's residual on the same grid.
+// Sensitivities of a static attitude to every continuous parameter, from its adjoint: three adjoint films serve all
+// parameters, each of which costs two evaluations of film and contact on the same grid.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,13 @@
 namespace touchdown {
 
 class FilmBalance;
-class MinimumSpacing;
 class Recess;
 struct FilmGaps;
-struct FilmLevel;
 
-/// Of a level that is solved for its flying attitude; the case, the level and the spacing must last.
+/// Of a static state with its contact; case and balance must last, the balance solved there. In contact the place where
+/// the suspension exerts its load is kept: its change counts as little as the springs do beside film and contact.
 class AttitudeSensitivity {
 public:
-    AttitudeSensitivity(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
-    /// Of a slider in contact, solved at its balance's place; the balance must last. The place where the suspension
-    /// exerts its load is kept: its change counts as little as the springs do beside film and contact.
     AttitudeSensitivity(const Case& c, FilmBalance& balance, const ContactAtRest& contact);
 
     /// To a change of the case by an amount, from central differences of plus and minus `step`; without a name, per
@@ -33,22 +29,18 @@ public:
     Sensitivity to(const std::function<void(Case&, double)>& change, double step, bool ofSurface) const;
 
 private:
-    Vector3 misses(const Case& moved, std::shared_ptr<const FilmGaps> gaps, const Recess& recess,
+    Vector3 misses(const Case& moved, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps,
                    std::vector<double>& residual) const;
 
     const Case& case_;
-    FilmLevel& level_;
-    const MinimumSpacing& spacing_;
-    Attitude attitude_;
+    FilmBalance& balance_;
+    ContactAtRest contact_;
     FlyingAttitude::Adjoint adjoint_;
     SurfacePoint nearest_;
-    FilmBalance* touching_ = nullptr;
-    ContactAtRest contact_;
 };
 
-std::vector<Sensitivity> sensitivities(const Case& c, FilmLevel& level, const MinimumSpacing& spacing);
 /// In contact, to the main parameters of the contact, too; of many asperities with the menisci that have formed.
-std::vector<Sensitivity> sensitivitiesInContact(const Case& c, FilmBalance& balance, const ContactAtRest& contact);
+std::vector<Sensitivity> sensitivities(const Case& c, FilmBalance& balance, const ContactAtRest& contact);
 
 /// What a part of the shape does to the state.
 struct PartInfluence {

@@ -30,6 +30,13 @@ SliderLoad sliderLoad(const Case& c)
     return load;
 }
 
+void holdRoll(Matrix3& stiffness)
+{
+    stiffness.row(2).setZero();
+    stiffness.col(2).setZero();
+    stiffness(2, 2) = 1.0;
+}
+
 SliderBody::SliderBody(const Case& c, const Attitude& rest) : length_(c.slider.length), width_(c.slider.width)
 {
     const SliderCase& s = c.slider;

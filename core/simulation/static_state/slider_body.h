@@ -29,6 +29,9 @@ struct SliderLoad {
 };
 SliderLoad sliderLoad(const Case& c);
 
+/// A stiffness against which the roll does not change; any value on its diagonal holds it exactly.
+void holdRoll(Matrix3& stiffness);
+
 struct SliderMotion {
     Vector3 q = Vector3::Zero(), v = Vector3::Zero(), a = Vector3::Zero(); // position, velocity, acceleration
 };

@@ -10,6 +10,7 @@
 
 #include "core/case/ridge_check.h"
 #include "core/physics/film/film_line_multigrid.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/grid_error.h"
 #include "core/simulation/static_state/high_disk.h"
@@ -135,11 +136,6 @@ private:
         return touchdown::ridgeErrors(case_, *level_, unresolvedRidges(case_.surface, recess_, level_->gaps.grid));
     }
 
-    void addNote(const std::string& note)
-    {
-        if (!note.empty()) result_.message += (result_.message.empty() ? "" : "; ") + note;
-    }
-
     AttitudeMonitor monitor()
     {
         return [this](int iteration, double residual, double loadError, const Attitude& attitude) {
@@ -236,7 +232,7 @@ private:
                       "film residual %.1e and load error %.1e remain after %d iterations on the finest grid",
                       result_.residual, result_.loadError, result_.iterations);
         result_.message = text;
-        addNote(noteOnClosedGap(case_, spacing_));
+        result_.note(noteOnClosedGap(case_, spacing_));
         if (!case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0)
             result_.message += "; the rails went below the mean plane of the disk: it seems that the film alone does "
                                "not carry the load";
@@ -255,20 +251,10 @@ private:
                 "film.accuracy = %.2g %% is not reached: on the finest grid that has a solution the error is about "
                 "%.2g %%",
                 100.0 * case_.film.accuracy, 100.0 * accuracy_);
-            addNote(text);
+            result_.note(text);
         }
-        result_.attitude = attitude_;
-        const MinimumSpacing::Place nearest = spacing_.at(attitude_);
-        result_.minimumSpacing = nearest.spacing;
-        result_.minimumAt = nearest.at;
-        result_.forces = level.loads.forces(level.pressure);
-        const double arm = sliderLoad(case_).shearArm;
-        result_.shearPitchTorque = -arm * result_.forces.shearX;
-        result_.shearRollTorque = -arm * result_.forces.shearY;
-        if (converged) addNote(noteOnHeldRoll(case_, result_));
-        for (const SurfacePoint& point : case_.surface.pointsOfInterest)
-            result_.interestSpacing.push_back(recess_.at(point.x, point.y) +
-                                              level.gaps.lift(attitude_, point.x, point.y));
+        setState(result_, case_, level, spacing_, attitude_);
+        if (converged) result_.note(noteOnHeldRoll(case_, result_));
         std::optional<Matrix3> stiffness; // the error follows from it, too
         if (converged && (case_.steady.stiffness || (!coarse_.empty() && !case_.steady.fixedAttitude)))
             stiffness = case_.steady.stiffness ? level.flying.stiffness(level.pressure)
@@ -278,19 +264,13 @@ private:
         if (converged) {
             ridges = ridgeErrors();
             result_.unresolvedRidges = ridges.size();
-            addNote(ridgeWords(ridges.size()));
+            result_.note(ridgeWords(ridges.size()));
         }
         if (!coarse_.empty())
             result_.discretisationError = gridError(case_, level, stiffness, summary(), coarse_, ridges);
         if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
-            result_.sensitivities = sensitivities(case_, level, spacing_);
+            result_.sensitivities = sensitivities(case_, *FilmBalance::at(case_, result_), result_.contact);
         if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
-        KnownFilm fields = level.known(case_);
-        result_.grid = std::move(fields.grid);
-        result_.pressure = std::move(fields.pressure);
-        result_.gap = std::move(fields.gap);
-        result_.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
-        result_.gaps = level.film.sharedGaps();
         if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
             result_.status = SteadyStatus::Failed;
             char text[260];
@@ -362,6 +342,11 @@ std::atomic<long long> solutionsAskedFor = 0; // on any thread
 
 long long staticSolutions() { return solutionsAskedFor; }
 
+void SteadyResult::note(const std::string& sentence)
+{
+    if (!sentence.empty()) message += (message.empty() ? "" : "; ") + sentence;
+}
+
 std::string_view name(SteadyStatus status)
 {
     switch (status) {
@@ -387,8 +372,7 @@ SteadyResult steady(const Case& c, const SteadyCallback& callback)
     SteadyResult result = SteadySolver(held, callback).solve();
     // Not of the states that runs and searches ask for.
     if (result.status == SteadyStatus::Converged && c.steady.stiffness)
-        if (const std::string note = noteOnHighDisk(c, result.minimumSpacing); !note.empty())
-            result.message += (result.message.empty() ? "" : "; ") + note;
+        result.note(noteOnHighDisk(c, result.minimumSpacing));
     result.wallSeconds = wallClock() - start;
     return result;
 }

@@ -107,6 +107,8 @@ struct SteadyResult {
     /// fields.
     std::shared_ptr<const FilmGaps> gaps;
 
+    /// Adds a sentence to the message; none where it is empty.
+    void note(const std::string& sentence);
     /// Keeps the numbers, and the grid: many states need much memory.
     void dropFields();
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/simulation/static_state/contact_rest.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/static_check.h"
 #include "core/work/wall_clock.h"
@@ -20,9 +21,9 @@ constexpr double leastStretch = 0.5; // of the cells between two lines [-]
 /// Nothing where no state is found nearby.
 std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, const SteadyCallback& callback)
 {
-    StaticFilm film(c, from);
-    if (!whyNoStaticState(c, film.spacing).empty()) return {};
-    FilmLevel& level = film.level;
+    const std::unique_ptr<FilmBalance> film = FilmBalance::at(c, from);
+    if (!whyNoStaticState(c, film->spacings()).empty()) return {};
+    FilmLevel& level = film->level();
     SteadyResult result;
     result.attitude = from.attitude;
     const auto monitor = [&](int iteration, double residual, double loadError, const Attitude& attitude) {
@@ -43,25 +44,10 @@ std::optional<SteadyResult> followed(const Case& c, const SteadyResult& from, co
         result.status = SteadyStatus::Cancelled;
         return result;
     }
-    const MinimumSpacing::Place nearest = film.spacing.at(result.attitude);
-    if (!solution.converged || !(nearest.spacing > 0.0)) return {};
+    if (!solution.converged || !(film->spacings().at(result.attitude).spacing > 0.0)) return {};
     level.film.setAttitude(result.attitude);
     result.status = SteadyStatus::Converged;
-    result.minimumSpacing = nearest.spacing;
-    result.minimumAt = nearest.at;
-    result.forces = level.loads.forces(level.pressure);
-    const double arm = sliderLoad(c).shearArm;
-    result.shearPitchTorque = -arm * result.forces.shearX;
-    result.shearRollTorque = -arm * result.forces.shearY;
-    for (const SurfacePoint& point : c.surface.pointsOfInterest)
-        result.interestSpacing.push_back(film.recess.at(point.x, point.y) +
-                                         level.gaps.lift(result.attitude, point.x, point.y));
-    KnownFilm fields = level.known(c);
-    result.grid = std::move(fields.grid);
-    result.pressure = std::move(fields.pressure);
-    result.gap = std::move(fields.gap);
-    result.recess = level.gaps.pad.unpad<double>(level.gaps.meanRecess);
-    result.gaps = level.film.sharedGaps();
+    setState(result, c, level, film->spacings(), result.attitude);
     return result;
 }
 

@@ -13,6 +13,7 @@
 #include "core/case/parameters.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/simulation/small_motions/small_motions.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 
@@ -118,8 +119,8 @@ SpringFit fitSprings(const Case& c, const std::function<bool()>& goOn)
     const SteadyResult rest = steady(flat, [&](const SteadyProgress&) { return ask(); });
     if (rest.status != SteadyStatus::Converged)
         return failed("there is no static state to fit springs about: " + rest.message);
-    StaticFilm film(flat, rest);
-    SmallMotions motions(film.level, film.body);
+    const std::unique_ptr<FilmBalance> film = FilmBalance::at(flat, rest);
+    SmallMotions motions(film->level(), film->body());
     const std::vector<SmallMotions::Mode> modes = motions.find(1e-9, [&](std::size_t) { return ask(); });
     if (!ask()) return failed("stopped");
     if (modes.size() != 2) return failed("the film does not have two modes of height and pitch that oscillate");

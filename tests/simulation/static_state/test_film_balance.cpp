@@ -42,7 +42,7 @@ private slots:
     {
         const Case c = withMenisci();
         const SteadyResult rest = staticStateOf(c, always);
-        const auto balance = FilmBalance::make(c, rest.grid, rest.attitude, always);
+        const auto balance = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, always);
         balance->level().gaps.pad.pad<double>(rest.pressure, balance->level().pressure);
         QVERIFY(balance->solve(balance->body().coordinates(rest.attitude), always));
         QVERIFY(balance->error(balance->force(ContactRegion::Apart)) < 2.0 * c.steady.loadTolerance);
@@ -65,7 +65,7 @@ private slots:
         const auto law = static_cast<ContactRegion>(region);
         const Case c = withMenisci();
         const SteadyResult rest = staticStateOf(c, always);
-        const auto balance = FilmBalance::make(c, rest.grid, rest.attitude, always);
+        const auto balance = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, always);
         balance->level().gaps.pad.pad<double>(rest.pressure, balance->level().pressure);
         const Vector3 q = balance->body().coordinates(rest.attitude);
         QVERIFY(balance->solve(q, always));
@@ -101,7 +101,7 @@ private slots:
         c.suspension.staticPitch = free.attitude.pitch;
         c.suspension.staticRoll = free.attitude.roll;
         const SteadyResult rest = staticStateOf(c, always);
-        const auto balance = FilmBalance::make(c, rest.grid, rest.attitude, always);
+        const auto balance = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, always);
         balance->level().gaps.pad.pad<double>(rest.pressure, balance->level().pressure);
         QVERIFY(balance->solve(balance->body().coordinates(rest.attitude), always));
         const Matrix3 more = balance->stiffnessWithSprings(ContactRegion::Apart, always) -
@@ -116,7 +116,7 @@ private slots:
     {
         Case c = withMenisci();
         const SteadyResult rest = staticStateOf(c, always);
-        const auto balance = FilmBalance::make(c, rest.grid, rest.attitude, always);
+        const auto balance = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, always);
         Vector3 q = balance->body().coordinates(rest.attitude);
         q[0] += 5e-9 - rest.minimumSpacing; // at d_s
         QVERIFY(balance->solve(q, always));

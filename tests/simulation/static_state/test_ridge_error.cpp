@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/physics/slider/recess.h"
+#include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/random_slider.h"
@@ -40,11 +41,12 @@ private slots:
         c.film.grid = GridKind::Uniform;
         const SteadyResult state = steady(c);
         QCOMPARE(state.status, SteadyStatus::Converged);
-        StaticFilm film(c, state);
-        const std::vector<RailEdge> edges = unresolvedRidges(c.surface, film.recess, film.level.gaps.grid);
+        const std::unique_ptr<FilmBalance> film = FilmBalance::at(c, state);
+        const std::vector<RailEdge> edges =
+            unresolvedRidges(c.surface, film->spacings().recess(), film->level().gaps.grid);
         QCOMPARE(edges.size(), std::size_t{2});
         QCOMPARE(state.unresolvedRidges, std::size_t{2});
-        const std::vector<Vector3> errors = ridgeErrors(c, film.level, edges);
+        const std::vector<Vector3> errors = ridgeErrors(c, film->level(), edges);
         for (std::size_t e = 0; e < edges.size(); ++e) {
             Case wider = c;
             wider.surface = withWiderWalls(c.surface, std::span(edges).subspan(e, 1), 1.15);
