@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/equilibria/film_equilibria.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,9 +9,11 @@
 
 #include "core/case/contact_kind.h"
 #include "core/simulation/contact/pad_contact.h"
+#include "core/simulation/run.h"
 #include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/slider_body.h"
 #include "core/simulation/static_state/steady.h"
+#include "tests/support/sample_case.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 
@@ -46,6 +49,19 @@ const Equilibrium* touchingOne(const FilmEquilibria& all)
 
 class TestFilmEquilibria : public QObject {
     Q_OBJECT
+
+    static void sameStates(const Case& c)
+    {
+        const FilmEquilibria all = filmEquilibria(c, {}, [] { return true; });
+        const SteadyResult state = steadyWithContact(c);
+        std::vector<double> spacings;
+        if (state.status == SteadyStatus::Converged) spacings.push_back(state.minimumSpacing);
+        for (const RestingState& other : state.contactStates) spacings.push_back(other.minimumSpacing);
+        QCOMPARE(spacings.size(), all.found.size());
+        for (const Equilibrium& at : all.found)
+            QVERIFY2(std::ranges::any_of(spacings, [&](double d) { return std::abs(d - at.spacing) < 1e-6 * d; }),
+                     qPrintable(QString::number(at.spacing)));
+    }
 
 private slots:
     void flyingHasTheModesOfTheStaticState()
@@ -115,17 +131,37 @@ private slots:
     /// Every state in contact of one search is one of the other, at the same place.
     void steadyFindsTheSameStates()
     {
-        for (const int degreesOfFreedom : {2, 3}) {
-            const Case c = withMenisci(degreesOfFreedom);
-            const FilmEquilibria all = filmEquilibria(c, {}, [] { return true; });
-            const SteadyResult state = steadyWithContact(c);
-            std::vector<double> spacings{state.minimumSpacing};
-            for (const RestingState& other : state.contactStates) spacings.push_back(other.minimumSpacing);
-            QCOMPARE(spacings.size(), all.found.size());
-            for (const Equilibrium& at : all.found)
-                QVERIFY2(std::ranges::any_of(spacings, [&](double d) { return std::abs(d - at.spacing) < 1e-6 * d; }),
-                         qPrintable(QString::number(at.spacing)));
-        }
+        for (const int degreesOfFreedom : {2, 3}) sameStates(withMenisci(degreesOfFreedom));
+    }
+
+    void samplesHaveTheSameStates_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const SampleCase& each : sampleCases())
+            if (reasonForNoFilmEquilibria(sample(each.name)).empty())
+                QTest::newRow(each.name.c_str()) << QString::fromStdString(each.name);
+    }
+    /// So that all know the states to a millionth, the balance is solved to a billionth. A run that begins in the state
+    /// rests there.
+    void samplesHaveTheSameStates()
+    {
+        QFETCH(QString, name);
+        Case setup = sample(name.toStdString());
+        setup.film.nodes = {49, 49};
+        setup.film.tolerance = setup.steady.loadTolerance = 1e-9;
+        sameStates(setup);
+        setup.initial = {.branch = setup.initial.branch, .state = InitialState::Static};
+        setup.run.duration = 1e-6;
+        setup.run.sampleInterval = 0.1e-6;
+        const SteadyResult state = steadyWithContact(setup);
+        const Summary summary = run(setup);
+        QCOMPARE(summary.status, RunStatus::Completed);
+        const auto spacing =
+            std::ranges::find(summary.extremes, "minimum_spacing", [](auto& each) { return each.first; });
+        QVERIFY(spacing != summary.extremes.end());
+        for (const double d : {spacing->second.least, spacing->second.most})
+            QVERIFY2(std::abs(d - state.minimumSpacing) < 1e-6 * state.minimumSpacing,
+                     qPrintable(QString::number((d - state.minimumSpacing) / state.minimumSpacing)));
     }
 
     void saysWhereThereAreNone()
