@@ -104,12 +104,14 @@ public:
         std::vector<TouchingPlace> found;
         const auto take = [&](TouchingPlaces places) {
             givenUp_ += places.givenUp;
+            if (!places.problem.empty()) problem_ = std::move(places.problem);
             for (TouchingPlace& place : places.found)
                 if (std::ranges::none_of(found, [&](const TouchingPlace& other) {
                         return balance_->body().displacement(other.q - place.q) < sameState;
                     }))
                     found.push_back(place);
         };
+        const std::string below = balance_->contact().problemAt(rest_);
         // A law that acts in flight: the state that is reached from afar.
         if (above && !flies_) take(touchingPlaces(*balance_, {rest_}, ContactBranch::TouchDown, goOn_));
         // Those of surfaces that attract each other take long: only where they are asked for.
@@ -118,9 +120,10 @@ public:
         if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, {}, goOn_));
         // Pressed hard it lies flatter, and parked, without air, flat on its crown.
         for (const double share : {0.6, 0.3, 0.0})
-            if (found.empty() && !flies_ && !stopped_)
+            if (found.empty() && !flies_ && !stopped_ && problem_.empty())
                 take(touchingPlaces(*balance_, {rest_.height, share * rest_.pitch, share * rest_.roll}, {}, goOn_));
         if (stopped_) return stop();
+        if (!below.empty() && found.empty()) problem_ = below;
         report(found);
     }
 
@@ -213,9 +216,9 @@ private:
             result_.contact = notFound();
             result_.status = result_.status == SteadyStatus::Converged ? SteadyStatus::NotConverged : result_.status;
             result_.note(problem_.empty() ? "no state in contact was found from the attitudes that were tried"
-                                          : problem_);
+                                          : uncapitalized(problem_));
             if (givenUp_ > 0)
-                result_.message += " (" + counted(static_cast<std::size_t>(givenUp_), "search") + " came to no end)";
+                result_.message += " (" + counted(static_cast<std::size_t>(givenUp_), "attempt") + " came to no end)";
         }
     }
 

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int mostSteps = 120;             // in all
 constexpr int mostNewtonSteps = 25;        // of Newton, those that are not shortened to the longest
+constexpr int mostOutside = 3;             // steps in a row that end where no contact is modelled
 constexpr int mostStepHalvings = 8;        // of one of its steps
 constexpr double longestNewtonStep = 3e-9; // of the slider's corners in one of its steps [m]
 constexpr double samePlace = 1e-11;        // of two places, at the slider's corners [m]
@@ -46,8 +47,14 @@ private:
         std::optional<ContactRegion> region = balance_.settle(q, branch_, goOn_);
         if (!region) return false;
         Vector3 g = balance_.force(*region);
-        for (int k = 0, all = 0; k < mostNewtonSteps && all < mostSteps; ++all) {
+        for (int k = 0, all = 0, outside = 0; k < mostNewtonSteps && all < mostSteps; ++all) {
             if (!goOn_()) return false;
+            std::string problem = balance_.contact().problemAt(balance_.body().attitude(q));
+            outside = problem.empty() ? 0 : outside + 1;
+            if (outside == mostOutside) {
+                result_.problem = std::move(problem);
+                return true;
+            }
             if (balance_.error(g) <= balance_.setup().steady.loadTolerance) {
                 if (*region != ContactRegion::Apart) add(q, *region);
                 return true;
@@ -91,7 +98,7 @@ private:
     TouchingPlaces result_;
 };
 
-/// `rest` set down to where the contact alone carries these shares of the load.
+/// `rest` set down to where the contact alone carries these shares of the load, as far as it does.
 std::vector<Attitude> startsByForce(FilmBalance& balance, const Attitude& rest, const std::function<bool()>& goOn)
 {
     constexpr double first = 1e-9, located = 1e-10; // of the way below the contact's reach [m]
@@ -112,8 +119,7 @@ std::vector<Attitude> startsByForce(FilmBalance& balance, const Attitude& rest, 
             const double middle = 0.5 * (above + below);
             (carries(middle) ? below : above) = middle;
         }
-        carries(below);
-        starts.push_back(lowered);
+        if (carries(below)) starts.push_back(lowered);
     }
     return starts;
 }

@@ -3,10 +3,11 @@
 // Places at which a slider in contact is in balance (film_balance.h): Newton's method with the stiffnesses of film and
 // contact, from an attitude lowered to several separations and from known nearby attitudes. At each place that is tried
 // the contact is as if the slider had come there on one branch: from afar, or out of a contact. A place that no start
-// leads to is missed.
+// leads to is missed. A start that stays where the slider touches outside the modelled contact is left.
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/numerics/small_matrix.h"
@@ -25,6 +26,7 @@ struct TouchingPlace {
 struct TouchingPlaces {
     std::vector<TouchingPlace> found; // each once
     int givenUp = 0;                  // starts from which the film was not solved or Newton's method did not end
+    std::string problem;              // of a start that stayed where no contact is modelled
 };
 
 /// Out of a contact, from `rest` set down to several separations and from those of `near`.

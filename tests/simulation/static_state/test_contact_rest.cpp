@@ -258,6 +258,22 @@ private slots:
         }
     }
 
+    /// Pressed down beside the only part of the slider that can touch.
+    void saysWhereNoContactIsModelled()
+    {
+        Case c = pressedPad();
+        c.suspension.preload = 0.03;
+        c.elastic.cell = 4e-6;
+        c.elastic.patchPitch = -400e-6;
+        c.elastic.patchReach = 1e-9;
+        const SteadyResult state = steadyWithContact(c);
+        QVERIFY(state.status != SteadyStatus::Converged);
+        QCOMPARE(QString::fromStdString(state.contact.state), QStringLiteral("not found"));
+        QVERIFY2(state.message.find("; the slider came down to -5.") != std::string::npos &&
+                     state.message.find("elastic.patch_pitch") != std::string::npos,
+                 state.message.c_str());
+    }
+
     void stopsWhenAsked()
     {
         int left = 40;
