@@ -90,9 +90,6 @@ set(known_arrows
     core/simulation/contact/contact_doubts->core/simulation/contact/contact_run
     core/simulation/flight/film_recorder->core/simulation/flight/film_run
     core/simulation/flight/film_scene->core/simulation/flight/film_run
-    core/simulation/static_state/film_setup->core/simulation/static_state/steady
-    core/simulation/static_state/grid_error->core/simulation/static_state/steady
-    core/simulation/static_state/static_check->core/simulation/static_state/steady
     core/studies/advice/reduced_models->core/studies/advice/advisor_study
     core/studies/statements/statement_task->core/studies/statements/statements
     ui/plot/cursor_place->ui/plot/plot_widget

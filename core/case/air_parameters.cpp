@@ -3,6 +3,7 @@
 // The air around the slider, its slip at the walls, and the disk that drags it along.
 #include "core/case/parameter_builders.h"
 
+#include "core/formats/words.h"
 #include "core/physics/film/slip_model.h"
 
 namespace touchdown {
@@ -28,11 +29,25 @@ bool withAltitude(const Case& c) { return withFilm(c) && c.air.source == AirSour
 bool withAccommodation(const Case& c) { return withFilm(c) && c.air.slip.model != SlipModel::Continuum; }
 bool withCombination(const Case& c) { return withFilm(c) && c.air.slip.model == SlipModel::Combination; }
 
-std::vector<std::string> slipNames()
+std::vector<std::string> slipNames(bool (*of)(const SlipLaw&) = [](const SlipLaw&) { return true; })
 {
     std::vector<std::string> names;
-    for (const SlipLaw& law : slipLaws()) names.emplace_back(law.name);
+    for (const SlipLaw& law : slipLaws())
+        if (of(law)) names.emplace_back(law.name);
     return names;
+}
+
+std::string slipMeanings()
+{
+    std::string help = "How the rarefied air slips at the walls.";
+    for (const SlipLaw& law : slipLaws()) help += " " + std::string(law.name) + ": " + std::string(law.meaning);
+    return help;
+}
+
+std::string accommodationMeaning()
+{
+    return "Accommodation coefficient of the walls: 1 = all molecules leave them diffusely. With " +
+           joined(slipNames([](const SlipLaw& law) { return !law.knowsAccommodation; })) + " it must be 1.";
 }
 
 } // namespace
@@ -64,17 +79,10 @@ std::vector<Parameter> airParameters()
                at(&Case::air, &AirCase::temperature), withTemperature,
                "Temperature of the air, which sets its viscosity and, with the pressure, its mean free path.",
                "25 C; viscosity by Sutherland, mean free path of hard spheres"),
-        choice(
-            "air.slip", "slip model", slipNames(), at(&Case::air, &AirCase::slip, &Slip::model), withFilm,
-            "How the rarefied air slips at the walls: continuum = no slip; first-order = Burgdorfer 1959; second-order "
-            "= Hsia & Domoto 1983; 1.5-order = Mitsuya 1993; fukui-kaneko = the kinetic values of Fukui & Kaneko 1988, "
-            "1990; fukui-kaneko-fit = their published fit; new-first-order and new-second-order = Wu & Bogy 2003; "
-            "combination = fukui-kaneko, and new-second-order below a gap of air.switch_gap.",
-            "Fukui & Kaneko 1988, 1990; paper, section 2: the combination"),
+        choice("air.slip", "slip model", slipNames(), at(&Case::air, &AirCase::slip, &Slip::model), withFilm,
+               slipMeanings().c_str(), "Fukui & Kaneko 1988, 1990; paper, section 2: the combination"),
         number("air.accommodation", "accommodation", "alpha", noUnit, positive(1),
-               at(&Case::air, &AirCase::slip, &Slip::accommodation), withAccommodation,
-               "Accommodation coefficient of the walls: 1 = all molecules leave them diffusely. With second-order, "
-               "fukui-kaneko, fukui-kaneko-fit and combination it must be 1.",
+               at(&Case::air, &AirCase::slip, &Slip::accommodation), withAccommodation, accommodationMeaning().c_str(),
                "the usual assumption"),
         number("air.switch_gap", "switch gap", "", nanometres, notNegative(1e-6),
                at(&Case::air, &AirCase::slip, &Slip::switchGap), withCombination,

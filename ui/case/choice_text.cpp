@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include "core/case/contact_law.h"
+#include "core/physics/film/slip.h"
 
 namespace touchdown {
 
@@ -16,7 +17,7 @@ struct Row {
     const char *name, *meaning;
 };
 
-/// But for the laws of contact, which core/case/contact_law.h describes.
+/// But for laws of contact and slip, which their own rows describe.
 constexpr Row rows[]{
     {"model", "springs", "two springs", "Two nonlinear springs and dashpots stand for the air bearing (Ono & Yamane)."},
     {"model", "film", "air film",
@@ -53,16 +54,6 @@ constexpr Row rows[]{
     {"air.source", "atmosphere", "from the altitude", "From altitude and temperature, as in the standard atmosphere."},
     {"air.source", "established-standard", "established",
      "101325 Pa, 1.8372e-5 Pa s and 68.6 nm: the standard air of the established static program."},
-
-    {"air.slip", "continuum", "no slip", "The air sticks to the walls."},
-    {"air.slip", "first-order", "first order", "Slip of first order (Burgdorfer 1959)."},
-    {"air.slip", "second-order", "second order", "Slip of second order (Hsia & Domoto 1983)."},
-    {"air.slip", "1.5-order", "order 1.5", "Slip of order 1.5 (Mitsuya 1993)."},
-    {"air.slip", "fukui-kaneko", "kinetic", "Kinetic theory: the values of Fukui & Kaneko 1988, 1990."},
-    {"air.slip", "fukui-kaneko-fit", "kinetic, fitted", "Kinetic theory by the fit that Fukui & Kaneko published."},
-    {"air.slip", "new-first-order", "new first order", "Slip of first order by Wu & Bogy 2003."},
-    {"air.slip", "new-second-order", "new second order", "Slip of second order by Wu & Bogy 2003."},
-    {"air.slip", "combination", "combined (paper)", "Kinetic; where the gap is small, new second order."},
 
     {"disk.velocity_field", "rotating", "rotating",
      "The velocity differs by a few per cent and about two degrees from edge to edge of the slider."},
@@ -134,9 +125,12 @@ constexpr Row rows[]{
 ChoiceText choiceText(std::string_view key, std::string_view choice)
 {
     const auto tr = [](const char* text) { return QCoreApplication::translate("Choice", text); };
-    if (key == "contact")
-        for (const ContactLaw& law : contactLaws())
-            if (law.name == choice) return {tr(law.label.data()), tr(law.meaning.data())};
+    const auto ofLaw = [&](const auto& laws) -> ChoiceText {
+        const auto law = std::ranges::find(laws, choice, [](const auto& each) { return each.name; });
+        return law == laws.end() ? ChoiceText{} : ChoiceText{tr(law->label.data()), tr(law->meaning.data())};
+    };
+    if (key == "contact") return ofLaw(contactLaws());
+    if (key == "air.slip") return ofLaw(slipLaws());
     const auto* row =
         std::ranges::find_if(rows, [&](const Row& each) { return each.key == key && each.choice == choice; });
     if (row == std::end(rows)) return {};

@@ -33,10 +33,13 @@ struct Slip {
     bool operator==(const Slip&) const = default;
 };
 
-/// A model: its kinetic flow rate, or else the expansion Q = 1 + first Kn + second Kn^2.
+/// A model: its kinetic flow rate, or else the expansion Q = 1 + first Kn + second Kn^2. Choices, help and checks of
+/// the key "air.slip" come from here.
 struct SlipLaw {
-    std::string_view name;              // in case files
-    bool knowsAccommodation;            // else walls are diffuse, alpha = 1
+    std::string_view name{};            // in case files
+    std::string_view label{};           // in the window, at most 19 characters
+    std::string_view meaning{};         // one sentence, with the source
+    bool knowsAccommodation = true;     // else walls are diffuse, alpha = 1
     double first = 0.0, second = 0.0;   // `first` times a where the model knows accommodation [-]
     FlowRate (*rate)(double) = nullptr; // Q_P(D)
     bool tabulated = true;              // else evaluated directly: a table would smooth its jumps

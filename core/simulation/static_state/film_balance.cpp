@@ -8,7 +8,7 @@
 #include "core/case/contact_law.h"
 #include "core/case/disk_setup.h"
 #include "core/simulation/static_state/film_setup.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/steady_result.h"
 
 namespace touchdown {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/steady_result.h"
 
 namespace touchdown {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/simulation/static_state/film_setup.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/steady_result.h"
 
 namespace touchdown {
 

@@ -7,7 +7,7 @@
 #include "core/formats/units.h"
 #include "core/physics/film/gas_film.h"
 #include "core/simulation/static_state/slider_body.h"
-#include "core/simulation/static_state/steady.h"
+#include "core/simulation/static_state/steady_result.h"
 
 namespace touchdown {
 

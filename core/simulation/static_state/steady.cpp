@@ -342,22 +342,6 @@ std::atomic<long long> solutionsAskedFor = 0; // on any thread
 
 long long staticSolutions() { return solutionsAskedFor; }
 
-void SteadyResult::note(const std::string& sentence)
-{
-    if (!sentence.empty()) message += (message.empty() ? "" : "; ") + sentence;
-}
-
-std::string_view name(SteadyStatus status)
-{
-    switch (status) {
-    case SteadyStatus::Converged: return "converged";
-    case SteadyStatus::NotConverged: return "not converged";
-    case SteadyStatus::Cancelled: return "cancelled";
-    case SteadyStatus::Failed: return "failed";
-    }
-    return {};
-}
-
 SteadyResult steady(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();

@@ -46,12 +46,4 @@ Case caseAt(const Case& c, const SteadySeriesPoint& point)
     return at;
 }
 
-void SteadyResult::dropFields()
-{
-    pressure = {};
-    gap = {};
-    recess = {};
-    gaps = {};
-}
-
 } // namespace touchdown
