@@ -83,7 +83,7 @@ Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const 
 {
     const SpringModel model(c, disk.moves() ? SpringModel::Guards::Zero() : disk.at(0.0).height);
     SpringRecorder recorder(model, disk, c, callback);
-    SpringEnergyBalance balance(model, disk, c);
+    SpringEnergyBalance balance(model, disk);
     const bool loose = !hasFixedStep(c.run.integrator) && c.run.tolerance >= looseTolerance;
     if (options.energyBalance || loose) recorder.balance = &balance;
 
