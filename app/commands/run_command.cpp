@@ -37,12 +37,6 @@ constexpr std::array finalKeys{
     "friction_force", "air_bearing_force", "energy"};
 constexpr std::array tailKeys{"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"};
 
-template <typename Values>
-auto find(const Values& values, const std::string& key)
-{
-    return std::find_if(values.begin(), values.end(), [&](const auto& entry) { return entry.first == key; });
-}
-
 Json statisticsJson(const Statistics& s)
 {
     return {{"mean", jsonNumber(s.mean)},
@@ -55,8 +49,8 @@ Json finalJson(const Summary& summary)
 {
     Json result = Json::object();
     for (const char* key : finalKeys) {
-        const auto found = find(summary.final, key);
-        result[key] = found == summary.final.end() ? Json(nullptr) : jsonNumber(found->second);
+        const double* value = valueIn(summary.final, key);
+        result[key] = value ? jsonNumber(*value) : Json(nullptr);
     }
     for (const auto& [key, value] : summary.final) result[key] = jsonNumber(value);
     return result;
@@ -66,8 +60,8 @@ Json tailJson(const Summary& summary)
 {
     Json result = Json::object();
     for (const char* key : tailKeys) {
-        const auto found = find(summary.tail, key);
-        result[key] = found == summary.tail.end() ? Json(nullptr) : statisticsJson(found->second);
+        const Statistics* value = valueIn(summary.tail, key);
+        result[key] = value ? statisticsJson(*value) : Json(nullptr);
     }
     for (const auto& [key, value] : summary.tail) result[key] = statisticsJson(value);
     return result;
@@ -125,8 +119,7 @@ std::string jsonMessage(const Summary& summary, const std::vector<Quantity>& qua
     std::vector<std::string> unknown; // at the end of this run
     std::vector<std::string> doubtful;
     for (const char* key : finalKeys)
-        if (find(summary.final, key) == summary.final.end())
-            (findQuantity(quantities, key) < 0 ? missing : unknown).emplace_back(key);
+        if (!valueIn(summary.final, key)) (findQuantity(quantities, key) < 0 ? missing : unknown).emplace_back(key);
     for (const RunFigure& figure : summary.figures)
         if (std::isnan(figure.value)) doubtful.push_back(figure.quantity.name);
     std::string message = summary.message;
@@ -272,21 +265,20 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
           std::pair{"roll", "final roll"}, std::pair{"air_bearing_force", "final bearing force"},
           std::pair{"net_contact_force", "final net contact"}})
         // The bearing force of the springs is relative to their static state.
-        if (const auto found = find(summary.final, key);
-            found != summary.final.end() &&
-            (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
-            text += reportRow(label, shown(quantities, key, found->second));
+        if (const double* value = valueIn(summary.final, key);
+            value && (c.model == ModelKind::Film || std::string_view(key) != "air_bearing_force"))
+            text += reportRow(label, shown(quantities, key, *value));
     // The same over a flat disk.
     const bool flat = findQuantity(quantities, "minimum_gap") < 0;
     const std::string above = flat ? "" : c.model == ModelKind::Film ? " above the mean plane" : " above the disk";
-    if (const auto found = find(summary.tail, "minimum_spacing"); found != summary.tail.end())
-        text += reportRow("minimum spacing", shown(quantities, "minimum_spacing", found->second.min) + above +
-                                                 " at least, over the last 10 %");
+    if (const Statistics* tail = valueIn(summary.tail, "minimum_spacing"))
+        text += reportRow("minimum spacing",
+                          shown(quantities, "minimum_spacing", tail->min) + above + " at least, over the last 10 %");
     for (const auto& [key, label] :
          {std::pair{"minimum_spacing", "least min. spacing"}, std::pair{"rear_spacing", "least rear spacing"},
           std::pair{"minimum_gap", "least gap"}})
-        if (const auto found = find(summary.extremes, key); found != summary.extremes.end())
-            text += reportRow(label, shown(quantities, key, found->second.least) +
+        if (const Extremes* extremes = valueIn(summary.extremes, key))
+            text += reportRow(label, shown(quantities, key, extremes->least) +
                                          (key == std::string_view("minimum_gap") ? " above the disk" : above) +
                                          " in the whole run");
     if (!summary.verdict.rule.empty())

@@ -81,18 +81,14 @@ void addModulation(const Case& c, Summary& summary)
 {
     constexpr double fewestSamples = 10.0;
     if (summary.status != RunStatus::Completed || 0.1 * c.run.duration < fewestSamples * c.run.sampleInterval) return;
-    const auto named = [&](const char* name) {
-        return std::ranges::find(summary.tail, name, &std::pair<std::string, Statistics>::first);
-    };
-    const auto height = named("flying_height_above_disk");
-    if (height == summary.tail.end()) return;
-    const Statistics& s = height->second;
+    const Statistics* height = valueIn(summary.tail, "flying_height_above_disk");
+    if (!height) return;
     summary.figures.push_back({{"flying_height_modulation", "m", "nm",
                                 "Flying height modulation over the last tenth, above the disk, peak to peak"},
-                               s.max - s.min});
+                               height->max - height->min});
     summary.figures.push_back({{"flying_height_modulation_rms", "m", "nm",
                                 "Flying height modulation over the last tenth, above the disk, RMS"},
-                               s.std});
+                               height->std});
 }
 
 } // namespace
@@ -101,10 +97,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
 {
     const DiskFileCheck disk = checkDiskFile(c); // its file may have changed since the case was read
     if (const std::string reason = reasonNotToRun(c, disk); !reason.empty()) {
-        Summary refused;
-        refused.status = RunStatus::Failed;
-        refused.failure = RunFailure::Other;
-        refused.message = reason;
+        Summary refused = refusedRun(reason);
         refused.model = toText(c, *findParameter("model"));
         return refused;
     }

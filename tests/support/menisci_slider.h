@@ -13,6 +13,7 @@
 #include "core/simulation/equilibria/film_equilibria.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/touching_places.h"
 #include "tests/support/small_slider.h"
 
 namespace touchdown::test {

@@ -126,9 +126,8 @@ QString motionText(const Summary& summary)
     const QString frequency =
         verdict.frequency > 0.0 ? QString::fromStdString(fewDigits(verdict.frequency, "kHz", 3)) + QStringLiteral(", ")
                                 : QString();
-    double rms = verdict.rms;
-    for (const auto& [quantity, tail] : summary.tail)
-        if (quantity == "minimum_spacing") rms = tail.std;
+    const Statistics* tail = valueIn(summary.tail, "minimum_spacing");
+    const double rms = tail ? tail->std : verdict.rms;
     if (verdict.forced)
         return AboutCasePane::tr("The disk forces it to vibrate%1: %2%3 rms.")
             .arg(verdict.touch == Touch::Never    ? AboutCasePane::tr(" without contact")
@@ -169,8 +168,8 @@ QString resultText(const RunRecord& run)
         const bool lasting = lasts(summary.verdict.motion);
         const auto valueOf = [&](const std::string& name) -> std::optional<double> {
             if (!lasting) return run.last(name);
-            const auto tail = std::ranges::find(summary.tail, name, [](const auto& each) { return each.first; });
-            return tail == summary.tail.end() ? std::nullopt : std::optional(tail->second.mean);
+            const Statistics* tail = valueIn(summary.tail, name);
+            return tail ? std::optional(tail->mean) : std::nullopt;
         };
         const std::optional<EndHeight> end = endHeight(run);
         QStringList values;

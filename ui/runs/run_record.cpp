@@ -126,9 +126,8 @@ std::optional<EndHeight> endHeight(const RunRecord& run)
 
 double endSwing(const Summary& summary)
 {
-    for (const auto& [quantity, tail] : summary.tail)
-        if (quantity == "minimum_spacing") return tail.max - tail.min;
-    return summary.verdict.swing;
+    const Statistics* tail = valueIn(summary.tail, "minimum_spacing");
+    return tail ? tail->max - tail->min : summary.verdict.swing;
 }
 
 QString endText(const RunRecord& run)

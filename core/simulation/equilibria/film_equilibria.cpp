@@ -12,6 +12,7 @@
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/simulation/static_state/touching_places.h"
 
 namespace touchdown {
 
@@ -59,15 +60,14 @@ std::string reasonForNoFilmEquilibria(const Case& c)
     return {};
 }
 
-FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, const std::function<bool()>& goOn)
+FilmEquilibria filmEquilibria(const Case& c, const std::function<bool()>& goOn)
 {
     FilmEquilibria result;
     const SteadyResult rest = staticStateOf(c, goOn);
     result.stopped = rest.status == SteadyStatus::Cancelled;
     if (result.stopped) return result;
     // Where the film alone would balance below the disk's mean plane, contact may carry the rest.
-    const bool balanced = rest.balanced();
-    if (!balanced) {
+    if (!rest.balanced()) {
         result.problem = "there is no static state of the film: " + rest.message;
         return result;
     }
@@ -75,17 +75,14 @@ FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, 
     if (!made) return result.stopped = true, result;
     FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
-    result.resolved = resolvedFrequency(c, rest.grid);
     const auto add = [&](ContactRegion region) {
-        const Equilibrium& at = result.found.emplace_back(describeEquilibrium(balance, region, {}, goOn));
-        result.lost += at.lost;
+        result.found.push_back(describeEquilibrium(balance, region, {}, goOn));
         if (!goOn()) result.found.pop_back();
     };
     if (rest.status == SteadyStatus::Converged && rest.minimumSpacing > characteristic(c)->touchDown &&
         balance.solve(balance.body().coordinates(rest.attitude), goOn))
         add(ContactRegion::Apart);
-    const TouchingPlaces touching = touchingPlaces(balance, rest.attitude, near, goOn);
-    result.givenUp = touching.givenUp;
+    const TouchingPlaces touching = touchingPlaces(balance, rest.attitude, {}, goOn);
     for (const TouchingPlace& place : touching.found)
         if (balance.solve(place.q, goOn)) add(place.region);
     result.stopped = !goOn();

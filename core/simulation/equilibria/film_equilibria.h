@@ -16,7 +16,6 @@
 
 #include "core/simulation/equilibria/equilibrium.h"
 #include "core/simulation/static_state/steady.h"
-#include "core/simulation/static_state/touching_places.h"
 
 namespace touchdown {
 
@@ -26,15 +25,12 @@ struct FilmEquilibria {
     bool stopped = false;
     std::string problem; // why nothing was sought, in a sentence
     std::vector<Equilibrium> found;
-    int lost = 0;          // oscillations that could not be followed
-    int givenUp = 0;       // starts from which the film was not solved or Newton's method did not end
-    double resolved = 0.0; // frequency above which the grid is too coarse for their damping [Hz]
 };
 
 /// Why there are none of this case, in a sentence; "" where they can be sought.
 std::string reasonForNoFilmEquilibria(const Case& c);
 
-FilmEquilibria filmEquilibria(const Case& c, const std::vector<Attitude>& near, const std::function<bool()>& goOn);
+FilmEquilibria filmEquilibria(const Case& c, const std::function<bool()>& goOn);
 
 /// The static state of a case's film, over a flat disk: grid, and where the suspension exerts its load.
 SteadyResult staticStateOf(const Case& c, const std::function<bool()>& goOn);

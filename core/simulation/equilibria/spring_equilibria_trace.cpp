@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/continuation.h"
+#include "core/simulation/equilibria/branch_trace.h"
 
 namespace touchdown {
 
@@ -14,10 +14,10 @@ using Mode = SpringModel::Mode;
 using Point = Eigen::Vector2d;
 using Vector = Eigen::VectorXd;
 
-constexpr double difference = 1e-4;     // of p, for dF/dp, in shares of its range
-constexpr double onSpringBranch = 0.01; // distance of an equilibrium from its branch, in model scales [-]
-constexpr double sameForce = 1e-7;      // of forces on both sides of a switch, in model scales [-]
-constexpr double sameSlope = 1e-9;      // of their slopes [-]
+constexpr double difference = 1e-4;      // of p, for dF/dp, in shares of its range
+constexpr double sameSpringMarks = 1e-6; // distance of two that are one, in model scales and in the range of p [-]
+constexpr double sameForce = 1e-7;       // of forces on both sides of a switch, in model scales [-]
+constexpr double sameSlope = 1e-9;       // of their slopes [-]
 constexpr double realCrossing = 1e-7; // by which a real part changes across a Hopf point, of the largest eigenvalue [-]
 
 Eigen::Map<const Eigen::VectorXcd> asVector(const std::vector<std::complex<double>>& values)
@@ -25,36 +25,14 @@ Eigen::Map<const Eigen::VectorXcd> asVector(const std::vector<std::complex<doubl
     return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-/// Follows branches over p in shares of its range: 0 at `from`, 1 at `to`.
-class EquilibriaTrace {
+/// The springs' balance over p in shares of its range: 0 at `from`, 1 at `to`. x: z and theta in model scales.
+class TracedSprings {
 public:
-    EquilibriaTrace(const CaseAt& caseAt, double from, double to, const std::function<bool(double)>& goOn)
-        : caseAt_(caseAt), from_(from), to_(to), goOn_(goOn)
-    {}
+    using Law = Mode;
+    static constexpr ContinuationOptions options{};
+    static constexpr double onBranch = 0.01, alongParameter = 1e-9; // [-]
 
-    EquilibriumBranches trace(int looks)
-    {
-        if (!setScales(looks)) return std::move(result_);
-        for (int k = 0; k < looks && !result_.stopped; ++k) {
-            const double p = double(k) / (looks - 1);
-            share_ = p;
-            const std::optional<SpringModel> model = modelAt(p);
-            if (!model) continue;
-            for (const FoundEquilibrium& found : springEquilibria(*model)) {
-                if (!goOn()) break;
-                if (!isKnown(found, p)) addBranch(found, p);
-            }
-            if (!goOn()) break;
-        }
-        return std::move(result_);
-    }
-
-private:
-    bool goOn()
-    {
-        if (!result_.stopped && goOn_ && !goOn_(share_)) result_.stopped = true;
-        return !result_.stopped;
-    }
+    TracedSprings(const CaseAt& caseAt, double from, double to) : caseAt_(caseAt), from_(from), to_(to) {}
 
     double parameter(double p) const { return std::lerp(from_, to_, p); }
 
@@ -65,7 +43,7 @@ private:
         return SpringModel(*c);
     }
 
-    /// Those of the model in the middle of the range, or of the first one that is valid.
+    /// Scales are those of the model in the middle of the range, or of the first one that is valid.
     bool setScales(int looks)
     {
         std::optional<SpringModel> model = modelAt(0.5);
@@ -77,8 +55,21 @@ private:
         return true;
     }
 
+    std::optional<Vector> startAt(const BranchSeed<Mode>& seed) const
+    {
+        return Vector(seed.q.head<2>().cwiseQuotient(scale_));
+    }
+    bool refine(const Vector&, double, Mode) const { return false; }
+    void turnBack(const Equilibrium&) const {}
+    static EquilibriumBranch branchUnder(Mode mode) { return {mode.contact, mode.frontSpring, mode.rearSpring}; }
+    static double testOf(const Equilibrium& at) { return hopfTest(asVector(at.eigenvalues)); }
+    bool sameMark(const Equilibrium& a, const Equilibrium& b) const
+    {
+        return (a.q - b.q).head<2>().cwiseQuotient(scale_).norm() < sameSpringMarks &&
+               std::abs(a.parameter - b.parameter) < sameSpringMarks * std::abs(to_ - from_);
+    }
+
     Point toPlace(const Vector& x) const { return Point(x[0] * scale_[0], x[1] * scale_[1]); }
-    Vector toScaled(const Point& q) const { return q.cwiseQuotient(scale_); }
     Point force(const SpringModel& model, const Point& q, Mode mode) const
     {
         return model.derivative({q[0], q[1], 0.0, 0.0}, mode).tail<2>().cwiseQuotient(forceScale_);
@@ -131,7 +122,7 @@ private:
         return list;
     }
 
-    Equilibrium equilibrium(const Vector& x, double p, Mode mode) const
+    Equilibrium describe(const Vector& x, double p, Mode mode) const
     {
         const Point q = toPlace(x);
         Equilibrium at{.parameter = parameter(p), .q = {q[0], q[1], 0.0}};
@@ -144,77 +135,14 @@ private:
         return at;
     }
 
-    bool isKnown(const FoundEquilibrium& found, double p) const
-    {
-        const double value = parameter(p);
-        const double slack = 1e-9 * std::abs(to_ - from_);
-        for (const EquilibriumBranch& branch : result_.branches) {
-            if (Mode{branch.frontSpring, branch.rearSpring, branch.contact} != found.mode) continue;
-            for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-                const Equilibrium &a = branch.points[i], &b = branch.points[i + 1];
-                const double least = std::min(a.parameter, b.parameter), most = std::max(a.parameter, b.parameter);
-                if (value < least - slack || value > most + slack) continue;
-                const double share =
-                    most > least ? std::clamp((value - a.parameter) / (b.parameter - a.parameter), 0.0, 1.0) : 0.5;
-                const Point between = (a.q + share * (b.q - a.q)).head<2>();
-                if ((found.q - between).cwiseQuotient(scale_).norm() < onSpringBranch) return true;
-            }
-        }
-        return false;
-    }
-
-    void addBranch(const FoundEquilibrium& found, double p)
-    {
-        const Mode mode = found.mode;
-        ContinuationProblem problem;
-        problem.linearise = [this, mode](const Vector& x, double at, ContinuationProblem::Linearised& out) {
-            return linearise(x, at, mode, out);
-        };
-        problem.tests = [this, mode](const Vector& x, double at) {
-            return std::vector{hopfTest(asVector(equilibrium(x, at, mode).eigenvalues))};
-        };
-        problem.guards = [this, mode](const Vector& x, double at) { return distances(x, at, mode); };
-        const ContinuationOptions options;
-        const auto ask = [this] { return goOn(); };
-        const Branch back = followBranch(problem, toScaled(found.q), p, false, options, ask);
-        const bool closed = back.end == BranchEnd::Closed;
-        const Branch forth = closed ? Branch{} : followBranch(problem, toScaled(found.q), p, true, options, ask);
-
-        EquilibriumBranch branch{mode.contact, mode.frontSpring, mode.rearSpring};
-        for (auto point = back.points.rbegin(); point != back.points.rend(); ++point)
-            branch.points.push_back(equilibrium(point->x, point->p, mode));
-        for (std::size_t i = back.points.empty() ? 0 : 1; i < forth.points.size(); ++i)
-            branch.points.push_back(equilibrium(forth.points[i].x, forth.points[i].p, mode));
-        if (branch.points.empty()) return;
-        result_.branches.push_back(std::move(branch));
-        addMarks(back, mode);
-        if (!closed) addMarks(forth, mode);
-    }
-
-    void addMarks(const Branch& branch, Mode mode)
-    {
-        for (const BranchMark& mark : branch.marks) {
-            const BranchPoint& at = branch.points[mark.point];
-            const Equilibrium here = equilibrium(at.x, at.p, mode);
-            if (mark.fold())
-                add(EquilibriumMark::Fold, here);
-            else if (isHopf(branch, mark, mode))
-                add(EquilibriumMark::Hopf, here);
-        }
-        if (branch.end == BranchEnd::Lost || branch.end == BranchEnd::TooLong) ++result_.endsLost;
-        if (branch.end == BranchEnd::Guard) addSwitch(branch, mode);
-    }
-
     /// Without damping every pair stands on the axis, and rounding alone changes the test's sign.
-    bool isHopf(const Branch& branch, const BranchMark& mark, Mode mode) const
+    template <class At>
+    bool isHopf(const Branch& branch, std::size_t point, const At& at) const
     {
-        const auto eigenvalues = [&](std::size_t i) {
-            return equilibrium(branch.points[i].x, branch.points[i].p, mode).eigenvalues;
-        };
-        const std::vector<std::complex<double>> values = eigenvalues(mark.point);
+        const std::vector<std::complex<double>> values = at(point).eigenvalues;
         if (!isCrossingPair(asVector(values))) return false;
         const auto pairs = [&](std::size_t i) { // real parts of the pair that is nearest to the one that crosses
-            const std::vector<std::complex<double>> all = eigenvalues(i);
+            const std::vector<std::complex<double>> all = at(i).eigenvalues;
             std::complex<double> crossing = values[0];
             for (const auto& value : values)
                 if (value.imag() != 0.0 && std::abs(value.real()) < std::abs(crossing.real())) crossing = value;
@@ -222,46 +150,31 @@ private:
         };
         double largest = 0.0;
         for (const auto& value : values) largest = std::max(largest, std::abs(value));
-        const std::size_t next = std::min(mark.point + 1, branch.points.size() - 1);
-        return std::abs(pairs(next) - pairs(mark.point - 1)) > realCrossing * largest;
+        const std::size_t next = std::min(point + 1, branch.points.size() - 1);
+        return std::abs(pairs(next) - pairs(point - 1)) > realCrossing * largest;
     }
 
-    void addSwitch(const Branch& branch, Mode mode)
+    /// Beyond it the equilibria are found by themselves.
+    std::optional<LawCrossing<Mode>> cross(const Branch& branch, Mode mode) const
     {
         const BranchPoint& last = branch.points.back();
         const std::optional<SpringModel> model = modelAt(std::clamp(last.p, 0.0, 1.0));
-        if (!model) return;
+        if (!model) return {};
         const std::vector<GuardEnd> ends = guardEnds(*model, mode);
-        if (static_cast<std::size_t>(branch.guard) >= ends.size()) return; // too deep
+        if (static_cast<std::size_t>(branch.guard) >= ends.size()) return {}; // too deep
         const GuardEnd end = ends[static_cast<std::size_t>(branch.guard)];
         const Mode beyond = model->beyond(mode, end.guard, end.upper);
         const Point q = toPlace(last.x);
-        const Equilibrium here = equilibrium(last.x, last.p, mode);
-        const bool jumps = (force(*model, q, beyond) - force(*model, q, mode)).norm() > sameForce;
         const Eigen::Matrix2d before = slope(*model, q, mode), after = slope(*model, q, beyond);
-        if (jumps)
-            add(EquilibriumMark::Switch, here, model->eventName(end.guard, mode, beyond));
-        else if ((after - before).norm() > sameSlope * before.norm())
-            add(EquilibriumMark::Kink, here, model->eventName(end.guard, mode, beyond));
+        return LawCrossing<Mode>{.name = model->eventName(end.guard, mode, beyond),
+                                 .jumps = (force(*model, q, beyond) - force(*model, q, mode)).norm() > sameForce,
+                                 .kinks = (after - before).norm() > sameSlope * before.norm()};
     }
 
-    void add(EquilibriumMark kind, const Equilibrium& at, std::string title = {})
-    {
-        // Two branches that meet at a kink both end there.
-        const auto same = [&](const MarkedEquilibrium& mark) {
-            return mark.kind == kind && (mark.at.q - at.q).head<2>().cwiseQuotient(scale_).norm() < 1e-6 &&
-                   std::abs(mark.at.parameter - at.parameter) < 1e-6 * std::abs(to_ - from_);
-        };
-        if (std::ranges::any_of(result_.marks, same)) return;
-        result_.marks.push_back({kind, at, title.empty() ? std::string(name(kind)) : std::move(title)});
-    }
-
+private:
     const CaseAt& caseAt_;
     double from_, to_;
-    const std::function<bool(double)>& goOn_;
     Point scale_{1.0, 1.0}, forceScale_{1.0, 1.0};
-    double share_ = 0.0;
-    EquilibriumBranches result_;
 };
 
 } // namespace
@@ -269,7 +182,22 @@ private:
 EquilibriumBranches traceSpringEquilibria(const CaseAt& caseAt, double from, double to, int looks,
                                           const std::function<bool(double)>& goOn)
 {
-    return EquilibriaTrace(caseAt, from, to, goOn).trace(std::max(looks, 2));
+    looks = std::max(looks, 2);
+    double share = 0.0;
+    bool stopped = false;
+    const std::function<bool()> ask = [&] { return !(stopped = stopped || (goOn && !goOn(share))); };
+    TracedSprings springs(caseAt, from, to);
+    BranchTrace<TracedSprings> trace(springs, ask);
+    if (!springs.setScales(looks)) return {};
+    for (int k = 0; k < looks && ask(); ++k) {
+        share = double(k) / (looks - 1);
+        const std::optional<SpringModel> model = springs.modelAt(share);
+        if (!model) continue;
+        for (const FoundEquilibrium& found : springEquilibria(*model))
+            trace.follow({share, {found.q[0], found.q[1], 0.0}, found.mode});
+    }
+    trace.result.stopped = stopped;
+    return std::move(trace.result);
 }
 
 } // namespace touchdown

@@ -112,20 +112,26 @@ void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion
     jerk_ = shiftJerk_ = Vector3::Zero();
     lastDt_ = 0.0;
     lengths_ = {};
-    setAcceleration();
+    motion_.a = accelerationBy(forceOn(motion_));
 }
 
-void CoupledStepper::setAcceleration()
+Vector3 CoupledStepper::forceOn(const SliderMotion& at) const
 {
-    const Vector3 contact = contactForces_.load(), suspension = body_.suspension(motion_.q, motion_.v);
-    motion_.a = (filmForce_ + contact + suspension).cwiseQuotient(body_.inertia());
-    if (body_.holdsRoll()) motion_.a[2] = 0.0;
+    const Vector3 contact = contactForces_.load(), suspension = body_.suspension(at.q, at.v);
+    return filmForce_ + contact + suspension;
+}
+
+Vector3 CoupledStepper::accelerationBy(const Vector3& force) const
+{
+    Vector3 acceleration = force.cwiseQuotient(body_.inertia());
+    if (body_.holdsRoll()) acceleration[2] = 0.0;
+    return acceleration;
 }
 
 void CoupledStepper::restartAcceleration()
 {
     askContact(body_.attitude(motion_.q), time_);
-    setAcceleration();
+    motion_.a = accelerationBy(forceOn(motion_));
     jerk_ = shiftJerk_ = stiffJerk(motion_.v);
     lastDt_ = 0.0;
     lengths_ = {};
@@ -137,9 +143,7 @@ Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
 {
     Vector3 jerk = -body_.springs().cwiseProduct(v);
     addTo(jerk, -1.0, response_.stiffness() + contactStiffness_, v);
-    jerk = jerk.cwiseQuotient(body_.inertia());
-    if (body_.holdsRoll()) jerk[2] = 0.0;
-    return jerk;
+    return accelerationBy(jerk);
 }
 
 /// Solves (M `perSquare` + C `perTime` + K + stiffness of contact and film) x = right [1/s^2], [1/s].
@@ -249,10 +253,8 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         }
         filmForce_ = filmForceAt(stepper_.pressure());
 
-        const Vector3 contact = contactForces_.load();
         setVelocity(dt);
-        const Vector3 suspension = body_.suspension(tried_.q, tried_.v);
-        Vector3 balance = filmForce_ + contact + suspension - body_.inertia().cwiseProduct(tried_.a);
+        Vector3 balance = forceOn(tried_) - body_.inertia().cwiseProduct(tried_.a);
         if (body_.holdsRoll()) balance[2] = 0.0;
         const Vector3 change = solveBody(balance, perSquare, perTime, monolithic);
         contraction_ = std::max(contraction_, slopeError * stiffShare(perSquare));
@@ -325,11 +327,9 @@ void CoupledStepper::setVelocity(double dt)
 void CoupledStepper::finishMotion(double dt, const Vector3& change)
 {
     setVelocity(dt);
-    const Vector3 contact = contactForces_.load(), suspension = body_.suspension(tried_.q, tried_.v);
-    Vector3 force = filmForce_ + contact + suspension;
+    Vector3 force = forceOn(tried_);
     addTo(force, -1.0, contactStiffness_, change);
-    tried_.a = force.cwiseQuotient(body_.inertia());
-    if (body_.holdsRoll()) tried_.a[2] = 0.0;
+    tried_.a = accelerationBy(force);
     triedJerk_ = triedSlope_ = (tried_.a - motion_.a) / dt;
     if (lastDt_ > 0.0) triedJerk_ += (triedSlope_ - slope_) * dt / (dt + lastDt_);
     tried_.v = rate_ + 0.5 * dt * (motion_.a + tried_.a);

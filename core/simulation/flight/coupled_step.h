@@ -115,7 +115,9 @@ private:
     void askContact(const Attitude& attitude, double time);
     void setSurface(double time);
     Vector3 filmForceAt(std::span<const double> p);
-    void setAcceleration();
+    /// By film and contact as last known, and the suspension at a motion.
+    Vector3 forceOn(const SliderMotion& at) const;
+    Vector3 accelerationBy(const Vector3& force) const;
     Vector3 stiffJerk(const Vector3& v) const;
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;

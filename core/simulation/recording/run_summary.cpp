@@ -67,4 +67,13 @@ std::string_view name(RunFailure failure)
     return {};
 }
 
+Summary refusedRun(std::string reason)
+{
+    Summary refused;
+    refused.status = RunStatus::Failed;
+    refused.failure = RunFailure::Other;
+    refused.message = std::move(reason);
+    return refused;
+}
+
 } // namespace touchdown

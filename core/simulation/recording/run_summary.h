@@ -136,6 +136,25 @@ struct Summary {
     std::optional<CharacteristicFit> fit; // contact multi-asperity
 };
 
+/// The value of a quantity in `final`, `tail` or `extremes`; null where there is none.
+template <class Value>
+const Value* valueIn(const std::vector<std::pair<std::string, Value>>& list, std::string_view quantity)
+{
+    for (const auto& [name, value] : list)
+        if (name == quantity) return &value;
+    return nullptr;
+}
+
+template <class Value>
+Value valueOr(const std::vector<std::pair<std::string, Value>>& list, std::string_view quantity, const Value& none)
+{
+    const Value* value = valueIn(list, quantity);
+    return value ? *value : none;
+}
+
+/// Of a run that does not begin, for a reason in a sentence.
+Summary refusedRun(std::string reason);
+
 struct StaticSolution;
 
 struct RunOptions {

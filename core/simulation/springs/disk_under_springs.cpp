@@ -21,6 +21,8 @@ DiskUnderSprings::DiskUnderSprings(const Case& c)
     place_[SpringModel::Front] = {middle - c.springs.frontDistance, across};
     place_[SpringModel::Rear] = {middle + c.springs.rearDistance, across};
     recurrence_ = surfaceRecurrence(c.diskSurface, surface_, velocity_, {across, across, c.slider.length});
+    for (std::size_t i = 0; i < place_.size(); ++i) // no slopes, which may be infinite
+        still_.height[static_cast<Eigen::Index>(i)] = surface_.height(place_[i].x(), place_[i].y());
 }
 
 double DiskUnderSprings::passage() const
@@ -31,15 +33,11 @@ double DiskUnderSprings::passage() const
     return furthest / std::hypot(velocity_.x, velocity_.y);
 }
 
-SpringModel::Under DiskUnderSprings::at(double time) const
+SpringModel::Under DiskUnderSprings::moved(double time) const
 {
     SpringModel::Under under;
     for (std::size_t i = 0; i < place_.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
-        if (!moves()) { // no slopes, which may be infinite
-            under.height[k] = surface_.height(place_[i].x(), place_[i].y());
-            continue;
-        }
         const DiskPoint at = surface_.point(place_[i].x() - velocity_.x * time, place_[i].y() - velocity_.y * time);
         under.height[k] = at.height;
         under.rate[k] = -(velocity_.x * at.slopeX + velocity_.y * at.slopeY);

@@ -27,7 +27,7 @@ public:
 
     bool moves() const { return velocity_.x != 0.0 || velocity_.y != 0.0; }
     /// Heights and their rates at a time [s]; constant where nothing moves.
-    SpringModel::Under at(double time) const;
+    SpringModel::Under at(double time) const { return moves() ? moved(time) : still_; }
 
     /// The longest step of time that resolves the surface [s]: a sixteenth of the shortest wave, a sixteenth of the
     /// smallest bump, or half a cell of a map passes in it. Infinite where nothing moves.
@@ -41,11 +41,14 @@ public:
     double fastestRate() const { return moves() ? (surface_.highest() - surface_.lowest()) / longestStep_ : 0.0; }
 
 private:
+    SpringModel::Under moved(double time) const;
+
     DiskTopography surface_;
     Velocity velocity_;                    // [m/s]
     std::array<Eigen::Vector2d, 3> place_; // in the order of SpringModel::Guard [m]
     double longestStep_;                   // [s]
     SurfaceRecurrence recurrence_;
+    SpringModel::Under still_;
 };
 
 } // namespace touchdown

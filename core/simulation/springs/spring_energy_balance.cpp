@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
-
-#include "core/case/contact_law.h"
 
 namespace touchdown {
 
@@ -15,20 +12,12 @@ constexpr double onBoundary = 1e-15; // [m]
 
 } // namespace
 
-SpringEnergyBalance::SpringEnergyBalance(const SpringModel& model, const DiskUnderSprings& disk, const Case& c)
-    : model_(model),
-      disk_(disk),
-      still_(disk.at(0.0)),
-      law_(characteristic(c).value_or(OnoYamane{})),
-      hasContact_(characteristic(c).has_value())
-{}
-
 void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode mode)
 {
     time_ = 0.0;
     y_ = y;
     region_ = mode.contact;
-    under_ = under(0.0);
+    under_ = disk_.at(0.0);
     separation_ = model_.guards(y.head<2>(), under_.height)[SpringModel::Pad];
     start_ = model_.energy(y, under_.height);
     gained_ = {};
@@ -38,22 +27,17 @@ void SpringEnergyBalance::begin(const SpringModel::State& y, SpringModel::Mode m
 
 double SpringEnergyBalance::workAlong(double to)
 {
-    if (model_.hasGapLaw()) {
-        const double from = std::exchange(separation_, to);
-        return model_.gapEnergy(from) - model_.gapEnergy(to);
-    }
+    const PadLaw& law = model_.padLaw();
     double work = 0.0;
     double at = separation_;
     constexpr int mostRegions = 8; // of one step; there are four
     for (int k = 0; k < mostRegions; ++k) {
-        const Interval holds = law_.interval(region_);
+        const Interval holds = law.interval(region_);
         const double end = std::clamp(to, holds.lower, holds.upper);
-        const double middle = 0.5 * (at + end);
-        work +=
-            (law_.contactForce(region_, middle) + law_.adhesionForce(region_, middle)) * (end - at); // affine: exact
+        work += law.work(region_, at, end);
         at = end;
         if (end == to) break;
-        region_ = law_.beyond(region_, to > end);
+        region_ = law.beyond(region_, to > end);
     }
     separation_ = to;
     return work;
@@ -66,25 +50,22 @@ void SpringEnergyBalance::add(double time, const SpringModel::State& y, SpringMo
     SpringModel::State middle; // of the cubic through both ends
     middle.head<2>() = 0.5 * (y_.head<2>() + y.head<2>()) + 0.125 * h * (y_.tail<2>() - y.tail<2>());
     middle.tail<2>() = 1.5 / h * (y.head<2>() - y_.head<2>()) - 0.25 * (y_.tail<2>() + y.tail<2>());
-    const SpringModel::Under last = under(time);
+    const SpringModel::Under last = disk_.at(time);
     const SpringModel::Powers p0 = model_.powers(y_, mode, under_),
-                              p1 = model_.powers(middle, mode, under(time_ + 0.5 * h)),
+                              p1 = model_.powers(middle, mode, disk_.at(time_ + 0.5 * h)),
                               p2 = model_.powers(y, mode, last);
     const auto simpson = [&](auto part) { return h / 6.0 * (part(p0) + 4.0 * part(p1) + part(p2)); };
     using P = const SpringModel::Powers&;
     gained_[0] += simpson([](P p) { return p.suspension + p.frontDashpot + p.rearDashpot; });
     gained_[2] += simpson([](P p) { return p.friction; });
     gained_[3] += simpson([](P p) { return p.disk; });
-    if (model_.hasGapLaw()) gained_[1] += workAlong(model_.guards(y.head<2>(), last.height)[SpringModel::Pad]);
-    if (hasContact_) {
-        const Interval holds = law_.interval(region_);
-        // A switch that was located ends a step on the boundary; the next one begins with the law beyond.
-        if (std::min(std::abs(separation_ - holds.lower), std::abs(separation_ - holds.upper)) < onBoundary)
-            region_ = mode.contact;
-        gained_[1] += workAlong(model_.guards(y.head<2>(), last.height)[SpringModel::Pad]);
-        const Interval next = law_.interval(mode.contact);
-        if (separation_ > next.lower - onBoundary && separation_ < next.upper + onBoundary) region_ = mode.contact;
-    }
+    const Interval holds = model_.padLaw().interval(region_);
+    // A switch that was located ends a step on the boundary; the next one begins with the law beyond.
+    if (std::min(std::abs(separation_ - holds.lower), std::abs(separation_ - holds.upper)) < onBoundary)
+        region_ = mode.contact;
+    gained_[1] += workAlong(model_.guards(y.head<2>(), last.height)[SpringModel::Pad]);
+    const Interval next = model_.padLaw().interval(mode.contact);
+    if (separation_ > next.lower - onBoundary && separation_ < next.upper + onBoundary) region_ = mode.contact;
     time_ = time;
     y_ = y;
     under_ = last;

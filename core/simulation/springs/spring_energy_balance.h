@@ -22,7 +22,7 @@ namespace touchdown {
 class SpringEnergyBalance {
 public:
     /// Model and disk must last.
-    SpringEnergyBalance(const SpringModel& model, const DiskUnderSprings& disk, const Case& c);
+    SpringEnergyBalance(const SpringModel& model, const DiskUnderSprings& disk) : model_(model), disk_(disk) {}
 
     void begin(const SpringModel::State& y, SpringModel::Mode mode);
     /// After a step to `time` [s] in `mode`, or ending in it where a step chooses its laws itself.
@@ -35,13 +35,9 @@ private:
     /// Work of contact and adhesion on the pad along the way to separation `to` [J].
     double workAlong(double to);
     void keep(double energy);
-    SpringModel::Under under(double time) const { return disk_.moves() ? disk_.at(time) : still_; }
 
     const SpringModel& model_;
     const DiskUnderSprings& disk_;
-    SpringModel::Under still_; // where the surface does not move
-    OnoYamaneLaw law_;
-    bool hasContact_;
     double time_ = 0.0;
     SpringModel::State y_;
     SpringModel::Under under_;                    // at time_

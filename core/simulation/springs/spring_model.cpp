@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/simulation/contact/contact_lever.h"
 
 namespace touchdown {
@@ -29,9 +29,9 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
     : case_(c),
       still_{under, Guards::Zero()},
       rows_(&rows(c)),
-      contact_(characteristic(c).value_or(OnoYamane{})),
+      pad_(makePadLaw(c)),
+      affine_(pad_->affine()),
       friction_(frictionOf(c)),
-      hasContact_(characteristic(c).has_value()),
       frontDistance_(c.springs.frontDistance),
       rearDistance_(c.springs.rearDistance),
       padDistance_(c.springs.padDistance),
@@ -69,35 +69,26 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
     linear_.row(0) *= inverseMass_;
     linear_.row(1) *= inverseInertia_;
 
-    if (hasContact_) {
-        const double arm = friction_.noseDown();
-        for (const ContactRegion region :
-             {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged}) {
-            const AffineForce real = contact_.contactLaw(region);
-            const AffineForce adhesion = contact_.adhesionLaw(region);
-            ContactRow& row = contactRows_[static_cast<std::size_t>(region)];
-            row.lower = contact_.interval(region).lower;
-            row.upper = contact_.interval(region).upper;
-            row.z0 = (real.constant + adhesion.constant) * inverseMass_;
-            row.z1 = (real.slope + adhesion.slope) * inverseMass_;
-            row.theta0 = -(padDistance_ * (real.constant + adhesion.constant) + arm * real.constant) * inverseInertia_;
-            row.theta1 = -(padDistance_ * (real.slope + adhesion.slope) + arm * real.slope) * inverseInertia_;
-        }
+    for (const ContactRegion region :
+         {ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting, ContactRegion::Bridged}) {
+        ContactRow& row = contactRows_[static_cast<std::size_t>(region)];
+        row.lower = pad_->interval(region).lower;
+        row.upper = pad_->interval(region).upper;
+        if (!affine_) continue;
+        const PadForces line = pad_->at(region, 0.0);
+        row.z0 = line.net() * inverseMass_;
+        row.z1 = line.slope() * inverseMass_;
+        row.theta0 = -turning(line.net(), line.contact) * inverseInertia_;
+        row.theta1 = -turning(line.slope(), line.contactSlope) * inverseInertia_;
     }
 
-    if (c.contact == ContactKind::Asperity) {
-        gapLaw_ = std::make_shared<GapLaw>(c.asperity, c.elastic.pair, c.adhesion);
-        padArea_ = c.pad.length * c.pad.width;
-    }
-    const double contactStiffness = hasContact_ ? characteristic(c)->contactStiffness
-                                    : gapLaw_   ? std::abs(padForces(c.asperity.planeHeight).contactSlope)
-                                                : 0.0;
+    const double contactStiffness = pad_->stiffness();
     const double bearing = s.frontStiffness + s.rearStiffness + suspension.stiffness;
-    const double turning =
+    const double pitching =
         s.frontStiffness * square(frontDistance_) + s.rearStiffness * square(rearDistance_) + suspension.pitchStiffness;
-    const double omega = std::sqrt(std::max(bearing / mass, turning / inertia)); // [rad/s]
+    const double omega = std::sqrt(std::max(bearing / mass, pitching / inertia)); // [rad/s]
     const double fastest = std::sqrt(
-        std::max((bearing + contactStiffness) / mass, (turning + contactStiffness * square(padDistance_)) / inertia));
+        std::max((bearing + contactStiffness) / mass, (pitching + contactStiffness * square(padDistance_)) / inertia));
     period_ = fastest > 0.0 ? 2.0 * std::numbers::pi / fastest : c.run.duration;
 
     const double spacing =
@@ -106,37 +97,20 @@ SpringModel::SpringModel(const Case& c, const Guards& under)
     const double rate = omega > 0.0 ? omega : 1.0 / period_;                                                   // [1/s]
     scale_ << spacing, spacing / arm, spacing * rate, spacing / arm * rate;
 
-    double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) +
-                    suspension.pitchStiffness * square(static_[1]);
-    if (hasContact_) stored += contactEnergyBound();
-    if (gapLaw_) stored += std::abs(gapEnergy(separation(initial_))) + std::abs(gapEnergy(c.asperity.planeHeight));
+    const double stored = frontStrength + rearStrength + suspension.stiffness * square(static_[0]) +
+                          suspension.pitchStiffness * square(static_[1]) + contactEnergyBound();
     energyBound_ = 1e4 * (energy(initial_) + stored);
 }
 
 SpringModel::Mode SpringModel::initialMode(const Guards& under) const
 {
-    const Guards at = guards(initial_.head<2>(), under);
-    Mode mode;
-    mode.frontSpring = at[Front] > front_.cutoff;
-    mode.rearSpring = at[Rear] > rear_.cutoff;
-    if (hasContact_) mode.contact = contact_.region(case_.initial.branch, at[Pad]);
-    return mode;
-}
-
-SpringModel::Mode SpringModel::lawAt(Mode mode, double d, double zf, double zr) const
-{
-    return {zf > front_.cutoff, zr > rear_.cutoff,
-            hasContact_ ? contact_.region(OnoYamaneLaw::branch(mode.contact), d) : ContactRegion::Apart};
+    return lawOn(case_.initial.branch, guards(initial_.head<2>(), under));
 }
 
 SpringModel::Mode SpringModel::naiveMode(const State& y, Mode mode, const Guards& under) const
 {
     const Guards at = guards(y.head<2>(), under);
-    const double d = at[Pad], zf = at[Front], zr = at[Rear];
-    if (holds(mode, d, zf, zr)) return mode;
-    Mode next = lawAt(mode, d, zf, zr);
-    if (hasContact_) next.contact = contact_.region(contact_.nextBranch(OnoYamaneLaw::branch(mode.contact), d), d);
-    return next;
+    return holds(mode, at) ? mode : lawOn(pad_->nextBranch(branchOf(mode), at[Pad]), at);
 }
 
 Eigen::RowVector2d SpringModel::guardSizes(int guard) const
@@ -147,7 +121,7 @@ Eigen::RowVector2d SpringModel::guardSizes(int guard) const
 
 Interval SpringModel::interval(int guard, Mode mode) const
 {
-    if (guard == Pad) return hasContact_ ? contact_.interval(mode.contact) : Interval{};
+    if (guard == Pad) return pad_->interval(mode.contact);
     const AirSpring& spring = guard == Front ? front_ : rear_;
     const bool carries = guard == Front ? mode.frontSpring : mode.rearSpring;
     return carries ? Interval{.lower = spring.cutoff} : Interval{.upper = spring.cutoff};
@@ -156,7 +130,7 @@ Interval SpringModel::interval(int guard, Mode mode) const
 SpringModel::Mode SpringModel::beyond(Mode mode, int guard, bool upper) const
 {
     if (guard == Pad)
-        mode.contact = contact_.beyond(mode.contact, upper);
+        mode.contact = pad_->beyond(mode.contact, upper);
     else
         (guard == Front ? mode.frontSpring : mode.rearSpring) = upper;
     return mode;
@@ -171,33 +145,23 @@ double SpringModel::period(const Eigen::Matrix<double, 2, 4>& jacobian) const
     return largest > 0.0 ? std::min(period_, 2.0 * std::numbers::pi / std::sqrt(largest)) : period_;
 }
 
-GapForces SpringModel::padForces(double d) const
+void SpringModel::press(State& rate, ContactRegion region, double d) const
 {
-    GapForces forces = gapLaw_->at(d);
-    for (double GapForces::*part : {&GapForces::contact, &GapForces::adhesion, &GapForces::contactSlope,
-                                    &GapForces::adhesionSlope, &GapForces::area, &GapForces::energy})
-        forces.*part *= padArea_;
-    return forces;
-}
-
-SpringModel::State SpringModel::pressed(const State& rate, double d) const
-{
-    const GapForces pressures = gapLaw_->pressures(d);
-    const double net = padArea_ * pressures.total(), rubbing = friction_.noseDown() * padArea_ * pressures.contact;
-    return {rate[0], rate[1], rate[2] + net * inverseMass_, rate[3] - (padDistance_ * net + rubbing) * inverseInertia_};
+    const PadForces forces = pad_->forces(region, d);
+    rate[2] += forces.net() * inverseMass_;
+    rate[3] -= turning(forces.net(), forces.contact) * inverseInertia_;
 }
 
 double SpringModel::contactEnergyBound() const
 {
-    const OnoYamane p = *characteristic(case_);
-    const double force = p.initialContactForce + p.meniscusForce;
-    const double start = contact_.storedEnergy(initialMode().contact, separation(initial_));
-    const double pressed = p.contactStiffness > 0.0 ? square(force) / p.contactStiffness : 0.0;
+    const double start = std::abs(padForces(initialMode(), guards(initial_.head<2>())[Pad]).energy);
+    const PadForces pressed = pad_->at(ContactRegion::Pressed, 0.0);
+    const double force = pressed.contact - pressed.adhesion, stiffness = pad_->stiffness();
     // With nothing to push back, the meniscus pulls as long as the run lasts.
-    const double fall = p.contactStiffness > 0.0 ? 0.0
-                                                 : square(force * case_.run.duration) *
-                                                       (inverseMass_ + square(padDistance_) * inverseInertia_);
-    return start + pressed + fall + force * (p.takeOff - p.touchDown);
+    const double deep =
+        stiffness > 0.0 ? square(force) / stiffness
+                        : square(force * case_.run.duration) * (inverseMass_ + square(padDistance_) * inverseInertia_);
+    return start + std::abs(pressed.energy) + deep;
 }
 
 double SpringModel::kineticEnergy(const State& y) const
@@ -229,19 +193,10 @@ SpringModel::Powers SpringModel::powers(const State& y, Mode mode, const Under& 
     const double front = (mode.frontSpring ? front_.force(at[Front]) : 0.0) - frontDamping_ * rate[Front];
     const double rear = (mode.rearSpring ? rear_.force(at[Rear]) : 0.0) - rearDamping_ * rate[Rear];
     powers.disk = front * under.rate[Front] + rear * under.rate[Rear];
-    if (hasContact_) {
-        const double real = contact_.contactForce(mode.contact, at[Pad]);
-        const double net = real + contact_.adhesionForce(mode.contact, at[Pad]);
-        powers.contact = net * rate[Pad];
-        powers.friction = -friction_.noseDown() * real * y[3];
-        powers.disk += net * under.rate[Pad];
-    }
-    if (gapLaw_) {
-        const GapForces forces = padForces(at[Pad]);
-        powers.contact = forces.total() * rate[Pad];
-        powers.friction = -friction_.noseDown() * forces.contact * y[3];
-        powers.disk += forces.total() * under.rate[Pad];
-    }
+    const PadForces pad = padForces(mode, at[Pad]);
+    powers.contact = pad.net() * rate[Pad];
+    powers.friction = -friction_.noseDown() * pad.contact * y[3];
+    powers.disk += pad.net() * under.rate[Pad];
     return powers;
 }
 
@@ -251,11 +206,10 @@ Eigen::Matrix<double, 2, 4> SpringModel::jacobianAt(const Guards& at, Mode mode)
     const double front = mode.frontSpring ? front_.tangent(at[Front]) : 0.0;
     const double rear = mode.rearSpring ? rear_.tangent(at[Rear]) : 0.0;
     ContactRow contact = contactRows_[static_cast<std::size_t>(mode.contact)];
-    if (gapLaw_) {
-        const GapForces forces = padForces(at[Pad]);
-        const double net = forces.contactSlope + forces.adhesionSlope;
-        contact.z1 = net * inverseMass_;
-        contact.theta1 = -(padDistance_ * net + friction_.noseDown() * forces.contactSlope) * inverseInertia_;
+    if (!affine_) {
+        const PadForces pad = padForces(mode, at[Pad]);
+        contact.z1 = pad.slope() * inverseMass_;
+        contact.theta1 = -turning(pad.slope(), pad.contactSlope) * inverseInertia_;
     }
     j(0, 0) += (front + rear) * inverseMass_ + contact.z1;
     j(0, 1) += (front * frontDistance_ - rear * rearDistance_) * inverseMass_ - contact.z1 * padDistance_;
@@ -318,20 +272,21 @@ const std::vector<RecordedQuantity<SpringModel::Sample>>& SpringModel::rows(cons
         {{"disk_power", "W", "uW", "Power of the moving surface of the disk on the slider"},
          [](S s) { return s.diskPower; }}};
     static const List summits{{{"contact_area", "m^2", "um^2", "Real area of contact"}, [](S s) { return s.area; }}};
-    const auto both = [](List list, const List& more) {
-        list.insert(list.end(), more.begin(), more.end());
-        return list;
-    };
-    static const List pressed = both(touching, summits);
-    static const std::array<List, 6> lists{free,
-                                           both(free, touching),
-                                           both(free, pressed),
-                                           both(free, uneven),
-                                           both(both(free, touching), uneven),
-                                           both(both(free, pressed), uneven)};
-    const bool surface = c.diskSurface.kind != DiskSurfaceKind::Flat;
-    const std::size_t law = c.contact == ContactKind::OnoYamane ? 1 : c.contact == ContactKind::Asperity ? 2 : 0;
-    return lists[law + (surface ? 3 : 0)];
+    // By whether the pad touches, whether its law has an area, whether the disk is uneven.
+    static const auto lists = [] {
+        std::array<List, 8> all;
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            all[k] = free;
+            const auto add = [&](const List& more) { all[k].insert(all[k].end(), more.begin(), more.end()); };
+            if (k & 1) add(touching);
+            if (k & 2) add(summits);
+            if (k & 4) add(uneven);
+        }
+        return all;
+    }();
+    const std::size_t touches = c.contact != noContact, hasArea = contactLaw(c).recordsArea,
+                      isUneven = c.diskSurface.kind != DiskSurfaceKind::Flat;
+    return lists[touches + 2 * hasArea + 4 * isUneven];
 }
 
 void SpringModel::observe(const State& y, Mode mode, const Under& under, double* values) const
@@ -350,22 +305,13 @@ void SpringModel::observe(const State& y, Mode mode, const Under& under, double*
     s.airForce = (mode.frontSpring ? front_.force(s.zf) : 0.0) + (mode.rearSpring ? rear_.force(s.zr) : 0.0) -
                  frontDamping_ * rate[Front] - rearDamping_ * rate[Rear];
     s.air = front_.potential(s.zf, potential) + rear_.potential(s.zr, potential);
-    if (hasContact_) {
-        s.contact = contact_.contactForce(mode.contact, s.d);
-        s.adhesion = contact_.adhesionForce(mode.contact, s.d);
-        s.friction = friction_.coefficient * s.contact;
-        s.frictionPower = 0.0 - friction_.noseDown() * s.contact * y[3]; // it presses the nose down; 0 without contact
-        s.stored = contact_.storedEnergy(mode.contact, s.d);
-    }
-    if (gapLaw_) {
-        const GapForces forces = padForces(s.d);
-        s.contact = forces.contact;
-        s.adhesion = forces.adhesion;
-        s.friction = friction_.coefficient * s.contact;
-        s.frictionPower = 0.0 - friction_.noseDown() * s.contact * y[3];
-        s.stored = forces.energy;
-        s.area = forces.area;
-    }
+    const PadForces pad = padForces(mode, s.d);
+    s.contact = pad.contact;
+    s.adhesion = pad.adhesion;
+    s.friction = friction_.coefficient * pad.contact;
+    s.frictionPower = 0.0 - friction_.noseDown() * pad.contact * y[3]; // it presses the nose down; 0 without contact
+    s.stored = pad.energy;
+    s.area = pad.area;
     if (case_.diskSurface.kind != DiskSurfaceKind::Flat) {
         s.under = under.height;
         s.diskPower = powers(y, mode, under).disk;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The 2-DOF slider of Ono & Yamane (Chen & Bogy, section 4, equations (1)-(5), Fig. 9): two lumped air springs,
-// the suspension, and the contact at a pad: the five parameters, or a pressure of the gap.
+// the suspension, and the contact at a pad by the law that the case names (pad_law.h).
 //
 //   z_f = z + d_f theta,  z_r = z - d_r theta,  d = z - d_h theta
 //   M z''     = F_f + F_r + F_c - k (z - z_0) - c z'
@@ -27,10 +27,9 @@
 #include "core/case/case.h"
 #include "core/numerics/interval.h"
 #include "core/physics/contact/coulomb_friction.h"
-#include "core/physics/contact/gap_law.h"
-#include "core/physics/contact/ono_yamane.h"
 #include "core/physics/film/air_spring.h"
 #include "core/simulation/recording/quantity.h"
+#include "core/simulation/springs/pad_law.h"
 
 namespace touchdown {
 
@@ -38,6 +37,9 @@ class SpringModel {
 public:
     using State = Eigen::Vector4d; // z [m], theta [rad], z' [m/s], theta' [rad/s]
     using Guards = Eigen::Vector3d;
+    /// The state without the time, which is one of its coordinates over a surface that moves (springs_over_disk.h).
+    static const State& motionOf(const State& y) { return y; }
+    static State motionOf(const Eigen::Matrix<double, 6, 1>& y) { return {y[0], y[1], y[3], y[4]}; }
 
     /// Which law holds.
     struct Mode {
@@ -70,16 +72,11 @@ public:
     Eigen::Vector2d inertia() const { return {1.0 / inverseMass_, 1.0 / inverseInertia_}; }
 
     // What the integrators ask: see core/numerics/switched_system.h.
-    State derivative(const State& y, Mode mode) const
-    {
-        return derivative(y, mode, separation(y), frontSpacing(y), rearSpacing(y));
-    }
+    State derivative(const State& y, Mode mode) const { return derivativeAt(y, mode, guards(y.head<2>())); }
     State naiveDerivative(const State& y, Mode mode) const
     {
-        const double d = separation(y);
-        const double zf = frontSpacing(y);
-        const double zr = rearSpacing(y);
-        return derivative(y, holds(mode, d, zf, zr) ? mode : lawAt(mode, d, zf, zr), d, zf, zr);
+        const Guards at = guards(y.head<2>());
+        return derivativeAt(y, lawAt(mode, at), at);
     }
     Mode naiveMode(const State& y, Mode mode) const { return naiveMode(y, mode, still_.height); }
     Guards guards(const Eigen::Vector2d& q) const { return guards(q, still_.height); }
@@ -106,7 +103,7 @@ public:
     /// Derivatives of (z'', theta'') by the state.
     Eigen::Matrix<double, 2, 4> jacobian(const State& y, Mode mode) const
     {
-        return jacobianAt({separation(y), frontSpacing(y), rearSpacing(y)}, mode);
+        return jacobianAt(guards(y.head<2>()), mode);
     }
     /// At these spacings [m].
     Eigen::Matrix<double, 2, 4> jacobianAt(const Guards& at, Mode mode) const;
@@ -117,29 +114,24 @@ public:
     double period(const State& y, Mode mode) const { return period(jacobian(y, mode)); }
     /// An energy that a sane run stays far below [J].
     double energyBound() const { return energyBound_; }
-    /// Whether the pad's contact is a law of the gap, which is smooth and keeps no memory; its energy at d [m], zero
-    /// far away [J].
-    bool hasGapLaw() const { return gapLaw_ != nullptr; }
-    double gapEnergy(double d) const { return padForces(d).energy; }
+    const PadLaw& padLaw() const { return *pad_; }
 
     /// "touch-down", "rear spring lost", ...: the switch of a guard from one mode to another.
     std::string eventName(int guard, Mode before, Mode after) const;
 
     static std::vector<Quantity> quantities(const Case& c) { return quantitiesOf(rows(c)); }
     /// All quantities of one state, in the order of quantities(); `values` has their size.
-    void observe(const State& y, Mode mode, double* values) const { observe(y, mode, still_, values); }
+    void observe(const State& y, Mode mode, const Under& under, double* values) const;
 
     // The same over a surface that moves.
     State derivative(const State& y, Mode mode, const Under& under) const
     {
-        const Guards at = guards(y.head<2>(), under.height);
-        return pushed(derivative(y, mode, at[Pad], at[Front], at[Rear]), under.rate);
+        return pushed(derivativeAt(y, mode, guards(y.head<2>(), under.height)), under.rate);
     }
     State naiveDerivative(const State& y, Mode mode, const Under& under) const
     {
         const Guards at = guards(y.head<2>(), under.height);
-        const bool same = holds(mode, at[Pad], at[Front], at[Rear]);
-        return derivative(y, same ? mode : lawAt(mode, at[Pad], at[Front], at[Rear]), under);
+        return pushed(derivativeAt(y, lawAt(mode, at), at), under.rate);
     }
     Mode naiveMode(const State& y, Mode mode, const Guards& under) const;
     Guards guards(const Eigen::Vector2d& q, const Guards& under) const
@@ -155,7 +147,6 @@ public:
     double energy(const State& y, const Guards& under) const;
     Powers powers(const State& y, Mode mode, const Under& under) const;
     double period(const Eigen::Matrix<double, 2, 4>& jacobian) const;
-    void observe(const State& y, Mode mode, const Under& under, double* values) const;
 
 private:
     /// A state as it is recorded.
@@ -171,8 +162,9 @@ private:
     };
     static const std::vector<RecordedQuantity<Sample>>& rows(const Case& c);
 
-    State derivative(const State& y, Mode mode, double d, double zf, double zr) const
+    State derivativeAt(const State& y, Mode mode, const Guards& at) const
     {
+        const double d = at[Pad], zf = at[Front], zr = at[Rear];
         const double front = mode.frontSpring ? (front_.staticSpacing - zf) / (zf * zf) : 0.0;
         const double rear = mode.rearSpring ? (rear_.staticSpacing - zr) / (zr * zr) : 0.0;
         const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
@@ -185,10 +177,12 @@ private:
         const double pitch = ((linear_(1, 1) * theta + (contact.theta0 + contact.theta1 * d)) +
                               (linear_(1, 2) * y[2] + linear_(1, 3) * y[3])) +
                              (frontPitch_ * front + rearPitch_ * rear);
-        return gapLaw_ ? pressed({y[2], y[3], vertical, pitch}, d) : State{y[2], y[3], vertical, pitch};
+        State rate{y[2], y[3], vertical, pitch};
+        if (!affine_) press(rate, mode.contact, d);
+        return rate;
     }
-    /// With the forces of the law of the gap at the pad.
-    State pressed(const State& rate, double d) const;
+    /// Adds the forces of a law at the pad that is not affine.
+    void press(State& rate, ContactRegion region, double d) const;
     /// With the forces by which the dashpots follow a surface that rises at these rates [m/s].
     State pushed(const State& rate, const Guards& rising) const
     {
@@ -197,26 +191,29 @@ private:
                 rate[3] + (frontDistance_ * front - rearDistance_ * rear) * inverseInertia_};
     }
     /// True where the laws of a mode are those of the spacings themselves.
-    bool holds(Mode mode, double d, double zf, double zr) const
+    bool holds(Mode mode, const Guards& at) const
     {
         const ContactRow& contact = contactRows_[static_cast<std::size_t>(mode.contact)];
-        return mode.frontSpring == (zf > front_.cutoff) && mode.rearSpring == (zr > rear_.cutoff) &&
-               d > contact.lower && d < contact.upper;
+        return mode.frontSpring == (at[Front] > front_.cutoff) && mode.rearSpring == (at[Rear] > rear_.cutoff) &&
+               at[Pad] > contact.lower && at[Pad] < contact.upper;
     }
     /// The laws at given spacings, on the branch of a mode.
-    Mode lawAt(Mode mode, double d, double zf, double zr) const;
-    double separation(const State& y) const { return (y[0] - still_.height[Pad]) - padDistance_ * y[1]; }
-    double frontSpacing(const State& y) const { return (y[0] - still_.height[Front]) + frontDistance_ * y[1]; }
-    double rearSpacing(const State& y) const { return (y[0] - still_.height[Rear]) - rearDistance_ * y[1]; }
-    /// Of the law of the gap over the pad: forces [N], their slopes [N/m], energy [J], area [m^2].
-    GapForces padForces(double d) const;
+    Mode lawAt(Mode mode, const Guards& at) const { return holds(mode, at) ? mode : lawOn(branchOf(mode), at); }
+    Mode lawOn(ContactBranch branch, const Guards& at) const
+    {
+        return {at[Front] > front_.cutoff, at[Rear] > rear_.cutoff, pad_->region(branch, at[Pad])};
+    }
+    static ContactBranch branchOf(Mode mode) { return OnoYamaneLaw::branch(mode.contact); }
+    /// Moment about the mass centre, nose down, of a force at the pad and the friction of its real contact [N m].
+    double turning(double net, double contact) const { return padDistance_ * net + friction_.noseDown() * contact; }
+    PadForces padForces(Mode mode, double d) const { return pad_->at(mode.contact, d); }
     /// An energy of the order of the largest that the contact law stores or gives, or more [J].
     double contactEnergyBound() const;
     double suspensionEnergy(const State& y) const;
     double kineticEnergy(const State& y) const;
 
-    /// Acceleration by contact and friction, affine in the separation d: z0 + z1 d [m/s^2], theta0 + theta1 d
-    /// [rad/s^2]; and the separations between which it holds [m].
+    /// Acceleration by contact and friction under an affine law: z0 + z1 d [m/s^2], theta0 + theta1 d [rad/s^2]; under
+    /// another zero. The separations d between which the law holds [m].
     struct ContactRow {
         double z0 = 0.0, z1 = 0.0, theta0 = 0.0, theta1 = 0.0;
         double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
@@ -227,11 +224,9 @@ private:
     const std::vector<RecordedQuantity<Sample>>* rows_;
     AirSpring front_;
     AirSpring rear_;
-    OnoYamaneLaw contact_;
-    std::shared_ptr<const GapLaw> gapLaw_; // over a flat pad, parallel to the disk; null: another contact, or none
-    double padArea_ = 0.0;                 // [m^2]
+    std::shared_ptr<const PadLaw> pad_;
+    bool affine_; // pad_
     CoulombFriction friction_;
-    bool hasContact_;
     double frontDistance_, rearDistance_, padDistance_;          // [m]
     double inverseMass_, inverseInertia_;                        // [1/kg], [1/(kg m^2)]
     double frontVertical_, rearVertical_;                        // k_i0 z_i0^2/M [m^2/s^2]

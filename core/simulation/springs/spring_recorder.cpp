@@ -44,25 +44,17 @@ void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode
     if (ends) put({time, last_.y, after});
 }
 
-void SpringRecorder::observe(const Point& point, std::vector<double>& values) const
-{
-    if (disk_.moves())
-        model_.observe(point.y, point.mode, disk_.at(point.time), values.data());
-    else
-        model_.observe(point.y, point.mode, values.data());
-}
-
 void SpringRecorder::lookAtClock()
 {
     stepsSinceLook_ = 0;
     if (run_.silent()) flush();
 }
 
-bool SpringRecorder::judge(const Point& point, const double* values)
+bool SpringRecorder::judge(const Point& point)
 {
     const auto at = [&] { return " at " + fewDigitsOfTime(point.time, 4); };
-    const bool finite = std::all_of(values, values + values_.size(), [](double value) { return std::isfinite(value); });
-    const double energy = values[energyColumn_];
+    const bool finite = std::ranges::all_of(values_, [](double value) { return std::isfinite(value); });
+    const double energy = values_[energyColumn_];
     if (!finite || energy > model_.energyBound()) {
         end_ = {RunStatus::Diverged, RunFailure::Diverged,
                 "the motion diverged" + at() +
@@ -85,20 +77,20 @@ void SpringRecorder::record()
 {
     for (std::size_t i = 0; i < filled_ && end_.completed(); ++i) {
         const Point& point = points_[i];
-        observe(point, values_);
+        observe(point);
         if (!point.sample) {
             run_.addPoint(point.time, values_, point.smooth);
             continue;
         }
-        if (!judge(point, values_.data())) break;
+        if (!judge(point)) break;
         lastSample_ = point;
         run_.addSample(point.time, values_, point.smooth);
     }
     filled_ = 0;
     // The newest step ends beyond the newest sample, unless it is not yet recorded to its end.
     if (end_.completed() && last_.time > lastSample_.time) {
-        observe(last_, values_);
-        judge(last_, values_.data());
+        observe(last_);
+        judge(last_);
     }
     // Within a step, the newest sample is beyond the end of the step before.
     if (failedAt_ || lastSample_.time > last_.time) last_ = lastSample_;
@@ -125,7 +117,7 @@ void SpringRecorder::finish()
     record();
     // The points after the newest sample of a run that failed are not good.
     if (!failedAt_) {
-        observe(last_, values_);
+        observe(last_);
         run_.addLastSample(last_.time, values_, smooth_);
     }
     send(begin);

@@ -34,9 +34,12 @@ public:
 
     /// The start itself.
     void begin(const State& y, Mode mode);
-    template <class At>
-    bool step(double t1, const State& y1, Mode mode, At&& at)
+    /// Over a surface that moves, states have the time in them.
+    template <class Y, class At>
+    bool step(double t1, const Y& stateNow, Mode mode, At&& stateAt)
     {
+        const State y1 = SpringModel::motionOf(stateNow);
+        const auto at = [&](double t) { return SpringModel::motionOf(stateAt(t)); };
         const double t0 = last_.time;
         const bool due = t1 - newest_ >= 0.1 * pointInterval_;
         const double most = interval_ > pointInterval_ ? double(mostParts) : 1.0;
@@ -95,9 +98,10 @@ private:
     /// Records the points that are not yet recorded.
     void record();
     void send(double begin);
-    /// All quantities there.
-    void observe(const Point& point, std::vector<double>& values) const;
-    bool judge(const Point& point, const double* values);
+    /// Sets values_ to all quantities there.
+    void observe(const Point& point) { model_.observe(point.y, point.mode, disk_.at(point.time), values_.data()); }
+    /// Whether values_ are sane there; else the run ends.
+    bool judge(const Point& point);
 
     const SpringModel& model_;
     const DiskUnderSprings& disk_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/case/contact_law.h"
 #include "core/case/integrator_kind.h"
@@ -82,7 +83,7 @@ Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const 
 {
     const SpringModel model(c, disk.moves() ? SpringModel::Guards::Zero() : disk.at(0.0).height);
     SpringRecorder recorder(model, disk, c, callback);
-    SpringEnergyBalance balance(model, disk, c);
+    SpringEnergyBalance balance(model, disk);
     const bool loose = !hasFixedStep(c.run.integrator) && c.run.tolerance >= looseTolerance;
     if (options.energyBalance || loose) recorder.balance = &balance;
 
@@ -120,20 +121,6 @@ Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const 
     return summary;
 }
 
-double finalValue(const Summary& summary, std::string_view name)
-{
-    for (const auto& [quantity, value] : summary.final)
-        if (quantity == name) return value;
-    return NAN;
-}
-
-Statistics tailOf(const Summary& summary, std::string_view name)
-{
-    for (const auto& [quantity, statistics] : summary.tail)
-        if (quantity == name) return statistics;
-    return {NAN, NAN, NAN, NAN};
-}
-
 /// Of a run that is repeated for a check: nothing is reported, but the callback may stop it. Case and callback must
 /// last.
 RunCallback stopOnly(const Case& c, const RunCallback& callback)
@@ -152,10 +139,12 @@ StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& 
     check.step = 0.5 * c.run.step;
     const RunCallback silent = stopOnly(c, callback);
     const Summary half = runOnce(c, disk, check.step, silent);
-    check.flyingHeight = finalValue(half, "flying_height");
-    check.pitch = finalValue(half, "pitch");
-    const auto [before, spreadBefore, least, most] = tailOf(full, "flying_height");
-    const auto [after, spreadAfter, leastAfter, mostAfter] = tailOf(half, "flying_height");
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const Statistics none{unknown, unknown, unknown, unknown};
+    check.flyingHeight = valueOr(half.final, "flying_height", unknown);
+    check.pitch = valueOr(half.final, "pitch", unknown);
+    const auto [before, spreadBefore, least, most] = valueOr(full.tail, "flying_height", none);
+    const auto [after, spreadAfter, leastAfter, mostAfter] = valueOr(half.tail, "flying_height", none);
     const bool sameMean = std::abs(before - after) <= sameFlyingHeight;
     check.sameEndState =
         half.status == full.status && sameMean && std::abs(spreadBefore - spreadAfter) <= sameFlyingHeight;
@@ -177,38 +166,25 @@ StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& 
     return check;
 }
 
-/// The flying heights of a run at the multiples of its sample interval.
-class FlyingHeights {
-public:
-    /// Hands the updates on.
-    FlyingHeights(const Case& c, const RunCallback& callback)
-        : column_(static_cast<std::size_t>(findQuantity(SpringModel::quantities(c), "flying_height"))),
-          record_([this, &callback, interval = c.run.sampleInterval](const RunUpdate& update) {
-              const SampleBatch& batch = update.samples;
-              for (std::size_t k = 0; k < batch.size(); ++k)
-                  if (!isBetweenSamples(batch.time[k], interval)) heights_.push_back(batch.columns[column_][k]);
-              return !callback || callback(update);
-          })
-    {}
-    FlyingHeights(const FlyingHeights&) = delete;
-
-    const RunCallback& record() const { return record_; }
-    const std::vector<double>& heights() const { return heights_; }
-
-private:
-    std::size_t column_;
-    std::vector<double> heights_; // [m]
-    RunCallback record_;
-};
+/// Hands the updates of a run on, and keeps its flying heights at the multiples of its sample interval [m].
+RunCallback keepHeights(const Case& c, const RunCallback& callback, std::vector<double>& heights)
+{
+    const auto column = static_cast<std::size_t>(findQuantity(SpringModel::quantities(c), "flying_height"));
+    return [&callback, &heights, column, interval = c.run.sampleInterval](const RunUpdate& update) {
+        const SampleBatch& batch = update.samples;
+        for (std::size_t k = 0; k < batch.size(); ++k)
+            if (!isBetweenSamples(batch.time[k], interval)) heights.push_back(batch.columns[column][k]);
+        return !callback || callback(update);
+    };
+}
 
 /// Whether the slider came so near to contact over a moving disk that a small error may have a large effect: where it
 /// grazes, the effect grows with the square root of the error.
 bool mayGraze(const Case& c, const Summary& summary)
 {
     if (!summary.events.empty()) return true;
-    for (const auto& [quantity, extremes] : summary.extremes)
-        if (quantity == "flying_height") return extremes.least < characteristic(c)->touchDown + nearTouchDown;
-    return false;
+    const Extremes* height = valueIn(summary.extremes, "flying_height");
+    return height && height->least < characteristic(c)->touchDown + nearTouchDown;
 }
 
 /// Runs again with another tolerance; a sentence where the motion is another then.
@@ -218,14 +194,15 @@ std::string otherMotion(const Case& c, const DiskUnderSprings& disk, const Summa
     Case other = c;
     other.run.tolerance *= c.run.tolerance > finestTolerance ? 0.01 : 10.0;
     const RunCallback silent = stopOnly(c, callback);
-    const FlyingHeights again(c, silent);
-    const Summary summary = runOnce(other, disk, other.run.step, again.record());
+    std::vector<double> again;
+    const RunCallback keeping = keepHeights(c, silent, again);
+    const Summary summary = runOnce(other, disk, other.run.step, keeping);
     if (summary.status == RunStatus::Cancelled) return {};
-    const std::size_t count = std::min(heights.size(), again.heights().size());
+    const std::size_t count = std::min(heights.size(), again.size());
     double most = 0.0;
     std::size_t first = count;
     for (std::size_t i = 0; i < count; ++i) {
-        const double apart = std::abs(heights[i] - again.heights()[i]);
+        const double apart = std::abs(heights[i] - again[i]);
         if (apart > sameMotion) first = std::min(first, i);
         most = std::max(most, apart);
     }
@@ -269,19 +246,14 @@ std::string reasonNotToStart(const Case& c, const DiskUnderSprings& disk)
 Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
     const DiskUnderSprings disk(c);
-    if (const std::string reason = reasonNotToStart(c, disk); !reason.empty()) {
-        Summary refused;
-        refused.status = RunStatus::Failed;
-        refused.failure = RunFailure::Other;
-        refused.message = reason;
-        return refused;
-    }
+    if (std::string reason = reasonNotToStart(c, disk); !reason.empty()) return refusedRun(std::move(reason));
     const bool adaptiveOverDisk = disk.moves() && !hasFixedStep(c.run.integrator);
     if (adaptiveOverDisk && characteristic(c) && c.run.stepCheck) {
-        const FlyingHeights record(c, callback);
-        Summary summary = runOnce(c, disk, c.run.step, record.record(), options);
+        std::vector<double> heights;
+        const RunCallback keeping = keepHeights(c, callback, heights);
+        Summary summary = runOnce(c, disk, c.run.step, keeping, options);
         if (summary.status == RunStatus::Cancelled || !mayGraze(c, summary)) return summary;
-        const std::string warning = otherMotion(c, disk, summary, record.heights(), callback);
+        const std::string warning = otherMotion(c, disk, summary, heights, callback);
         if (!warning.empty()) summary.warnings.push_back(warning);
         return summary;
     }

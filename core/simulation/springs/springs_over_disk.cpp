@@ -9,25 +9,6 @@
 
 namespace touchdown {
 
-namespace {
-
-/// Takes the steps over a surface that moves, whose states have the time in them.
-struct RecorderOverDisk {
-    template <class At>
-    bool step(double t, const SpringsOverDisk::State& y, SpringModel::Mode mode, At&& at)
-    {
-        const auto motionAt = [&](double s) { return SpringsOverDisk::motionOf(at(s)); };
-        return recorder.step(t, SpringsOverDisk::motionOf(y), mode, motionAt);
-    }
-    void event(double time, int guard, bool upper, SpringModel::Mode before, SpringModel::Mode after)
-    {
-        recorder.event(time, guard, upper, before, after);
-    }
-    SpringRecorder& recorder;
-};
-
-} // namespace
-
 std::array<SpringModel::Guards, 5> SpringsOverDisk::guardPath(const std::array<State, 5>& c) const
 {
     const double begin = c.front()[2], length = c.back()[2] - begin;
@@ -65,8 +46,7 @@ IntegrationResult integrateOverDisk(const SpringModel& model, const DiskUnderSpr
                                     SpringRecorder& recorder)
 {
     const SpringsOverDisk system(model, disk, c.run.duration);
-    RecorderOverDisk over{recorder};
-    return integrateSprings(system, c, step, model.shortestPeriod(), over);
+    return integrateSprings(system, c, step, model.shortestPeriod(), recorder);
 }
 
 } // namespace touchdown

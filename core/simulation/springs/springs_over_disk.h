@@ -32,7 +32,7 @@ public:
         : model_(model), disk_(disk), time_(duration + disk.passage())
     {}
 
-    static SpringModel::State motionOf(const State& y) { return {y[0], y[1], y[3], y[4]}; }
+    static SpringModel::State motionOf(const State& y) { return SpringModel::motionOf(y); }
     State initialState() const { return stateOf(model_.initialState(), 0.0, 1.0); }
     Mode initialMode() const { return model_.initialMode(disk_.at(0.0).height); }
 

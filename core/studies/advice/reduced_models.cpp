@@ -62,7 +62,7 @@ void solveContactRest(const Case& c, double end, const GoOn& goOn, CandidateOutc
 {
     Case flat = c;
     flat.diskSurface.kind = DiskSurfaceKind::Flat;
-    const FilmEquilibria equilibria = filmEquilibria(flat, {}, [&] { return !goOn || goOn(); });
+    const FilmEquilibria equilibria = filmEquilibria(flat, [&] { return !goOn || goOn(); });
     outcome.problem = equilibria.problem;
     const Equilibrium* nearest = nullptr;
     for (const Equilibrium& at : equilibria.found) {

@@ -15,13 +15,6 @@ namespace {
 
 constexpr double fewestSamples = 1000.0; // of a hold, so that its last tenth has statistics
 
-std::optional<double> valueOf(const std::vector<std::pair<std::string, double>>& list, std::string_view name)
-{
-    const auto found = std::ranges::find(list, name, [](const auto& each) { return std::string_view(each.first); });
-    if (found == list.end()) return std::nullopt;
-    return found->second;
-}
-
 /// Mean of a column between two times; 0 where there is no sample.
 double meanBetween(const std::vector<double>& time, const std::vector<double>& column, double begin, double end)
 {
@@ -39,8 +32,7 @@ double meanBetween(const std::vector<double>& time, const std::vector<double>& c
 ContactBranch branchAfter(const HeldEnd& before)
 {
     const Summary& end = before.summary;
-    if (valueOf(end.final, "contact_force").value_or(0.0) != 0.0 ||
-        valueOf(end.final, "adhesion_force").value_or(0.0) != 0.0)
+    if (valueOr(end.final, "contact_force", 0.0) != 0.0 || valueOr(end.final, "adhesion_force", 0.0) != 0.0)
         return ContactBranch::TakeOff;
     for (auto event = end.events.rbegin(); event != end.events.rend(); ++event)
         if (const auto branch = branchAfterSwitch(event->name)) return *branch;
@@ -65,7 +57,7 @@ std::string setParameter(Case& c, const Parameter& parameter, double value)
 
 void carryOver(Case& next, const HeldEnd& before)
 {
-    const auto last = [&](std::string_view name) { return valueOf(before.summary.final, name).value_or(0.0); };
+    const auto last = [&](std::string_view name) { return valueOr(before.summary.final, name, 0.0); };
     InitialCase& initial = next.initial;
     const double height = last("height");
     initial.pitch = last("pitch");
@@ -105,10 +97,8 @@ HeldStep holdValue(const HeldSteps& steps, double value, HeldEnd& last, std::vec
     if (!step.done) return step;
     step.problem = run.summary.message;
     step.end = run.end;
-    for (const auto& [quantity, statistics] : run.summary.tail) {
-        if (quantity == spacing) step.spacing = statistics;
-        if (quantity == "pitch") step.pitch = statistics.mean;
-    }
+    step.spacing = valueOr(run.summary.tail, spacing, step.spacing);
+    if (const Statistics* pitch = valueIn(run.summary.tail, "pitch")) step.pitch = pitch->mean;
     for (const std::string& warning : run.summary.warnings)
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(warning);
     step.drift =

@@ -86,8 +86,7 @@ std::span<const double> tailOf(const Case& c, const SampledRun& run)
 /// Peak to peak over the last tenth: between samples, too, where the run itself states it.
 double swingOf(const Statement& statement, const SampledRun& run)
 {
-    for (const auto& [quantity, tail] : run.run->summary.tail)
-        if (quantity == statement.quantity.name) return tail.max - tail.min;
+    if (const Statistics* tail = valueIn(run.run->summary.tail, statement.quantity.name)) return tail->max - tail->min;
     const auto [least, most] = std::ranges::minmax(tailOf(statement.c, run));
     return most - least;
 }
@@ -140,9 +139,7 @@ double largestDistance(const SampledRun& a, const SampledRun& b)
 
 Extremes extremesOf(const Statement& statement, const MeasuredRun& run)
 {
-    for (const auto& [quantity, extremes] : run.summary.extremes)
-        if (quantity == statement.quantity.name) return extremes;
-    return {NAN, NAN};
+    return valueOr(run.summary.extremes, statement.quantity.name, {NAN, NAN});
 }
 
 /// NaN where the run has no such value.

@@ -294,7 +294,7 @@ private slots:
         y[0] -= 5e-9;
         y[2] = 0.02;
         const Mode mode{true, true, ContactRegion::Pressed};
-        model.observe(y, mode, values.data());
+        model.observe(y, mode, {}, values.data());
         const auto at = [&](const char* name) { return values[std::size_t(findQuantity(quantities, name))]; };
         for (const double value : values) QVERIFY(std::isfinite(value));
         QVERIFY(std::abs(at("flying_height") - 2e-9) < 1e-22);
