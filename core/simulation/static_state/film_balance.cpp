@@ -22,7 +22,7 @@ Case overStillDisk(Case c)
 {
     if (c.diskSurface.motion != SurfaceMotion::Still || !contactLaw(c).seesDisk) c.diskSurface = {};
     c.run.fieldSnapshots = 0;
-    c.elastic.tolerance *= 1e-4; // under a film it is looser: see slider_patch.h
+    c.elastic.tolerance *= 1e-4; // under a film it is looser: see elastic_patch.h
     return c;
 }
 
