@@ -43,7 +43,7 @@ std::size_t firstCell(const UniformGrid& whole, const UniformGrid& part)
                     static_cast<int>(std::lround((part.y0 - whole.y0) / whole.dy)));
 }
 
-AdhesiveContactOptions optionsOf(const Case& c, const std::function<bool()>& goOn)
+ElasticContactOptions optionsOf(const Case& c, const std::function<bool()>& goOn)
 {
     const double tolerance = c.elastic.tolerance;
     return {.tolerance = underFilm(c) ? std::min(looserThanAlone * tolerance, loosest) : tolerance,
@@ -171,7 +171,7 @@ ContactGridError ElasticPatch::adhesiveError(const std::function<bool()>& goOn) 
         long long cells = 0;
         bool converged = true;
     };
-    AdhesiveContactOptions options = options_;
+    ElasticContactOptions options = options_;
     options.goOn = goOn;
     const auto comeDown = [&](const UniformGrid& grid) {
         AdhesiveContact contact(HalfSpace(grid, modulus_, edges_, goOn), adhesion_, options);

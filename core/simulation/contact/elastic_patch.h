@@ -115,7 +115,7 @@ private:
     double modulus_;        // E* [Pa]
     HalfSpaceEdges edges_;
     Adhesion adhesion_;
-    AdhesiveContactOptions options_;
+    ElasticContactOptions options_;
     const DiskTopography& topography_;
     Velocity velocity_; // of the surface [m/s]
     ContactLever lever_;
