@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/contact/contact_model.h"
 
-#include <cmath>
 #include <utility>
 
 #include "core/case/contact_law.h"
+#include "core/case/contact_patches.h"
+#include "core/case/disk_setup.h"
 #include "core/physics/contact/characteristic_fit.h"
 #include "core/physics/contact/separation_law.h"
 #include "core/simulation/contact/contact_lever.h"
@@ -137,20 +138,18 @@ ContactRows contactRows(const Case& c)
 
 void contactValues(const Case& c, const ContactRows& rows, const ContactForces& forces, double* values)
 {
-    const CoulombFriction friction = frictionOf(c);
-    const Velocity disk =
-        diskVelocity(c.disk, c.slider.length, c.slider.width, 0.5 * c.slider.length, 0.5 * c.slider.width);
-    const double sliding = std::hypot(disk.x, disk.y);
-    ContactSample sample{.forces = forces, .friction = friction.force(forces.contact, sliding)};
-    // The moment is that of the part along the slider.
-    if (sliding > 0.0) sample.frictionTorque = friction.pitchMoment(forces.contact, sliding) * disk.x / sliding;
+    const ContactLever::Rubbing rubbing = ContactLever(c).rubbing(0.5 * c.slider.length, 0.5 * c.slider.width);
+    const ContactSample sample{forces, rubbing.force * forces.contact, rubbing.pitchTorque * forces.contact};
     // Adding zero turns -0 into 0.
     for (const auto& row : rows) *values++ = row.value(sample) + 0.0;
 }
 
 RecordedFields contactMaps(const Case& c)
 {
-    return contactLaw(c).recordsSurfaces && c.run.fieldSnapshots > 0 ? ElasticPad::fields(c) : RecordedFields{};
+    if (!contactLaw(c).recordsSurfaces || c.run.fieldSnapshots == 0) return {};
+    // A measured surface is long to read, and only the patches of a slider's shape depend on it.
+    const DiskTopography surface = c.pad.shape == PadShape::Slider ? diskTopography(c) : DiskTopography();
+    return elasticFields(c, patchesOf(c, surface));
 }
 
 } // namespace touchdown

@@ -186,10 +186,4 @@ std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const
     return touchdown::surfaceStatistics(case_.diskSurface, topography_);
 }
 
-RecordedFields ElasticPad::fields(const Case& c)
-{
-    const DiskTopography surface = c.pad.shape == PadShape::Slider ? diskTopography(c) : DiskTopography();
-    return elasticFields(c, patchesOf(c, surface));
-}
-
 } // namespace touchdown

@@ -35,8 +35,6 @@ public:
     std::vector<std::string> remarks() const override;
     std::optional<SurfaceStatistics> surfaceStatistics() const override;
 
-    static RecordedFields fields(const Case& c);
-
 private:
     Case case_;
     DiskTopography topography_;

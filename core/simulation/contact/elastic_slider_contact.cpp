@@ -179,11 +179,4 @@ std::string ElasticSliderContact::problemAt(const Attitude& attitude) const
            "elastic.patch_reach";
 }
 
-RecordedFields ElasticSliderContact::fields(const Case& c, const std::function<bool()>& goOn)
-{
-    RecordedFields fields = elasticFields(c, filmPatches(c, goOn));
-    fields.group = "contact_fields";
-    return fields;
-}
-
 } // namespace touchdown

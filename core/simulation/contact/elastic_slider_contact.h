@@ -37,8 +37,6 @@ public:
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;
 
-    static RecordedFields fields(const Case& c, const std::function<bool()>& goOn = {});
-
 private:
     struct Part {
         ElasticPatch patch;

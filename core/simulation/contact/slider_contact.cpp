@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/case/contact_law.h"
+#include "core/case/contact_patches.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_slider_contact.h"
@@ -43,8 +44,10 @@ double longestStepOver(const Case& c, const DiskTopography& surface, double shor
 
 RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn)
 {
-    return contactLaw(c).recordsSurfaces && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c, goOn)
-                                                                     : RecordedFields{};
+    if (!contactLaw(c).recordsSurfaces || c.run.fieldSnapshots == 0) return {};
+    RecordedFields fields = elasticFields(c, filmPatches(c, goOn));
+    fields.group = "contact_fields";
+    return fields;
 }
 
 } // namespace touchdown
