@@ -44,7 +44,7 @@ public:
     virtual void begin(ContactBranch branch, double separation) = 0;
 
     /// Whether nothing acts at d [m] on the present branch, nor at any greater separation.
-    virtual bool outOfReach(double separation) const = 0;
+    virtual bool outOfReach(double separation) const { return separation > reach(); }
     /// The greatest separation at which a force acts on any branch [m].
     virtual double reach() const = 0;
 };
@@ -89,7 +89,6 @@ public:
 
     SeparationForces at(double separation) const override;
     void begin(ContactBranch, double) override {}
-    bool outOfReach(double separation) const override { return separation >= reach(); }
     double reach() const override { return law_.reach(); }
 
 private:
@@ -108,7 +107,6 @@ public:
     Interval interval() const override;
     std::string cross(bool upper) override;
     void begin(ContactBranch branch, double separation) override;
-    bool outOfReach(double separation) const override { return separation > reach_; }
     double reach() const override { return reach_; }
 
 private:

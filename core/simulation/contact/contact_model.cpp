@@ -25,8 +25,7 @@ std::unique_ptr<SeparationLaw> lawUnderPad(const Case& c)
     return makeSeparationLaw(c);
 }
 
-/// The strongest net pulls on the way out along a branch: at its ends, and between them unless the law is a straight
-/// line.
+/// The strongest net pulls on the way out along a branch: at its end, and before it unless the law is a straight line.
 void addPulls(const SeparationLaw& law, double from, double to, std::vector<PullPoint>& pulls)
 {
     const SeparationForces first = law.at(from), last = law.at(to);
@@ -34,7 +33,7 @@ void addPulls(const SeparationLaw& law, double from, double to, std::vector<Pull
         const TracedContact way{[&](double d) { return law.at(d).netAt(d); }, {}, [] {}};
         pulls.push_back(strongestPull(way, from, to, pullSeparation));
     }
-    pulls.insert(pulls.end(), {{from, first.netAt(from)}, {to, last.netAt(to)}});
+    pulls.push_back({to, last.netAt(to)});
 }
 
 /// Moves the law straight from one separation to another. Returns its forces there.
@@ -42,6 +41,7 @@ SeparationForces follow(SeparationLaw& law, double from, double to, PadMove& pas
 {
     passed = {};
     const bool away = to > from;
+    if (away) passed.pulls.push_back({from, law.at(from).netAt(from)});
     for (;;) {
         const Interval holds = law.interval();
         const double end = away ? holds.upper : holds.lower;

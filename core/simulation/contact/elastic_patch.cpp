@@ -18,9 +18,8 @@ constexpr double sameState = 1e-12;
 /// Above the reach of the patch: a recess beside it, where nothing touches [m].
 constexpr double deep = 1e-7;
 
-constexpr double reachOfPull = 10.0;   // of an attraction, in its own lengths [-]
-constexpr double moreThanCoarse = 1.5; // of a difference: the error shrinks as cell^0.74 or faster
-constexpr int stepsDown = 20;          // to a state with adhesion
+constexpr double reachOfPull = 10.0; // of an attraction, in its own lengths [-]
+constexpr int stepsDown = 20;        // to a state with adhesion
 
 constexpr double looserThanAlone = 1e4; // [-]
 constexpr double loosest = 1e-2;        // [-]
@@ -166,43 +165,39 @@ ContactGridError ElasticPatch::gridError(const std::function<bool()>& goOn) cons
 // With adhesion a state depends on its history: what a straight way down to it gives on both grids is compared.
 ContactGridError ElasticPatch::adhesiveError(const std::function<bool()>& goOn) const
 {
-    struct Sums {
-        double contact = 0.0, adhesion = 0.0, area = 0.0;
-        long long cells = 0;
-        bool converged = true;
-    };
     ElasticContactOptions options = options_;
     options.goOn = goOn;
+    struct Touching {
+        AdhesiveContactSummary summary;
+        long long cells = 0;
+    };
     const auto comeDown = [&](const UniformGrid& grid) {
         AdhesiveContact contact(HalfSpace(grid, modulus_, edges_, goOn), adhesion_, options);
         std::vector<double> separation(grid.cells()), lifted(grid.cells());
         separationOn(grid, separation);
         const double lift = std::max(-*std::ranges::min_element(separation), 0.0) +
                             reachOfPull * std::max(adhesion_.equilibriumDistance, contact.law().peakGap());
-        Sums sums;
-        for (int step = 1; step <= stepsDown && sums.converged; ++step) {
+        Touching end;
+        end.summary.converged = true;
+        for (int step = 1; step <= stepsDown && end.summary.converged; ++step) {
             const double above = lift * (stepsDown - step) / stepsDown;
             std::ranges::transform(separation, lifted.begin(), [&](double s) { return s + above; });
-            sums.converged = contact.solve(lifted).converged;
+            end.summary = contact.solve(lifted);
         }
-        for (const double p : contact.pressure())
-            if (p > 0.0) {
-                sums.contact += p * grid.cellArea();
-                sums.area += grid.cellArea();
-                ++sums.cells;
-            }
-        for (const double f : contact.adhesion()) sums.adhesion += f * grid.cellArea();
-        return sums;
+        end.cells = std::ranges::count_if(contact.pressure(), [](double p) { return p > 0.0; });
+        return end;
     };
     const UniformGrid coarse = coarsened(solved_.grid);
-    const Sums own = comeDown(solved_.grid), other = comeDown(coarse);
+    const auto [own, cells] = comeDown(solved_.grid);
+    const auto [other, coarseCells] = comeDown(coarse);
+    const double area = static_cast<double>(cells) * solved_.grid.cellArea();
     return {.known = own.converged && other.converged,
             .force = moreThanCoarse *
-                     std::max(std::abs(own.contact - other.contact), std::abs(own.adhesion - other.adhesion)),
-            .area = moreThanCoarse * std::abs(own.area - other.area),
+                     std::max(std::abs(own.load - other.load), std::abs(own.adhesionForce - other.adhesionForce)),
+            .area = moreThanCoarse * std::abs(area - static_cast<double>(coarseCells) * coarse.cellArea()),
             .cell = coarse.dx,
-            .other = other.contact,
-            .cells = own.cells};
+            .other = other.load,
+            .cells = cells};
 }
 
 /// Beyond a circle around a sphere: the integral of f(s) 2 pi r dr, with r dr = R ds.
