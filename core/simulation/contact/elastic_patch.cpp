@@ -149,17 +149,16 @@ ContactState ElasticPatch::state() const
             .pressure = contact_.pressure()};
 }
 
-bool ElasticPatch::isCutOff() const
+SeparationOn ElasticPatch::separation() const
 {
-    return touchdown::isCutOff(state(),
-                               [this](const UniformGrid& grid, std::span<double> s) { separationOn(grid, s); });
+    return [this](const UniformGrid& grid, std::span<double> s) { separationOn(grid, s); };
 }
+
+bool ElasticPatch::isCutOff() const { return touchdown::isCutOff(state(), separation()); }
 
 ContactGridError ElasticPatch::gridError(const std::function<bool()>& goOn) const
 {
-    if (contact_.adheres()) return adhesiveError(goOn);
-    return contactGridError(
-        state(), [this](const UniformGrid& grid, std::span<double> s) { separationOn(grid, s); }, goOn);
+    return contact_.adheres() ? adhesiveError(goOn) : contactGridError(state(), separation(), goOn);
 }
 
 // With adhesion a state depends on its history: what a straight way down to it gives on both grids is compared.
@@ -363,25 +362,22 @@ void ElasticPatch::clearTouching(const PaddedGrid& pad, std::span<double> field)
 void ElasticPatch::observe(FieldSnapshot& snapshot) const
 {
     const UniformGrid& grid = whole_.grid;
-    std::vector<double> surface(grid.cells(), 0.0), gap(grid.cells());
-    topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, surface);
-    for (int j = 0; j < grid.ny; ++j)
-        for (int i = 0; i < grid.nx; ++i) {
-            const std::size_t at = grid.at(i, j);
-            gap[at] = attitude_.height + attitude_.pitch * (length_ - grid.x(i)) -
-                      attitude_.roll * (grid.y(j) - 0.5 * width_) + whole_.recess[at] - surface[at] +
-                      (acts_ ? displacement_[at] : 0.0);
-        }
+    std::vector<double> gap(grid.cells());
+    separationOn(grid, gap);
     const auto add = [&](std::span<const double> field) {
         std::vector<double>& values = snapshot.values.emplace_back(grid.cells(), 0.0);
         if (acts_) forSolved([&](std::size_t to, std::size_t at) { values[to] = field[at]; });
     };
-    if (acts_) forSolved([&](std::size_t to, std::size_t at) { gap[to] = contact_.gap()[at]; });
+    if (acts_) {
+        std::ranges::transform(gap, displacement_, gap.begin(), std::plus());
+        forSolved([&](std::size_t to, std::size_t at) { gap[to] = contact_.gap()[at]; });
+    }
     snapshot.values.clear();
     snapshot.values.push_back(std::move(gap));
     add(contact_.pressure());
     if (contact_.adheres()) add(contact_.adhesion());
-    if (!surface_.empty()) snapshot.values.push_back(std::move(surface));
+    if (surface_.empty()) return;
+    topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, snapshot.values.emplace_back(grid.cells()));
 }
 
 } // namespace touchdown

@@ -100,6 +100,7 @@ private:
     void forHeights(const Attitude& attitude, const Visit& visit) const;
     void setSeparation(const Attitude& attitude, double time);
     void separationOn(const UniformGrid& grid, std::span<double> separation) const;
+    SeparationOn separation() const;
     ContactState state() const;
     ContactGridError adhesiveError(const std::function<bool()>& goOn) const;
     void setDisplacement();
