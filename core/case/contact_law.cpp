@@ -77,7 +77,8 @@ constexpr ContactLaw rowOf(ContactKind kind)
                 .reach = [](const Case& c) { return highestSummit(c) + c.meniscus.breakingLength; },
                 .remembers = true,
                 .menisci = true,
-                .recordsArea = true};
+                .recordsArea = true,
+                .recordsFit = true};
     }
     return {}; // beyond the last enumerator
 }

@@ -31,6 +31,7 @@ struct ContactLaw {
     bool seesDisk = false;             // the heights of the disk's surface, not its mean plane alone
     bool recordsArea = false;          // real area of contact
     bool recordsSurfaces = false;      // acts on cells of the surfaces: peak pressure, smallest gap, maps
+    bool recordsFit = false;           // of a pad: the forces of the five parameters that are fitted to it
 
     /// The refusal of this model.
     std::string_view whyNot(ModelKind model) const;

@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "core/case/contact_kind.h"
 #include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/simulation/run.h"
@@ -62,7 +61,7 @@ void LivePlots::updateMarks()
     std::vector<ShadedArea> areas;
     if (law) areas = cycleAreas(*law);
     const bool hasLoop = run && run->finished() && run->value.model == ModelKind::Contact;
-    if (hasLoop && run->value.contact == ContactKind::MultiAsperity) {
+    if (hasLoop && contactLaw(run->value).recordsFit) {
         const MinMaxPyramid* separation = run->pyramid("minimum_spacing");
         const MinMaxPyramid* force = run->pyramid("net_contact_force");
         if (separation && force) areas = cycleAreas(*separation, *force);

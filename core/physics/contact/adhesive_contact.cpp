@@ -39,7 +39,7 @@ double reachOf(HalfSpace& space)
 
 } // namespace
 
-AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const AdhesiveContactOptions& options)
+AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const ElasticContactOptions& options)
     : options_(options),
       cell_(AdhesionLaw(adhesion), space.ownCompliance(), options.hardness),
       reach_(reachOf(space)),
@@ -48,8 +48,7 @@ AdhesiveContact::AdhesiveContact(HalfSpace space, const Adhesion& adhesion, cons
     const UniformGrid grid = space.grid();
     attraction_.assign(grid.cells(), 0.0);
     if (!adhesion.acts()) {
-        elastic_.emplace(std::move(space), ElasticContactOptions{options.tolerance, options.maximumIterations,
-                                                                 options.hardness, options.goOn});
+        elastic_.emplace(std::move(space), options);
         return;
     }
     periodic_.emplace(fastGrid(grid), space.modulus(), HalfSpaceEdges::Periodic);
@@ -82,17 +81,14 @@ std::optional<std::string> AdhesiveContact::objection(std::span<const double> se
     mean /= static_cast<double>(separation.size());
     if (!std::isfinite(mean)) return "The separation of the surfaces is not a finite number everywhere.";
     if (space_->edges() == HalfSpaceEdges::Periodic && options_.hardness <= 0.0 && mean <= 0.0)
-        return sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space "
-                        "displaces nothing: give a "
-                        "greater separation.",
-                        -mean);
+        return overlapMessage(-mean);
     return std::nullopt;
 }
 
 AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation)
 {
     assert(separation.size() == attraction_.size());
-    if (elastic_) return solveElastic(separation);
+    if (elastic_) return {elastic_->solve(separation)};
     AdhesiveContactSummary summary;
     if (auto problem = objection(separation)) {
         summary.message = std::move(*problem);
@@ -121,18 +117,6 @@ AdhesiveContactSummary AdhesiveContact::solve(std::span<const double> separation
         summary.message =
             sentence("The adhesive contact did not converge in %d iterations: the error is %.2g, %.2g was asked.",
                      iterations_, summary.error, options_.tolerance);
-    return summary;
-}
-
-AdhesiveContactSummary AdhesiveContact::solveElastic(std::span<const double> separation)
-{
-    ElasticContactSummary elastic = elastic_->solve(separation);
-    AdhesiveContactSummary summary;
-    summary.converged = elastic.converged;
-    summary.iterations = elastic.iterations;
-    summary.error = elastic.error;
-    summary.contactForce = elastic.load;
-    summary.message = std::move(elastic.message);
     return summary;
 }
 
@@ -198,7 +182,6 @@ void AdhesiveContact::descendToMinimum(AdhesiveContactSummary& summary)
         const bool elsewhere = setTangents(first);
         first = false;
         const double moved = descend(elsewhere ? linearise() : summary.error);
-        ++summary.descents;
         const bool wasAhead = ahead_ > 0.0;
         const double reached = wasAhead ? presentEnergy() : 0.0;
         if (wasAhead && reached > least) {
@@ -261,7 +244,7 @@ void AdhesiveContact::finish(const Solution& before, AdhesiveContactSummary& sum
         quadrature += (now_.total[i] - before.total[i]) * moved;
     }
     const double area = space_->grid().cellArea();
-    summary.contactForce = contact * area;
+    summary.load = contact * area;
     summary.adhesionForce = adhesion * area;
     now_.energy = presentEnergy();
     if (before.exists) {

@@ -41,34 +41,19 @@
 
 namespace touchdown {
 
-struct AdhesiveContactOptions {
-    /// Largest deviation of a pressure from the law against the largest pressure, and of a gap from s + C (p + f)
-    /// against the largest displacement [-].
-    double tolerance = 1e-8;
-    int maximumIterations = 50000;
-    double hardness = 0.0;        // H [Pa], cap of p; 0: none
-    std::function<bool()> goOn{}; // asked at each convolution; false ends the solution, unconverged
-};
-
-struct AdhesiveContactSummary {
-    bool converged = false;
-    int iterations = 0;         // each one convolution; 0 far away
-    int descents = 0;           // tangents taken
-    double error = 0.0;         // as the tolerance measures it [-]
-    double contactForce = 0.0;  // of p, >= 0 [N]
+struct AdhesiveContactSummary : ElasticContactSummary {
     double adhesionForce = 0.0; // of f [N]
     /// Energy released since the last solution beyond the work done on the way (trapezoidal rule) [J], as by a snap.
     double energyDrop = 0.0;
     /// The released energy exceeds a fourth of (change of pressure)(change of separation): more than on a smooth way. A
     /// constant stiffness releases none, the end of a branch a sixth.
     bool jumped = false;
-    std::string message; // a sentence, when not converged
 };
 
 /// Each solution starts from the last one, the first from the undeformed surfaces.
 class AdhesiveContact {
 public:
-    AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const AdhesiveContactOptions& options = {});
+    AdhesiveContact(HalfSpace space, const Adhesion& adhesion, const ElasticContactOptions& options = {});
 
     /// At the given separation [m] of the undeformed surfaces, one value for each cell. Allocates nothing after the
     /// first call unless it fails. Invalid input leaves the last solution unchanged.
@@ -102,7 +87,6 @@ private:
     };
 
     std::optional<std::string> objection(std::span<const double> separation) const;
-    AdhesiveContactSummary solveElastic(std::span<const double> separation);
     bool solveFar(std::span<const double> separation);
     void descendToMinimum(AdhesiveContactSummary& summary);
     void finish(const Solution& before, AdhesiveContactSummary& summary);
@@ -133,7 +117,7 @@ private:
     std::optional<ElasticContact> elastic_; // without adhesion
     std::optional<HalfSpace> periodic_;     // preconditioner
     std::vector<double> repeated_;          // on its grid
-    AdhesiveContactOptions options_;
+    ElasticContactOptions options_;
     AdhesiveCell cell_;
     double reach_;     // the most that pressures up to 1 Pa displace [m/Pa]
     double freeScale_; // z0, the scale of changes of a gap [m]

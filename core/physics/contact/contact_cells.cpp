@@ -126,7 +126,6 @@ ContactCells::ContactCells(const HalfSpace& space)
 void ContactCells::clear()
 {
     runs_.clear();
-    count_ = 0;
     setsHold_ = false;
 }
 
@@ -134,7 +133,6 @@ void ContactCells::add(std::size_t cell)
 {
     if (runs_.empty() || runs_.back().last != cell) runs_.push_back({cell, cell});
     ++runs_.back().last;
-    ++count_;
     setsHold_ = false;
 }
 
@@ -152,28 +150,17 @@ void ContactCells::findSets()
     });
 }
 
-double ContactCells::precondition(const double* in, double* out)
+void ContactCells::precondition(const double* in, double* out)
 {
     if (!setsHold_) findSets();
     double* whole = whole_.data() + margin_;
     applyRows(runs_, set_.data(), rows_.data(), stride_, in, half_.data(), whole);
-    double sum = 0.0;
-    for (const Run& run : runs_)
-        for (std::size_t at = run.first; at < run.last; ++at) {
-            out[at] = whole[at];
-            sum += whole[at];
-        }
-    return sum;
+    for (const Run& run : runs_) std::copy(whole + run.first, whole + run.last, out + run.first);
 }
 
 double ContactCells::product(const double* a, const double* b) const { return sumProducts(runs_, a, b); }
 void ContactCells::add(double factor, const double* b, double* a) const { addProduct(runs_, factor, b, a); }
 void ContactCells::scaleAndAdd(double factor, const double* b, double* a) const { multiplyAndAdd(runs_, factor, b, a); }
-
-void ContactCells::fill(double value, double* a) const
-{
-    for (const Run& run : runs_) std::fill(a + run.first, a + run.last, value);
-}
 
 double ContactCells::largest(const double* a) const
 {

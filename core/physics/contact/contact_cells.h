@@ -26,20 +26,18 @@ public:
     void clear();
     /// In rising order.
     void add(std::size_t cell);
-    std::size_t count() const { return count_; }
 
     /// Number of values that the array given to precondition() needs before its first and after its last cell. It must
     /// be zero there and at all other cells.
     std::size_t margin() const { return margin_; }
-    /// out = M in. Returns the sum of out.
-    double precondition(const double* in, double* out);
+    /// out = M in.
+    void precondition(const double* in, double* out);
 
     double product(const double* a, const double* b) const;
     /// a += factor b
     void add(double factor, const double* b, double* a) const;
     /// a = b + factor a
     void scaleAndAdd(double factor, const double* b, double* a) const;
-    void fill(double value, double* a) const;
     /// The largest |a|.
     double largest(const double* a) const;
 
@@ -61,7 +59,7 @@ private:
     using Row = std::array<double, neighbours + 4>; // G's, in the order of `offsets_`, the cell itself last; padded
 
     std::vector<Run> runs_;
-    std::size_t count_ = 0, margin_;
+    std::size_t margin_;
     std::vector<Row> rows_;                // by the set of neighbours that take part, as bits
     std::vector<unsigned char> takesPart_; // with the margin before
     std::vector<std::uint16_t> set_;       // of each cell, by index

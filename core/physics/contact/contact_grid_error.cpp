@@ -18,6 +18,7 @@ constexpr double mostFineCells = 262144.0;    // of the finer grid: a second or 
 constexpr double mostSearchCells = 4194304.0; // at which the undeformed surfaces are compared
 constexpr int searchTimes = 8, searches = 3;  // for an overlap between these points
 constexpr double refinedTolerance = 1e-6;
+constexpr int mostIterations = 2000;
 
 /// Cells [x0, x1) x [y0, y1) of a grid.
 struct Window {
@@ -172,8 +173,9 @@ ContactGridError contactGridError(const ContactState& state, const SeparationOn&
     const UniformGrid grid = finer ? refined(state.grid, window, times) : coarsened(state.grid);
     std::vector<double> s(grid.cells());
     separation(grid, s);
-    ElasticContact contact(HalfSpace(grid, state.modulus, state.edges, goOn),
-                           {.tolerance = refinedTolerance, .hardness = state.hardness, .goOn = goOn});
+    ElasticContact contact(
+        HalfSpace(grid, state.modulus, state.edges, goOn),
+        {.tolerance = refinedTolerance, .maximumIterations = mostIterations, .hardness = state.hardness, .goOn = goOn});
     if (!contact.solve(s).converged) return error;
     const IslandSums other = sumsOf(grid, contact.pressure());
     error.known = true;

@@ -54,6 +54,9 @@ ContactGridError contactGridError(const ContactState& state, const SeparationOn&
 /// The same rectangle in half as many cells along and across, one more where that is no whole number.
 UniformGrid coarsened(const UniformGrid& grid);
 
+/// Of the difference from cells twice as large: the error of a contact with adhesion shrinks as cell^0.74 or faster [-].
+inline constexpr double moreThanCoarse = 1.5;
+
 /// Whether contact at the border of the patch continues beyond it: next to a touching cell at the border the undeformed
 /// surfaces overlap outside. That part is missing in the state.
 bool isCutOff(const ContactState& state, const SeparationOn& separation);

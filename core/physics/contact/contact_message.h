@@ -17,4 +17,12 @@ std::string sentence(const char* format, Values... values)
     return text;
 }
 
+/// Of a periodic contact without a hardness whose surfaces overlap by `depth` in the mean [m].
+inline std::string overlapMessage(double depth)
+{
+    return sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic half-space "
+                    "displaces nothing: give a greater separation.",
+                    depth);
+}
+
 } // namespace touchdown

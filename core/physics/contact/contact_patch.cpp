@@ -150,6 +150,14 @@ std::vector<Box> regions(const SliderScan& scan, double length, double width, in
     return done;
 }
 
+std::vector<double> atCentres(const UniformGrid& grid, const LengthAt& length)
+{
+    std::vector<double> values(grid.cells());
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) values[grid.at(i, j)] = length(grid.x(i), grid.y(j));
+    return values;
+}
+
 std::string wholeMicrometres(double length) { return std::to_string(std::llround(length * 1e6)) + " um"; }
 
 } // namespace
@@ -173,8 +181,7 @@ ContactPatch spherePatch(double length, double width, double cell, double radius
         const double x = atX - middleX, y = atY - middleY;
         return (x * x + y * y) / (2.0 * radius);
     };
-    for (int j = 0; j < grid.ny; ++j)
-        for (int i = 0; i < grid.nx; ++i) patch.height[grid.at(i, j)] = patch.heightAt(grid.x(i), grid.y(j));
+    patch.height = atCentres(grid, patch.heightAt);
     return patch;
 }
 
@@ -230,10 +237,7 @@ SliderPatches sliderPatches(const AirBearingSurface& surface, double length, dou
 ContactPatch coarsened(const ContactPatch& patch)
 {
     const UniformGrid grid = coarsened(patch.grid);
-    ContactPatch coarse{grid, std::vector<double>(grid.cells()), {}, patch.heightAt, patch.recessAt};
-    for (int j = 0; j < grid.ny; ++j)
-        for (int i = 0; i < grid.nx; ++i) coarse.height[grid.at(i, j)] = patch.heightAt(grid.x(i), grid.y(j));
-    return coarse;
+    return {grid, atCentres(grid, patch.heightAt), {}, patch.heightAt, patch.recessAt};
 }
 
 ContactPatch withoutMargin(ContactPatch patch, double limit)

@@ -25,15 +25,15 @@ struct Extremes {
     double all = 0.0;                              // finite if all numbers are
 };
 
-TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, double approach, const double* s, const double* u,
-                                         const double* p, double* gap)
+TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, const double* s, const double* u, const double* p,
+                                         double* gap)
 {
     constexpr std::size_t lanes = 8;
     double lowest[lanes], highest[lanes], peak[lanes] = {}, all[lanes] = {};
     std::fill_n(lowest, lanes, INFINITY);
     std::fill_n(highest, lanes, -INFINITY);
     const auto visit = [&](std::size_t at, std::size_t k) {
-        gap[at] = s[at] + u[at] + approach;
+        gap[at] = s[at] + u[at];
         lowest[k] = u[at] < lowest[k] ? u[at] : lowest[k];
         highest[k] = u[at] > highest[k] ? u[at] : highest[k];
         peak[k] = p[at] > peak[k] ? p[at] : peak[k];
@@ -54,8 +54,6 @@ TOUCHDOWN_VECTOR_CLONES Extremes setGaps(std::size_t cells, double approach, con
     return extremes;
 }
 
-double sum(std::span<const double> values) { return std::accumulate(values.begin(), values.end(), 0.0); }
-
 } // namespace
 
 ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& options)
@@ -63,7 +61,7 @@ ElasticContact::ElasticContact(HalfSpace space, const ElasticContactOptions& opt
 {
     const std::size_t cells = space_.grid().cells();
     for (auto* field : {&pressure_, &displacement_, &gap_, &lastPressure_, &lastDisplacement_, &pressureBefore_,
-                        &displacementBefore_, &constant_, &change_, &direction_, &image_})
+                        &displacementBefore_, &change_, &direction_, &image_})
         field->assign(cells, 0.0);
     residual_.assign(cells + 2 * cells_.margin(), 0.0);
     const UniformGrid& grid = space_.grid();
@@ -120,56 +118,38 @@ ElasticContactSummary ElasticContact::solve(std::span<const double> separation)
         return summary;
     }
     if (space_.edges() == HalfSpaceEdges::Periodic && options_.hardness <= 0.0 && mean <= 0.0)
-        return refuse(sentence("The surfaces overlap by %.3g m in the mean, and the mean pressure of a periodic "
-                               "half-space displaces nothing: "
-                               "give a load, or a greater separation.",
-                               -mean));
-    return iterate(separation, std::nullopt);
+        return refuse(overlapMessage(-mean));
+    return iterate(separation);
 }
 
-ElasticContactSummary ElasticContact::solveLoad(std::span<const double> separation, double load)
-{
-    assert(separation.size() == pressure_.size());
-    const UniformGrid& grid = space_.grid();
-    if (!std::isfinite(sum(separation)))
-        return refuse("The separation of the surfaces is not a finite number everywhere.");
-    if (!(load > 0.0) || !std::isfinite(load))
-        return refuse(sentence("A load of %g N cannot be held: it must be positive.", load));
-    const double most = options_.hardness * static_cast<double>(grid.cells()) * grid.cellArea();
-    if (options_.hardness > 0.0 && load > most)
-        return refuse(sentence("A load of %g N cannot be held: the hardness times the area is %g N.", load, most));
-    return iterate(separation, load / grid.cellArea());
-}
-
-// `total`: the sum of pressures to be held, if any [Pa].
-ElasticContactSummary ElasticContact::iterate(std::span<const double> separation, std::optional<double> total)
+ElasticContactSummary ElasticContact::iterate(std::span<const double> separation)
 {
     iterations_ = 0;
     rises_ = 0;
     stopped_ = false;
     ElasticContactSummary summary;
-    start(separation, total);
-    measure(separation, total.has_value(), summary);
-    if (summary.error > options_.tolerance) extrapolate(separation, solved_ > 1 && !total);
+    start(separation);
+    measure(separation, summary);
+    if (summary.error > options_.tolerance) extrapolate(separation, solved_ > 1);
     solved_ = std::min(solved_ + 1, 2);
     for (;;) {
-        measure(separation, total.has_value(), summary);
+        measure(separation, summary);
         summary.iterations = iterations_;
         summary.converged = summary.error <= options_.tolerance;
         const bool ends = stopped_ || iterations_ >= options_.maximumIterations;
         if (summary.converged || (bounded_ && ends) || !std::isfinite(summary.error)) break;
         pressureBefore_ = pressure_;
         displacementBefore_ = displacement_;
-        if (!step(total.has_value(), options_.maximumIterations - iterations_)) summary.error = INFINITY;
+        if (!step(options_.maximumIterations - iterations_)) summary.error = INFINITY;
         if (!std::isfinite(summary.error)) break;
-        if (project(total)) {
+        if (project()) {
             displace();
-            descend(total);
+            descend();
         }
     }
     if (!std::isfinite(summary.error))
         return refuse("The numbers of the contact are too large or too small to compute with.");
-    summary.load = sum(pressure_) * space_.grid().cellArea();
+    summary.load = std::accumulate(pressure_.begin(), pressure_.end(), 0.0) * space_.grid().cellArea();
     if (stopped_ && !summary.converged)
         summary.message = "The contact was stopped before it converged.";
     else if (!summary.converged)
@@ -185,21 +165,10 @@ void ElasticContact::displace()
     ++iterations_;
 }
 
-// From the last pressure, which may have another sum; where its cells cannot hold the load, from the same on all cells.
-void ElasticContact::start(std::span<const double> separation, std::optional<double> total)
+// From the last pressure.
+void ElasticContact::start(std::span<const double> separation)
 {
-    if (solved_ == 0 && coarser_) startFromCoarser(separation, total);
-    if (total) {
-        cells_.clear();
-        for (std::size_t i = 0; i < pressure_.size(); ++i)
-            if (pressure_[i] > 0.0) cells_.add(i);
-        if (static_cast<double>(cells_.count()) * largestPressure() < *total || cells_.count() == 0) {
-            std::fill(pressure_.begin(), pressure_.end(), *total / static_cast<double>(pressure_.size()));
-            displacementHolds_ = false;
-        } else if (project(total)) {
-            displacementHolds_ = false;
-        }
-    }
+    if (solved_ == 0 && coarser_) startFromCoarser(separation);
     // Steps add to the displacement, and the extrapolation lets its rounding grow from solution to solution.
     if (++carried_ > mostCarried) {
         space_.displace(lastPressure_, lastDisplacement_);
@@ -210,7 +179,7 @@ void ElasticContact::start(std::span<const double> separation, std::optional<dou
     if (!displacementHolds_) displace();
 }
 
-void ElasticContact::startFromCoarser(std::span<const double> separation, std::optional<double> total)
+void ElasticContact::startFromCoarser(std::span<const double> separation)
 {
     const auto nx = static_cast<std::size_t>(space_.grid().nx);
     const std::size_t coarseX = nx / 2;
@@ -219,45 +188,18 @@ void ElasticContact::startFromCoarser(std::span<const double> separation, std::o
         coarseSeparation_[c] = 0.25 * ((corner[0] + corner[1]) + (corner[nx] + corner[nx + 1]));
     }
     coarser_->reset();
-    coarser_->iterate(coarseSeparation_, total ? std::optional(*total / 4.0) : std::nullopt);
+    coarser_->iterate(coarseSeparation_);
     for (std::size_t i = 0; i < pressure_.size(); ++i)
         pressure_[i] = coarser_->pressure_[i / nx / 2 * coarseX + i % nx / 2];
     displacementHolds_ = false;
 }
 
 // Sets the gap, its error, and the cells whose pressure is to change.
-void ElasticContact::measure(std::span<const double> separation, bool load, ElasticContactSummary& summary)
+void ElasticContact::measure(std::span<const double> separation, ElasticContactSummary& summary)
 {
     const double hardness = largestPressure();
     const std::size_t cells = pressure_.size();
-    double approach = 0.0;
-    if (load) {
-        // The mean of the differences from one of them, so that a large common part costs no digits.
-        double first = 0.0, beyondFirst = 0.0, atLeast = -INFINITY, atMost = INFINITY;
-        std::size_t between = 0;
-        for (std::size_t i = 0; i < cells; ++i) {
-            const double needed = -(separation[i] + displacement_[i]);
-            if (pressure_[i] <= 0.0) {
-                atLeast = std::max(atLeast, needed);
-            } else if (pressure_[i] >= hardness) {
-                atMost = std::min(atMost, needed);
-            } else {
-                if (between == 0) first = needed;
-                beyondFirst += needed - first;
-                ++between;
-            }
-        }
-        if (between > 0)
-            approach = first + beyondFirst / static_cast<double>(between);
-        else if (!std::isfinite(atLeast))
-            approach = atMost;
-        else if (!std::isfinite(atMost))
-            approach = atLeast;
-        else
-            approach = 0.5 * (atLeast + atMost);
-    }
-    const Extremes extremes =
-        setGaps(cells, approach, separation.data(), displacement_.data(), pressure_.data(), gap_.data());
+    const Extremes extremes = setGaps(cells, separation.data(), displacement_.data(), pressure_.data(), gap_.data());
     double worst = 0.0;
     bounded_ = true;
     cells_.clear();
@@ -270,7 +212,6 @@ void ElasticContact::measure(std::span<const double> separation, bool load, Elas
     }
     // Where the displacement is nearly uniform, as under a uniform periodic pressure, a cell's own is the scale.
     const double scale = std::max(extremes.highest - extremes.lowest, 0.1 * extremes.peak * space_.ownCompliance());
-    summary.approach = approach;
     summary.error = !bounded_ ? 1.0 : worst == 0.0 ? 0.0 : scale > 0.0 ? worst / scale : 1.0;
     if (!std::isfinite(extremes.all + scale)) summary.error = INFINITY;
     // Before anything is displaced, what is to come is of the size of the overlap.

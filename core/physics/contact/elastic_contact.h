@@ -12,17 +12,12 @@
 // preconditioned (contact_cells.h). If the energy rises often, changes that raise it are cut to the point of least
 // energy, or replaced by a short step along the gradient where there is no such point.
 //
-// Each solution starts from the last one; at a given separation, from the point of least energy on the line through the
-// last two. The first starts from the solution on a grid of cells twice as large, and so on, where the numbers of cells
-// are even and at least sixteen.
-//
-// Under a given load the sum of pressures is kept in each step. The approach is the mean gap of the cells whose
-// pressure is below H, as in Polonsky & Keer.
+// Each solution starts from the point of least energy on the line through the last two. The first starts from the
+// solution on a grid of cells twice as large, and so on, where the numbers of cells are even and at least sixteen.
 #pragma once
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,21 +28,22 @@
 namespace touchdown {
 
 struct ElasticContactOptions {
-    /// The largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the largest difference of
-    /// displacements, or a tenth of the highest pressure's displacement of its own cell [-]. The load's error is 1e-9.
+    /// Without adhesion: the largest wrong gap, |g| under pressure, -g elsewhere, g under the hardness, against the
+    /// largest difference of displacements, or a tenth of the highest pressure's displacement of its own cell [-]. With
+    /// adhesion: the largest deviation of a pressure from the law against the largest pressure, and of a gap from s + C
+    /// (p + f) against the largest displacement.
     double tolerance = 1e-8;
-    int maximumIterations = 2000;
+    int maximumIterations = 50000;
     double hardness = 0.0;        // H [Pa]; 0: none
-    std::function<bool()> goOn{}; // asked at each step, also on coarser grids; false ends the solution
+    std::function<bool()> goOn{}; // asked at each step, also on coarser grids; false ends the solution, unconverged
 };
 
 struct ElasticContactSummary {
     bool converged = false;
-    int iterations = 0;    // each one convolution on the grid itself; 0 where nothing could touch
-    double error = 0.0;    // as the tolerance measures it [-]
-    double load = 0.0;     // [N]
-    double approach = 0.0; // load control: what was added to the separation [m]
-    std::string message;   // a sentence, when not converged
+    int iterations = 0;  // each one convolution on the grid itself; 0 where nothing could touch
+    double error = 0.0;  // as the tolerance measures it [-]
+    double load = 0.0;   // of p, >= 0 [N]
+    std::string message; // a sentence, when not converged
 };
 
 class ElasticContact {
@@ -58,8 +54,6 @@ public:
     /// Allocates nothing unless it fails. The mean pressure does not displace a periodic half-space: without a hardness
     /// the separation's mean must be positive.
     ElasticContactSummary solve(std::span<const double> separation);
-    /// At a given load [N], > 0: also finds the uniform approach by which the separation must change.
-    ElasticContactSummary solveLoad(std::span<const double> separation, double load);
 
     std::span<const double> pressure() const { return pressure_; } // [Pa]
     std::span<const double> gap() const { return gap_; }           // of the deformed surfaces [m]
@@ -70,14 +64,14 @@ public:
 
 private:
     ElasticContactSummary refuse(std::string message);
-    ElasticContactSummary iterate(std::span<const double> separation, std::optional<double> total);
-    void start(std::span<const double> separation, std::optional<double> total);
-    void startFromCoarser(std::span<const double> separation, std::optional<double> total);
+    ElasticContactSummary iterate(std::span<const double> separation);
+    void start(std::span<const double> separation);
+    void startFromCoarser(std::span<const double> separation);
     void extrapolate(std::span<const double> separation, bool follows);
-    void measure(std::span<const double> separation, bool load, ElasticContactSummary& summary);
-    bool step(bool load, int mostIterations);
-    bool project(std::optional<double> total);
-    void descend(std::optional<double> total);
+    void measure(std::span<const double> separation, ElasticContactSummary& summary);
+    bool step(int mostIterations);
+    bool project();
+    void descend();
     void displace();
     double largestPressure() const;
 
@@ -87,9 +81,9 @@ private:
     std::vector<double> pressure_, displacement_, gap_;
     std::vector<double> lastPressure_, lastDisplacement_; // of the solution before the last
     std::vector<double> pressureBefore_, displacementBefore_;
-    std::vector<double> residual_, constant_, change_, direction_, image_; // of conjugate gradients
-    bool displacementHolds_ = true;                                        // displacement_ is of pressure_
-    int solved_ = 0;      // solutions behind this one, at most two count
+    std::vector<double> residual_, change_, direction_, image_; // of conjugate gradients
+    bool displacementHolds_ = true;                             // displacement_ is of pressure_
+    int solved_ = 0;                                            // solutions behind this one, at most two count
     int carried_ = 0;     // solutions since both displacements were those of their pressures but for rounding
     bool bounded_ = true; // pressure_ is within its bounds
     std::unique_ptr<ElasticContact> coarser_; // of half the cells along each side, where there are many

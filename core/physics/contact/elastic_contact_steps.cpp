@@ -3,7 +3,6 @@
 // How the pressure of an elastic contact changes from one choice of cells to the next.
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/contact/elastic_contact.h"
@@ -54,22 +53,16 @@ void ElasticContact::extrapolate(std::span<const double> separation, bool follow
     }
 }
 
-// Preconditioned conjugate gradients for g = 0 on the cells without bounds: r = -g, z = M r; with a load, z - l M 1 so
-// that its sum is zero, and r - l, l the correction of the approach. Returns whether all numbers are finite.
-bool ElasticContact::step(bool load, int mostIterations)
+// Preconditioned conjugate gradients for g = 0 on the cells without bounds: r = -g, z = M r. Returns whether all
+// numbers are finite.
+bool ElasticContact::step(int mostIterations)
 {
     std::fill(residual_.begin(), residual_.end(), 0.0);
     std::fill(direction_.begin(), direction_.end(), 0.0);
     double* r = residual_.data() + cells_.margin();
     double* z = change_.data();
     double* d = direction_.data();
-    double* constant = constant_.data();
     const double hardness = largestPressure();
-    double constantSum = 0.0;
-    if (load) {
-        cells_.fill(1.0, r);
-        constantSum = cells_.precondition(r, constant);
-    }
     cells_.forEach([&](std::size_t i) { r[i] = -gap_[i]; });
     const auto isBounded = [&] {
         bool bounded = true;
@@ -81,12 +74,7 @@ bool ElasticContact::step(bool load, int mostIterations)
     for (int k = 0; k < mostIterations; ++k) {
         stopped_ = options_.goOn && !options_.goOn();
         if (stopped_) break;
-        const double zSum = cells_.precondition(r, z);
-        if (load) {
-            const double shift = zSum / constantSum;
-            cells_.add(-shift, constant, z);
-            cells_.forEach([&](std::size_t i) { r[i] -= shift; });
-        }
+        cells_.precondition(r, z);
         const double left = cells_.largest(r);
         if (k == 0) goal = std::max(gapShare * left, enough);
         if (k > 0 && (left <= goal || k % mostSteps == 0)) {
@@ -113,39 +101,14 @@ bool ElasticContact::step(bool load, int mostIterations)
     return true;
 }
 
-// The nearest pressure on the cells between the bounds, and of the given sum. Returns whether it is another.
-bool ElasticContact::project(std::optional<double> total)
+// The nearest pressure on the cells between the bounds. Returns whether it is another.
+bool ElasticContact::project()
 {
     const double hardness = largestPressure();
-    double shift = 0.0;
-    if (total) {
-        double others = std::accumulate(pressure_.begin(), pressure_.end(), 0.0);
-        cells_.forEach([&](std::size_t i) { others -= pressure_[i]; });
-        // Newton's method for the sum of bounded p + shift, which rises with the shift, within bounds that close in.
-        double low = -INFINITY, high = INFINITY;
-        for (int k = 0; k < 200; ++k) {
-            double excess = others - *total;
-            double slope = 0.0;
-            cells_.forEach([&](std::size_t i) {
-                const double p = pressure_[i] + shift;
-                excess += std::clamp(p, 0.0, hardness);
-                if (p > 0.0 && p < hardness) slope += 1.0;
-            });
-            if (std::abs(excess) <= 1e-12 * *total) break;
-            (excess > 0.0 ? high : low) = shift;
-            double next = slope > 0.0 ? shift - excess / slope : INFINITY;
-            if (!(next > low && next < high)) {
-                const double width = *total / static_cast<double>(cells_.count()) + std::abs(shift);
-                next = std::isinf(low) ? high - 2.0 * width : std::isinf(high) ? low + 2.0 * width : 0.5 * (low + high);
-            }
-            if (next == shift) break;
-            shift = next;
-        }
-    }
     bool changed = false;
     cells_.forEach([&](std::size_t i) {
         const double p = pressure_[i];
-        const double bounded = std::clamp(p + shift, 0.0, hardness);
+        const double bounded = std::clamp(p, 0.0, hardness);
         changed = changed || bounded != p;
         pressure_[i] = bounded;
     });
@@ -153,7 +116,7 @@ bool ElasticContact::project(std::optional<double> total)
 }
 
 // Along the step the energy changes by t a + t^2 b/2, a = g.dp, b = dp.du; t = 1 is kept unless it raises the energy.
-void ElasticContact::descend(std::optional<double> total)
+void ElasticContact::descend()
 {
     double slope = 0.0, curvature = 0.0;
     cells_.forEach([&](std::size_t i) {
@@ -170,7 +133,7 @@ void ElasticContact::descend(std::optional<double> total)
     }
     pressure_ = pressureBefore_;
     cells_.add(-1.0 / space_.largestCompliance(), gap_.data(), pressure_.data());
-    project(total);
+    project();
     displace();
 }
 

@@ -78,7 +78,6 @@ public:
     /// Energy lost in a jump: the pad rests, and what the forces on the surface do beyond the work of the bulk [J].
     double lostIn(const MultiAsperityJump& jump) const;
 
-    const AsperityContact& asperities() const { return contact_; }
     double padArea() const { return area_; }                // A [m^2]
     double summitDensity() const { return density_; }       // eta [1/m^2]
     double bulkStiffness() const { return bulkStiffness_; } // k_b [N/m]

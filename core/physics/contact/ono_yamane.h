@@ -88,11 +88,13 @@ std::string switchName(ContactRegion before, ContactRegion now);
 /// The branch after an event of this name; none where the name is not one of switchName.
 std::optional<ContactBranch> branchAfterSwitch(std::string_view name);
 
-/// constant + slope d.
+/// constant + slope (d - from).
 struct AffineForce {
     double constant = 0.0; // [N]
     double slope = 0.0;    // [N/m]
-    double at(double d) const { return constant + slope * d; }
+    double from = 0.0;     // [m]
+    double at(double d) const { return constant + slope * (d - from); }
+    bool operator==(const AffineForce&) const = default;
 };
 
 class OnoYamaneLaw {

@@ -21,10 +21,7 @@ SeparationForces CharacteristicLaw::at(double separation) const
 
 bool CharacteristicLaw::sameLaw(ContactRegion a, ContactRegion b) const
 {
-    const auto same = [](const AffineForce& f, const AffineForce& g) {
-        return f.constant == g.constant && f.slope == g.slope;
-    };
-    return same(law_.contactLaw(a), law_.contactLaw(b)) && same(law_.adhesionLaw(a), law_.adhesionLaw(b));
+    return law_.contactLaw(a) == law_.contactLaw(b) && law_.adhesionLaw(a) == law_.adhesionLaw(b);
 }
 
 /// The last region up there, or down there, whose law is this one's: nothing switches on the way.
@@ -61,6 +58,15 @@ std::string CharacteristicLaw::cross(bool upper)
     return switchName(before, region_);
 }
 
+SeparationForces UniformGapLaw::at(double separation) const
+{
+    const GapForces forces = law_.at(separation);
+    return {.contact = {area_ * forces.contact, area_ * forces.contactSlope, separation},
+            .adhesion = {area_ * forces.adhesion, area_ * forces.adhesionSlope, separation},
+            .area = area_ * forces.area,
+            .storedEnergy = area_ * forces.energy};
+}
+
 MultiAsperityLaw::MultiAsperityLaw(MultiAsperity model) : model_(std::move(model)), reach_(model_.reach())
 {
     setState(model_.start(reach_));
@@ -89,9 +95,8 @@ SeparationForces MultiAsperityLaw::at(double separation) const
     const PadMotion motion = separation < model_.padSeparation(state_) ? PadMotion::Towards : PadMotion::Away;
     const bool beyond = separation <= holds.lower || separation >= holds.upper;
     const MultiAsperitySlopes slopes = beyond ? MultiAsperitySlopes{} : model_.slopes(state, motion);
-    const auto tangent = [&](double force, double slope) { return AffineForce{force - slope * separation, slope}; };
-    return {.contact = tangent(forces.contact, slopes.contact),
-            .adhesion = tangent(forces.adhesion, slopes.adhesion),
+    return {.contact = {forces.contact, slopes.contact, separation},
+            .adhesion = {forces.adhesion, slopes.adhesion, separation},
             .area = forces.contactArea,
             .storedEnergy = forces.storedEnergy};
 }

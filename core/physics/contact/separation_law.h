@@ -7,8 +7,10 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "core/numerics/interval.h"
+#include "core/physics/contact/gap_law.h"
 #include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/ono_yamane.h"
 
@@ -20,6 +22,7 @@ struct SeparationForces {
     AffineForce adhesion;      // <= 0 at d
     double area = 0.0;         // real area of contact [m^2]; zero where the law has none
     double storedEnergy = 0.0; // elastic [J]
+    double netAt(double d) const { return contact.at(d) + adhesion.at(d); } // [N]
 };
 
 class SeparationLaw {
@@ -41,7 +44,7 @@ public:
     virtual void begin(ContactBranch branch, double separation) = 0;
 
     /// Whether nothing acts at d [m] on the present branch, nor at any greater separation.
-    virtual bool outOfReach(double separation) const = 0;
+    virtual bool outOfReach(double separation) const { return separation > reach(); }
     /// The greatest separation at which a force acts on any branch [m].
     virtual double reach() const = 0;
 };
@@ -78,6 +81,21 @@ private:
     Interval interval_; // in which its law holds [m]
 };
 
+/// A pressure of the gap on a pad without tilt over a flat disk, where the gap is d everywhere. It keeps no memory.
+class UniformGapLaw final : public SeparationLaw {
+public:
+    /// `area` of the pad [m^2].
+    UniformGapLaw(GapLaw law, double area) : law_(std::move(law)), area_(area) {}
+
+    SeparationForces at(double separation) const override;
+    void begin(ContactBranch, double) override {}
+    double reach() const override { return law_.reach(); }
+
+private:
+    GapLaw law_;
+    double area_; // [m^2]
+};
+
 /// Many asperities with menisci on a pad that deforms. Beyond a fold, where no state continues, the forces stay those
 /// of the fold.
 class MultiAsperityLaw final : public SeparationLaw {
@@ -89,7 +107,6 @@ public:
     Interval interval() const override;
     std::string cross(bool upper) override;
     void begin(ContactBranch branch, double separation) override;
-    bool outOfReach(double separation) const override { return separation > reach_; }
     double reach() const override { return reach_; }
 
 private:

@@ -21,7 +21,6 @@ namespace {
 
 constexpr double largeError = 0.02;     // of a force, for a warning [-]
 constexpr double largeDifference = 0.2; // of a force from that with cells twice as large, which is much more wrong [-]
-constexpr double moreThanOther = 1.5;   // of a difference: the error shrinks as cell^0.74 or faster
 constexpr double mostCoarseSteps = 200.0; // of the run with cells twice as large
 constexpr double notKnown = std::numeric_limits<double>::quiet_NaN();
 constexpr double cellsOfZone = 2.0; // with fewer cells, edges hang on them
@@ -172,10 +171,10 @@ void addErrors(const Case& c, const ContactDoubts& doubts, Summary& summary, con
         }
         const Quantity quantity = own->quantity;
         const double value = own->value;
-        const double error = moreThanOther * *distance + (quantity.unit == "m" ? comparison.resolution : 0.0) +
+        const double error = moreThanCoarse * *distance + (quantity.unit == "m" ? comparison.resolution : 0.0) +
                              (name == "pull_off_force" ? doubts.adhesionBeyond : 0.0) +
                              (name == "closest_contact_area" ? rimError(value, c.elastic.cell) : 0.0);
-        if (name.ends_with("_force") && moreThanOther * *distance > largeDifference * std::abs(value))
+        if (name.ends_with("_force") && moreThanCoarse * *distance > largeDifference * std::abs(value))
             large += (large.empty() ? "" : ", ") + text + ": " + fewDigits(value, quantity.displayUnit, 3) +
                      " with an error of up to " + fewDigits(error, quantity.displayUnit, 2);
         addError(summary.figures, name, error);

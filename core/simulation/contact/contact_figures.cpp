@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 
 namespace touchdown {
 
@@ -66,7 +66,7 @@ std::vector<RunFigure> ContactFigures::figures(const std::optional<SurfaceStatis
     } else if (rests && jumped(false) && jumped(true)) {
         add("loop_work", "J", "pJ", "Work that the way in and out takes: lost in its jumps", lostInJumps_);
     }
-    if (closest_ && (case_.contact != ContactKind::OnoYamane))
+    if (closest_ && (contactLaw(case_).recordsArea))
         add("closest_contact_area", "m^2", "um^2", "Real area of contact at the closest approach", closest_->area);
     if (surface) {
         add("surface_rms", "m", "nm", "RMS height of the disk's surface, computed back", surface->rms);

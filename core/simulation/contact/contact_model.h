@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The pad of the model "contact" and its law, one class for each ContactKind, built with only the parts that the case
-// needs. The pad is moved to separations d, of its lowest point and the disk's mean plane, and remembers how it came
-// there: branch, menisci, adhesion.
+// The pad of the model "contact" and its law: one of the separation alone, or surfaces on cells. The pad is moved to
+// separations d, of its lowest point and the disk's mean plane, and remembers how it came there: branch, menisci,
+// adhesion.
 #pragma once
 
 #include <functional>
@@ -42,6 +42,12 @@ struct ContactSwitch {
     std::string name;        // "touch-down"
 };
 
+/// What a straight move passed.
+struct PadMove {
+    std::vector<ContactSwitch> switches; // in their order
+    std::vector<PullPoint> pulls;        // way out, of a law that does not jump elsewhere: the strongest, net
+};
+
 class ContactModel {
 public:
     virtual ~ContactModel() = default;
@@ -49,11 +55,8 @@ public:
     /// Moves the pad straight from where it is to d [m]; the disk's surface is where it is at time t [s].
     virtual const ContactForces& move(double separation, double time) = 0;
 
-    /// The switches that a straight move to d [m] will pass, in their order.
-    virtual std::vector<ContactSwitch> switchesUntil(double separation) const;
-    /// Of a law that does not jump elsewhere: the strongest net pulls on a straight move out to d [m], between the
-    /// samples too. Empty on the way in.
-    virtual std::vector<PullPoint> pullsUntil(double separation) const;
+    /// Of the last move.
+    const PadMove& way() const { return way_; }
     /// Whether the force can jump where no switch says so, and whether it may have on the last move: the way
     /// decides, see core/physics/contact/contact_jump.h.
     virtual bool canJump() const { return false; }
@@ -63,13 +66,16 @@ public:
     virtual void recall(std::size_t /*place*/ = 0) {}
 
     /// Fills the values of contactMaps() after a move.
-    virtual void observe(FieldSnapshot& snapshot) const;
+    virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
     /// Errors of the last state that come from its grid and its patch; not known if `goOn` returns false.
     virtual ContactDoubts doubts(const std::function<bool()>& /*goOn*/) const { return {}; }
     /// What was assumed or left out, in sentences.
     virtual std::vector<std::string> remarks() const { return {}; }
     virtual std::optional<CharacteristicFit> fit() const { return std::nullopt; }
     virtual std::optional<SurfaceStatistics> surfaceStatistics() const { return std::nullopt; }
+
+protected:
+    PadMove way_;
 };
 
 /// `c` is valid, of the model "contact". If `goOn`, asked within long solutions, returns false they have a problem.

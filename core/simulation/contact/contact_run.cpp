@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/physics/contact/strongest_pull.h"
 #include "core/simulation/contact/contact_figures.h"
@@ -52,7 +52,7 @@ public:
         summary.figures = figures_.figures(stopped ? std::nullopt : model_->surfaceStatistics(), summary.fit);
         if (coarser_) return summary;
         std::ranges::copy(model_->remarks(), std::back_inserter(summary.warnings));
-        if (end_.completed() && case_.contact == ContactKind::Elastic) addDoubts(summary);
+        if (end_.completed() && contactLaw(case_).recordsSurfaces) addDoubts(summary);
         if (startsInContact_) summary.warnings.push_back("the surfaces touch at approach.start already");
         if (end_.completed() && isTouching() && !startsInContact_)
             summary.warnings.push_back(
@@ -107,10 +107,10 @@ private:
     {
         const double d = padSeparation(case_, station.time);
         away_ = station.time > 0.5 * case_.run.duration;
-        for (const ContactSwitch& known : model_->switchesUntil(d))
-            recorder_.addEvent(wayTime(known.separation), known.name);
-        for (const PullPoint& pull : model_->pullsUntil(d)) figures_.addPull(pull.separation, pull.force);
         if (!go(station.time, d)) return fail(station.time);
+        for (const ContactSwitch& passed : model_->way().switches)
+            recorder_.addEvent(wayTime(passed.separation), passed.name);
+        for (const PullPoint& pull : model_->way().pulls) figures_.addPull(pull.separation, pull.force);
         time_ = station.time;
         if (station.time == 0.0) startsInContact_ = isTouching();
         figures_.add(forces_, away_);
@@ -286,7 +286,7 @@ private:
     }
 
     /// Contact of surfaces; the summits of a statistical surface have no end.
-    bool isTouching() const { return case_.contact == ContactKind::Elastic && forces_.contact > 0.0; }
+    bool isTouching() const { return contactLaw(case_).recordsSurfaces && forces_.contact > 0.0; }
 
     /// A force may jump between two stations.
     void record(const PadStation& station)

@@ -13,7 +13,6 @@
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/physics/disk/surface_sampling.h"
 #include "core/simulation/contact/contact_doubts.h"
-#include "core/simulation/contact/disk_under_film.h"
 
 namespace touchdown {
 
@@ -24,13 +23,6 @@ constexpr double lostShare = 0.01;      // of the RMS, that counts [-]
 constexpr double cellsOfBump = 4.0;
 constexpr double leastRms = 1e-12; // [m]; below it is flat
 constexpr double seamShare = 1e-6; // of the surface's whole height: rounding [-]
-
-std::vector<double> lines(double first, double step, int count)
-{
-    std::vector<double> result;
-    for (int i = 0; i <= count; ++i) result.push_back(first + i * step);
-    return result;
-}
 
 bool hasFeaturesBelowCell(const Case& c, const SurfaceSampling& sampling)
 {
@@ -84,30 +76,16 @@ void addSampling(const Case& c, const UniformGrid& grid, const DiskTopography& s
 } // namespace
 
 ElasticPad::ElasticPad(const Case& c, const std::function<bool()>& goOn, bool coarser)
-    : case_(c),
-      topography_(diskTopography(c, goOn)),
-      velocity_(surfaceVelocity(c, topography_)),
-      modulus_(contactModulus(c.elastic.pair))
+    : case_(c), topography_(diskTopography(c, goOn))
 {
-    for (ContactPatch& patch : patchesOf(c, topography_).patches) {
-        if (coarser) patch = coarsened(patch);
-        HalfSpace space(patch.grid, modulus_, c.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free,
-                        goOn);
-        AdhesiveContact contact(std::move(space), c.adhesion,
-                                {.tolerance = c.elastic.tolerance,
-                                 .maximumIterations = c.elastic.maximumIterations,
-                                 .hardness = c.elastic.hardness,
-                                 .goOn = goOn});
-        const std::size_t cells = patch.grid.cells();
-        parts_.push_back({std::move(patch), std::move(contact), std::vector<double>(topography_.flat() ? 0 : cells),
-                          std::vector<double>(cells)});
-    }
+    for (ContactPatch& patch : patchesOf(c, topography_).patches)
+        patches_.emplace_back(c, coarser ? coarsened(patch) : std::move(patch), topography_, goOn);
 }
 
 std::size_t ElasticPad::cells() const
 {
     std::size_t count = 0;
-    for (const Part& part : parts_) count += part.patch.grid.cells();
+    for (const ElasticPatch& patch : patches_) count += patch.grid().cells();
     return count;
 }
 
@@ -115,105 +93,54 @@ const ContactForces& ElasticPad::move(double separation, double time)
 {
     forces_ = {};
     forces_.separation = separation;
-    time_ = time;
     forces_.minimumGap = std::numeric_limits<double>::infinity();
     jumped_ = false;
-    for (Part& part : parts_) solve(part, separation, time);
+    for (ElasticPatch& one : patches_) {
+        const PatchForces& patch = one.solve({.height = separation}, time);
+        forces_.contact += patch.contact[0];
+        forces_.adhesion += patch.adhesion[0];
+        forces_.area += patch.area;
+        forces_.peakPressure = std::max(forces_.peakPressure, patch.peakPressure);
+        forces_.minimumGap = std::min(forces_.minimumGap, patch.minimumGap);
+        forces_.energy += patch.storedEnergy;
+        forces_.iterations += patch.iterations;
+        if (forces_.problem.empty()) forces_.problem = patch.problem;
+        jumped_ = jumped_ || patch.jumped;
+    }
     return forces_;
-}
-
-void ElasticPad::solve(Part& part, double separation, double time)
-{
-    const bool moves = velocity_.x != 0.0 || velocity_.y != 0.0;
-    if (!part.surface.empty() && (part.surfaceTime < 0.0 || (moves && part.surfaceTime != time))) {
-        topography_.heights(part.patch.grid, velocity_.x * time, velocity_.y * time, part.surface);
-        part.surfaceTime = time;
-    }
-    for (std::size_t i = 0; i < part.separation.size(); ++i)
-        part.separation[i] = separation + part.patch.height[i] - (part.surface.empty() ? 0.0 : part.surface[i]);
-
-    const double cell = part.patch.grid.cellArea();
-    const AdhesiveContactSummary summary = part.contact.solve(part.separation);
-    forces_.iterations += summary.iterations;
-    if (!summary.converged && forces_.problem.empty()) forces_.problem = summary.message;
-    for (const double p : part.contact.pressure()) {
-        if (p <= 0.0) continue;
-        forces_.contact += p * cell;
-        forces_.area += cell;
-        forces_.peakPressure = std::max(forces_.peakPressure, p);
-    }
-    const double least = *std::ranges::min_element(part.contact.gap());
-    // Where nothing flows, a gap below zero is what the solver's tolerance left.
-    forces_.minimumGap = std::min(forces_.minimumGap, case_.elastic.hardness > 0.0 ? least : std::max(least, 0.0));
-    for (const double p : part.contact.adhesion()) forces_.adhesion += p * cell;
-    if (part.contact.adheres()) forces_.energy += part.contact.energy();
-    jumped_ = jumped_ || summary.jumped;
 }
 
 void ElasticPad::remember(std::size_t place)
 {
-    for (Part& part : parts_) part.contact.remember(place);
+    for (ElasticPatch& patch : patches_) patch.remember(place);
 }
 
 void ElasticPad::recall(std::size_t place)
 {
-    for (Part& part : parts_) part.contact.recall(place);
+    for (ElasticPatch& patch : patches_) patch.recall(place);
 }
 
+/// With adhesion the error of the grid is that of the whole way (contact_doubts.h).
 ContactDoubts ElasticPad::doubts(const std::function<bool()>& goOn) const
 {
     ContactDoubts doubts;
-    if (!parts_.empty()) doubts.belowCell = losesFeatures(case_, topography_, parts_.front().patch.grid);
-    for (const Part& part : parts_) {
-        const SeparationOn separation = [&](const UniformGrid& grid, std::span<double> s) {
-            topography_.heights(grid, velocity_.x * time_, velocity_.y * time_, s);
-            for (int j = 0; j < grid.ny; ++j)
-                for (int i = 0; i < grid.nx; ++i) {
-                    double& at = s[grid.at(i, j)];
-                    at = forces_.separation + part.patch.heightAt(grid.x(i), grid.y(j)) - at;
-                }
-        };
-        const ContactState state{.grid = part.patch.grid,
-                                 .modulus = modulus_,
-                                 .edges = case_.elastic.periodic ? HalfSpaceEdges::Periodic : HalfSpaceEdges::Free,
-                                 .hardness = case_.elastic.hardness,
-                                 .pressure = part.contact.pressure()};
-        doubts.cutOff = doubts.cutOff || isCutOff(state, separation);
-        if (part.contact.adheres())
-            doubts.adhesionBeyond += adhesionBeyond(part);
-        else
-            doubts.add(contactGridError(state, separation, goOn));
+    if (!patches_.empty()) doubts.belowCell = losesFeatures(case_, topography_, patches_.front().grid());
+    for (const ElasticPatch& patch : patches_) {
+        doubts.cutOff = doubts.cutOff || patch.isCutOff();
+        if (!case_.adhesion.acts())
+            doubts.add(patch.gridError(goOn));
+        else if (case_.pad.shape == PadShape::Sphere && !case_.elastic.periodic)
+            doubts.adhesionBeyond += patch.attractionAround(case_.pad.radius);
     }
     return doubts;
 }
 
-/// Beyond a circle around a sphere: the integral of f(s) 2 pi r dr, with r dr = R ds.
-double ElasticPad::adhesionBeyond(const Part& part) const
-{
-    if (case_.pad.shape != PadShape::Sphere || case_.elastic.periodic) return 0.0;
-    const UniformGrid& grid = part.patch.grid;
-    const std::span<const double> gap = part.contact.gap();
-    double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < grid.nx; ++i) least = std::min({least, gap[grid.at(i, 0)], gap[grid.at(i, grid.ny - 1)]});
-    for (int j = 0; j < grid.ny; ++j) least = std::min({least, gap[grid.at(0, j)], gap[grid.at(grid.nx - 1, j)]});
-    return 2.0 * std::numbers::pi * case_.pad.radius * std::max(-part.contact.law().energy(least), 0.0);
-}
-
-void ElasticPad::observe(FieldSnapshot& snapshot) const
-{
-    const Part& part = parts_.front();
-    snapshot.values.clear();
-    const auto add = [&](std::span<const double> field) { snapshot.values.emplace_back(field.begin(), field.end()); };
-    add(part.contact.gap());
-    add(part.contact.pressure());
-    if (part.contact.adheres()) add(part.contact.adhesion());
-    if (!part.surface.empty()) add(part.surface);
-}
+void ElasticPad::observe(FieldSnapshot& snapshot) const { patches_.front().observe(snapshot); }
 
 std::vector<std::string> ElasticPad::remarks() const
 {
     std::vector<UniformGrid> grids;
-    for (const Part& part : parts_) grids.push_back(part.patch.grid);
+    for (const ElasticPatch& patch : patches_) grids.push_back(patch.grid());
     return elasticRemarks(case_, grids, topography_);
 }
 
@@ -257,26 +184,6 @@ std::optional<SurfaceStatistics> ElasticPad::surfaceStatistics() const
 {
     if (topography_.flat()) return std::nullopt;
     return touchdown::surfaceStatistics(case_.diskSurface, topography_);
-}
-
-RecordedFields ElasticPad::fields(const Case& c)
-{
-    const DiskTopography surface = c.pad.shape == PadShape::Slider ? diskTopography(c) : DiskTopography();
-    return elasticFields(c, patchesOf(c, surface));
-}
-
-RecordedFields elasticFields(const Case& c, const SliderPatches& patches)
-{
-    RecordedFields fields;
-    if (patches.patches.empty()) return fields;
-    const UniformGrid& grid = patches.patches.front().grid;
-    fields.grid = {lines(grid.x0, grid.dx, grid.nx), lines(grid.y0, grid.dy, grid.ny)};
-    fields.quantities = {{"gap", "m", "nm", "Gap of the deformed surfaces"},
-                         {"contact_pressure", "Pa", "MPa", "Contact pressure"}};
-    if (c.adhesion.acts()) fields.quantities.push_back({"adhesion_pressure", "Pa", "MPa", "Adhesion pressure"});
-    if (c.diskSurface.kind != DiskSurfaceKind::Flat)
-        fields.quantities.push_back({"disk_surface", "m", "nm", "Height of the disk's surface"});
-    return fields;
 }
 
 } // namespace touchdown

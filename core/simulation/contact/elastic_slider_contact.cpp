@@ -7,7 +7,6 @@
 
 #include "core/case/contact_patches.h"
 #include "core/formats/units.h"
-#include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_pad.h"
 
 namespace touchdown {
@@ -38,7 +37,6 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
                                            const std::function<bool()>& goOn)
     : case_(c), spacing_(spacing), surface_(surface), pad_(pad), highest_(surface.highest()), lever_(c)
 {
-    const Velocity velocity = surfaceVelocity(c, surface);
     longestStep_ = longestStepOver(c, surface, c.elastic.cell, goOn);
     for (ContactPatch& patch : filmPatches(c, goOn).patches) {
         if (goOn && !goOn()) return;
@@ -46,7 +44,7 @@ ElasticSliderContact::ElasticSliderContact(const Case& c, const MinimumSpacing& 
         double reach = highest_;
         if (c.adhesion.acts())
             reach += reachOf(AdhesionLaw(c.adhesion), leastPull * std::abs(c.suspension.preload) / area);
-        parts_.push_back({SliderPatch(c, std::move(patch), surface, velocity, goOn), reach});
+        parts_.push_back({ElasticPatch(c, std::move(patch), surface, goOn), reach});
         parts_.back().patch.overlap(grid);
     }
 }
@@ -61,7 +59,7 @@ const SliderContactForces& ElasticSliderContact::at(const Attitude& attitude, do
             part.patch.part(attitude, time);
             continue;
         }
-        const PatchForces& patch = part.patch.solve(attitude, time);
+        const PatchForces& patch = part.patch.tryAt(attitude, time);
         forces_.contact += patch.contact[0];
         forces_.adhesion += patch.adhesion[0];
         forces_.pitchTorque += patch.contact[1] + patch.adhesion[1];
@@ -126,8 +124,11 @@ SliderContact::Doubts ElasticSliderContact::doubts(const std::function<bool()>& 
     doubts.contact = forces.contact;
     doubts.adhesion = forces.adhesion;
     if (!parts_.empty()) doubts.of.belowCell = losesFeatures(case_, surface_, parts_.front().patch.grid());
-    for (const Part& part : parts_)
-        if (part.near) part.patch.addDoubts(doubts.of, goOn);
+    for (const Part& part : parts_) {
+        if (!part.near) continue;
+        doubts.of.cutOff = doubts.of.cutOff || part.patch.isCutOff();
+        doubts.of.add(part.patch.gridError(goOn));
+    }
     return doubts;
 }
 
@@ -176,13 +177,6 @@ std::string ElasticSliderContact::problemAt(const Attitude& attitude) const
            " over the disk's mean plane at x = " + micrometres(place.at.x) + ", y = " + micrometres(place.at.y) +
            ", where no contact is modelled: give elastic.patch_pitch the pitch at which it touches, or take a greater "
            "elastic.patch_reach";
-}
-
-RecordedFields ElasticSliderContact::fields(const Case& c, const std::function<bool()>& goOn)
-{
-    RecordedFields fields = elasticFields(c, filmPatches(c, goOn));
-    fields.group = "contact_fields";
-    return fields;
 }
 
 } // namespace touchdown

@@ -11,8 +11,8 @@
 #include "core/numerics/padded_grid.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/contact/contact_lever.h"
+#include "core/simulation/contact/elastic_patch.h"
 #include "core/simulation/contact/slider_contact.h"
-#include "core/simulation/contact/slider_patch.h"
 
 namespace touchdown {
 
@@ -38,11 +38,9 @@ public:
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;
 
-    static RecordedFields fields(const Case& c, const std::function<bool()>& goOn = {});
-
 private:
     struct Part {
-        SliderPatch patch;
+        ElasticPatch patch;
         double reach;      // clearance beyond which nothing acts [m]
         bool near = false; // at the last call
     };

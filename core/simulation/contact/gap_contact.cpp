@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/numerics/gauss_legendre.h"
 
@@ -47,9 +48,9 @@ const Rules& rules()
 
 } // namespace
 
-GapContact::GapContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface,
+GapContact::GapContact(const Case& c, GapLaw law, const MinimumSpacing& spacing, const DiskTopography& surface,
                        const CellGrid& grid, const PaddedGrid& padded, const std::function<bool()>& goOn)
-    : law_(c.asperity, c.elastic.pair, c.adhesion),
+    : law_(std::move(law)),
       spacing_(spacing),
       padded_(padded),
       length_(c.slider.length),

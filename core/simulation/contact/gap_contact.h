@@ -25,8 +25,8 @@ namespace touchdown {
 class GapContact final : public SliderContact {
 public:
     /// Spacing, surface, grid and pad must last. Invalid where `goOn` returns false.
-    GapContact(const Case& c, const MinimumSpacing& spacing, const DiskTopography& surface, const CellGrid& grid,
-               const PaddedGrid& padded, const std::function<bool()>& goOn);
+    GapContact(const Case& c, GapLaw law, const MinimumSpacing& spacing, const DiskTopography& surface,
+               const CellGrid& grid, const PaddedGrid& padded, const std::function<bool()>& goOn);
 
     const SliderContactForces& at(const Attitude& attitude, double time) override;
     Matrix3 stiffness() const override { return stiffness_; }

@@ -19,10 +19,19 @@ constexpr double stiffnessStep = 1e-13;
 std::unique_ptr<SeparationLaw> makeSeparationLaw(const Case& c)
 {
     if (const auto parameters = characteristic(c)) return std::make_unique<CharacteristicLaw>(*parameters);
-    if (c.contact == ContactKind::MultiAsperity)
-        return std::make_unique<MultiAsperityLaw>(
-            MultiAsperity(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width));
+    if (c.contact == ContactKind::MultiAsperity) return std::make_unique<MultiAsperityLaw>(manyAsperities(c));
     return nullptr;
+}
+
+std::optional<GapLaw> gapLawOf(const Case& c)
+{
+    if (c.contact != ContactKind::Asperity) return std::nullopt;
+    return GapLaw(c.asperity, c.elastic.pair, c.adhesion);
+}
+
+MultiAsperity manyAsperities(const Case& c)
+{
+    return MultiAsperity(c.asperity, c.meniscus, c.elastic.pair, c.pad.length * c.pad.width);
 }
 
 PadContact::PadContact(const Case& c, std::unique_ptr<SeparationLaw> law, const MinimumSpacing& spacing)

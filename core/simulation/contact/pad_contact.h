@@ -20,6 +20,10 @@ namespace touchdown {
 
 /// The law of the separation that a case names; null where its contact is another.
 std::unique_ptr<SeparationLaw> makeSeparationLaw(const Case& c);
+/// The same for a pressure of the gap.
+std::optional<GapLaw> gapLawOf(const Case& c);
+/// Many asperities on the pad of a case.
+MultiAsperity manyAsperities(const Case& c);
 
 class PadContact final : public SliderContact {
 public:

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/case/contact_kind.h"
+#include "core/case/contact_law.h"
+#include "core/case/contact_patches.h"
 #include "core/physics/disk/surface_statistics.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/elastic_slider_contact.h"
@@ -17,13 +19,11 @@ std::unique_ptr<SliderContact> makeSliderContact(const Case& c, const MinimumSpa
                                                  const DiskTopography& surface, const CellGrid& grid,
                                                  const PaddedGrid& pad, const std::function<bool()>& goOn)
 {
-    switch (c.contact) {
-    case ContactKind::OnoYamane:
-    case ContactKind::MultiAsperity: return std::make_unique<PadContact>(c, makeSeparationLaw(c), spacing);
-    case ContactKind::Elastic: return std::make_unique<ElasticSliderContact>(c, spacing, surface, grid, pad, goOn);
-    case ContactKind::Asperity: return std::make_unique<GapContact>(c, spacing, surface, grid, pad, goOn);
-    case ContactKind::None: break;
-    }
+    if (contactLaw(c).recordsSurfaces)
+        return std::make_unique<ElasticSliderContact>(c, spacing, surface, grid, pad, goOn);
+    if (auto law = makeSeparationLaw(c)) return std::make_unique<PadContact>(c, std::move(law), spacing);
+    if (auto law = gapLawOf(c))
+        return std::make_unique<GapContact>(c, std::move(*law), spacing, surface, grid, pad, goOn);
     return nullptr;
 }
 
@@ -44,8 +44,10 @@ double longestStepOver(const Case& c, const DiskTopography& surface, double shor
 
 RecordedFields sliderContactFields(const Case& c, const std::function<bool()>& goOn)
 {
-    return c.contact == ContactKind::Elastic && c.run.fieldSnapshots > 0 ? ElasticSliderContact::fields(c, goOn)
-                                                                         : RecordedFields{};
+    if (!contactLaw(c).recordsSurfaces || c.run.fieldSnapshots == 0) return {};
+    RecordedFields fields = elasticFields(c, filmPatches(c, goOn));
+    fields.group = "contact_fields";
+    return fields;
 }
 
 } // namespace touchdown

@@ -276,7 +276,7 @@ private:
             error = differenceFrom(found, case_, {everySecond(grid_.x), everySecond(grid_.y)}, nullptr, 0.5);
         if (contactLaw(case_).recordsSurfaces) {
             if (edgesHangOnCells(case_)) return {}; // the remark says so
-            constexpr double ofCells = 1.5;         // as in slider_patch.cpp
+            constexpr double ofCells = 1.5;         // as in elastic_patch.cpp
             Case coarse = case_;
             coarse.elastic.cell *= 2.0;
             const DiscretisationError cells =

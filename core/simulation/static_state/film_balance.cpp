@@ -23,7 +23,7 @@ Case overStillDisk(Case c, FilmBalance::Contact contact)
     const bool sees = contact == FilmBalance::Contact::Acts && contactLaw(c).seesDisk;
     if (c.diskSurface.motion != SurfaceMotion::Still || !sees) c.diskSurface = {};
     c.run.fieldSnapshots = 0;
-    c.elastic.tolerance *= 1e-4; // under a film it is looser: see slider_patch.h
+    c.elastic.tolerance *= 1e-4; // under a film it is looser: see elastic_patch.h
     return c;
 }
 

@@ -33,7 +33,7 @@ struct Sphere {
 
     int iterations = 0; // of the last solution
 
-    Sphere(double mu, int n, double halfWidth, double tolerance = AdhesiveContactOptions{}.tolerance)
+    Sphere(double mu, int n, double halfWidth, double tolerance = ElasticContactOptions{}.tolerance)
         : grid{n, n, 2.0 * halfWidth / n, 2.0 * halfWidth / n, -halfWidth, -halfWidth},
           contact(HalfSpace(grid, modulus(mu)),
                   {.kind = AdhesionKind::LennardJones, .surfaceEnergy = surfaceEnergy, .equilibriumDistance = z0},
@@ -54,7 +54,7 @@ struct Sphere {
     {
         const AdhesiveContactSummary summary = solve(d);
         iterations = summary.iterations;
-        return summary.converged ? (summary.contactForce + summary.adhesionForce) / (pi * radius * surfaceEnergy) : NAN;
+        return summary.converged ? (summary.load + summary.adhesionForce) / (pi * radius * surfaceEnergy) : NAN;
     }
     /// The largest attraction on the way up.
     double pullOff(double from, double to, double step)

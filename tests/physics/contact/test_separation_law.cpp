@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/physics/contact/adhesion_kind.h"
 #include "tests/support/asperity_pad.h"
 #include "tests/support/test_program.h"
 
@@ -54,6 +55,29 @@ private slots:
         QVERIFY(std::abs(net(law, 4.5e-9) - -10e-3) < 1e-15);
         QCOMPARE(law.reach(), 5e-9);
         QVERIFY(!law.outOfReach(4.5e-9));
+    }
+
+    /// The pad's area times the pressures; a tangent meets the law beside it but for the square of the distance.
+    void pressureOfTheGapOnAPad()
+    {
+        Adhesion attraction;
+        attraction.kind = AdhesionKind::LennardJones;
+        const GapLaw gap({}, {}, attraction);
+        const double area = 300e-12, step = 1e-14;
+        const UniformGapLaw law(gap, area);
+        for (const double d : {-1e-9, 0.5e-9, 2e-9, 4e-9}) {
+            const SeparationForces forces = law.at(d);
+            const GapForces pressures = gap.at(d), beside = gap.at(d + step);
+            QCOMPARE(forces.contact.at(d), area * pressures.contact);
+            QCOMPARE(forces.adhesion.at(d), area * pressures.adhesion);
+            QCOMPARE(forces.area, area * pressures.area);
+            QCOMPARE(forces.storedEnergy, area * pressures.energy);
+            const double change = area * std::abs(beside.total() - pressures.total());
+            QVERIFY(std::abs(forces.netAt(d + step) - area * beside.total()) < 1e-3 * change + 1e-18);
+        }
+        QVERIFY(law.outOfReach(1.01 * law.reach()));
+        QCOMPARE(law.at(1.01 * law.reach()).contact.at(1.01 * law.reach()), 0.0);
+        QVERIFY(!law.outOfReach(0.99 * law.reach()));
     }
 
     /// Moved in and out in small steps it has the forces of the model that it is made of, also across its jumps.

@@ -3,6 +3,7 @@
 // The laws without surfaces; those with them: test_elastic_pad.cpp.
 #include "core/simulation/contact/contact_model.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QTest>
@@ -81,16 +82,50 @@ private slots:
     void characteristicRemembers()
     {
         const auto model = makeContactModel(contactCase(ContactKind::OnoYamane));
+        const auto passed = [&](double separation) {
+            model->move(separation, 0.0);
+            return model->way().switches;
+        };
         QCOMPARE(model->move(4e-9, 0.0).net(), 0.0);
-        QCOMPARE(model->switchesUntil(3.5e-9).size(), std::size_t{0});
-        QCOMPARE(model->switchesUntil(2e-9).front().name, std::string("touch-down"));
-        QCOMPARE(model->switchesUntil(2e-9).front().separation, 3e-9);
-        model->move(2e-9, 0.0);
-        QVERIFY(model->switchesUntil(1e-9).empty());
+        QVERIFY(model->way().switches.empty());
+        QVERIFY(passed(3.5e-9).empty());
+        const std::vector<ContactSwitch> in = passed(2e-9);
+        QCOMPARE(in.size(), std::size_t{1});
+        QCOMPARE(in.front().name, std::string("touch-down"));
+        QCOMPARE(in.front().separation, 3e-9);
+        QVERIFY(passed(1e-9).empty());
         QVERIFY(std::abs(model->move(4.5e-9, 0.0).net() + 10.7e-3) < 1e-15);
-        QCOMPARE(model->switchesUntil(5.5e-9).front().name, std::string("take-off"));
+        const std::vector<ContactSwitch> out = passed(5.5e-9);
+        QCOMPARE(out.size(), std::size_t{1});
+        QCOMPARE(out.front().name, std::string("take-off"));
+        QCOMPARE(out.front().separation, 5e-9);
         QCOMPARE(model->move(5.5e-9, 0.0).net(), 0.0);
-        QVERIFY(model->switchesUntil(4e-9).empty());
+        QVERIFY(passed(4e-9).empty());
+    }
+    /// On straight lines the strongest pull is at the end of one: here where F_cr has fallen to zero, or at d_s.
+    void pullsOfTheCharacteristic()
+    {
+        Case c = contactCase(ContactKind::OnoYamane);
+        const auto strongest = [&](std::initializer_list<double> stops) {
+            const auto model = makeContactModel(c);
+            model->move(1e-9, 0.0);
+            PullPoint found{0.0, 0.0};
+            for (const double stop : stops) {
+                model->move(stop, 0.0);
+                for (const PullPoint& pull : model->way().pulls)
+                    if (pull.force < found.force) found = pull;
+            }
+            return found;
+        };
+        for (const auto& stops : {std::initializer_list<double>{8e-9}, {3.2e-9, 4.4e-9, 8e-9}}) {
+            c.onoYamane.takeOffShape = TakeOffShape::Constant;
+            QVERIFY(std::abs(strongest(stops).force + 10.7e-3) < 1e-15);
+            QVERIFY(strongest(stops).separation >= 4e-9 * (1.0 - 1e-12)); // d_s + f_c0/k_c
+            // Contact and menisci fall together to zero at d_e: f_c0 - f_m at d_s is the most.
+            c.onoYamane.takeOffShape = TakeOffShape::BothLinear;
+            QVERIFY(std::abs(strongest(stops).force + 5.7e-3) < 1e-15);
+            QCOMPARE(strongest(stops).separation, 3e-9);
+        }
     }
     /// The pad's area times the law's pressure.
     void asperities()
@@ -106,6 +141,24 @@ private slots:
         QCOMPARE(forces.area, 300e-12 * law.contactArea(2e-9));
         QVERIFY(!model->canJump());
     }
+    /// A pad that stays far away meets none of the stronger attraction nearer to the disk: its strongest pull is that
+    /// at the closest approach.
+    void pullsOfAsperitiesAreThoseOfTheWay()
+    {
+        Case c = contactCase(ContactKind::Asperity);
+        c.adhesion.kind = AdhesionKind::LennardJones;
+        c.approach = {8e-9, 5e-9};
+        const auto model = makeContactModel(c);
+        model->move(8e-9, 0.0);
+        QVERIFY(model->way().pulls.empty());
+        const double closest = model->move(5e-9, 0.0).net();
+        QVERIFY(closest < 0.0);
+        QVERIFY(model->way().pulls.empty());
+        model->move(8e-9, 0.0);
+        const PullPoint strongest = *std::ranges::min_element(model->way().pulls, {}, &PullPoint::force);
+        QCOMPARE(strongest.separation, 5e-9);
+        QCOMPARE(strongest.force, closest);
+    }
     void multiAsperity()
     {
         Case c = contactCase(ContactKind::MultiAsperity);
@@ -113,18 +166,20 @@ private slots:
         const auto model = makeContactModel(c);
         QVERIFY(model->fit() && model->fit()->describes);
         QCOMPARE(model->move(6e-9, 0.0).net(), 0.0);
-        const auto in = model->switchesUntil(1e-9);
+        model->move(1e-9, 0.0);
+        const std::vector<ContactSwitch> in = model->way().switches;
         QVERIFY(!in.empty());
         QCOMPARE(in.front().name, std::string("touch-down"));
-        // Short of the jump nothing has switched, beyond it menisci pull.
-        QVERIFY(model->switchesUntil(in.front().separation + 1e-12).empty());
-        QVERIFY(model->move(in.front().separation - 1e-12, 0.0).adhesion < -1e-3);
-        model->move(1e-9, 0.0);
-        const auto out = model->switchesUntil(6e-9);
+        QCOMPARE(model->move(6e-9, 0.0).adhesion, 0.0);
+        const std::vector<ContactSwitch> out = model->way().switches;
         QVERIFY(!out.empty());
         QCOMPARE(out.front().name, std::string("take-off"));
         QVERIFY(out.front().separation > in.front().separation);
-        QCOMPARE(model->move(6e-9, 0.0).adhesion, 0.0);
+        // Short of the jump nothing has switched, beyond it menisci pull.
+        model->move(in.front().separation + 1e-12, 0.0);
+        QVERIFY(model->way().switches.empty());
+        QVERIFY(model->move(in.front().separation - 1e-12, 0.0).adhesion < -1e-3);
+        QCOMPARE(model->way().switches.size(), std::size_t{1});
     }
     void lawsWithoutSurfacesHaveNoMaps()
     {
@@ -147,12 +202,12 @@ private slots:
             QVERIFY(strongest < -1e-3);
             for (const std::vector<double>& stops : {std::vector{6e-9}, std::vector{2.71e-9, 3.14e-9, 6e-9}}) {
                 const auto model = makeContactModel(c);
-                QVERIFY(model->pullsUntil(1e-9).empty());
                 model->move(1e-9, 0.0);
+                QVERIFY(model->way().pulls.empty());
                 double found = 0.0;
                 for (const double stop : stops) {
-                    for (const PullPoint& pull : model->pullsUntil(stop)) found = std::min(found, pull.force);
                     model->move(stop, 0.0);
+                    for (const PullPoint& pull : model->way().pulls) found = std::min(found, pull.force);
                 }
                 QVERIFY2(std::abs(found / strongest - 1.0) < 1e-6,
                          qPrintable(QString::number(found / strongest, 'g', 12)));

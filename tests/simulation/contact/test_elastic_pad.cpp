@@ -121,7 +121,7 @@ private slots:
         const ContactForces forces = pad.move(-1e-9, 0.0);
         FieldSnapshot snapshot;
         pad.observe(snapshot);
-        const RecordedFields fields = ElasticPad::fields(twoPads());
+        const RecordedFields fields = contactMaps(twoPads());
         QCOMPARE(snapshot.values.size(), fields.quantities.size());
         QCOMPARE(snapshot.values[1].size(), fields.grid.cells());
         // Of the first pad; the other one is like it.

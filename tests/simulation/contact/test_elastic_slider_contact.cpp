@@ -125,7 +125,7 @@ private slots:
         const SliderContactForces& f = scene.contact.at(at(-0.3e-9, 20e-6), 1e-6);
         FieldSnapshot snapshot;
         scene.contact.observe(snapshot);
-        const RecordedFields fields = ElasticSliderContact::fields(withRoughDisk(true));
+        const RecordedFields fields = sliderContactFields(withRoughDisk(true));
         QCOMPARE(snapshot.values.size(), fields.quantities.size());
         double pitchTorque = 0.0, rollTorque = 0.0, net = 0.0;
         std::size_t cell = 0;
@@ -207,7 +207,7 @@ private slots:
                 volume -= height[scene.pad.at(i, j)] * scene.grid.widthX(i) * scene.grid.widthY(j);
         FieldSnapshot snapshot;
         scene.contact.observe(snapshot);
-        const RecordedFields fields = ElasticSliderContact::fields(withRoughDisk(true));
+        const RecordedFields fields = sliderContactFields(withRoughDisk(true));
         const Attitude attitude = at(-0.5e-9);
         double pressed = 0.0;
         std::size_t cell = 0;
@@ -233,7 +233,7 @@ private slots:
         scene.contact.clearTouching(field);
         FieldSnapshot snapshot;
         scene.contact.observe(snapshot);
-        const RecordedFields fields = ElasticSliderContact::fields(c);
+        const RecordedFields fields = sliderContactFields(c);
         std::size_t cell = 0;
         int touching = 0;
         for (int j = 0; j < fields.grid.ny(); ++j)

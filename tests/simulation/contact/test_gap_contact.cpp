@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/contact/gap_contact.h"
+#include "core/simulation/contact/pad_contact.h"
 
 #include <cmath>
 #include <random>
@@ -41,7 +42,7 @@ struct Contact {
           topography(diskTopography(c, {})),
           grid(gradedGrid(c.surface, length, width, cells, cells)),
           padded{grid.nx(), grid.ny()},
-          law(c, spacing, topography, grid, padded, {})
+          law(c, *gapLawOf(c), spacing, topography, grid, padded, {})
     {}
     Recess recess;
     MinimumSpacing spacing;
