@@ -60,7 +60,7 @@ inline std::optional<double> spacingUnder(double force, double spacing, const St
     const std::unique_ptr<FilmBalance> made = FilmBalance::make(c, rest.grid, rest.gaps, rest.attitude, always);
     FilmBalance& balance = *made;
     balance.level().gaps.pad.pad<double>(rest.pressure, balance.level().pressure);
-    const TouchingPlaces places = touchingPlaces(balance, rest.attitude, {}, always);
+    const TouchingPlaces places = touchingPlaces(balance, rest.attitude, always);
     for (const TouchingPlace& place : places.found)
         if (balance.spacing(place.q) > c.onoYamane.touchDown) return balance.spacing(place.q);
     return std::nullopt;

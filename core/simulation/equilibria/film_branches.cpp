@@ -109,7 +109,7 @@ EquilibriumBranches traceFilmBranches(const CaseAt& caseAt, double from, double 
             ++result.givenUp;
             return;
         }
-        const TouchingPlaces places = touchingPlaces(*balance, look.rest, {}, ask);
+        const TouchingPlaces places = touchingPlaces(*balance, look.rest, ask);
         if (places.givenUp > 0 && ask()) ++result.givenUp;
         for (const TouchingPlace& place : places.found)
             result.endsLost += trace.follow({look.p, place.q, place.region});

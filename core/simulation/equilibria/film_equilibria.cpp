@@ -82,7 +82,7 @@ FilmEquilibria filmEquilibria(const Case& c, const std::function<bool()>& goOn)
     if (rest.status == SteadyStatus::Converged && rest.minimumSpacing > characteristic(c)->touchDown &&
         balance.solve(balance.body().coordinates(rest.attitude), goOn))
         add(ContactRegion::Apart);
-    const TouchingPlaces touching = touchingPlaces(balance, rest.attitude, {}, goOn);
+    const TouchingPlaces touching = touchingPlaces(balance, rest.attitude, goOn);
     for (const TouchingPlace& place : touching.found)
         if (balance.solve(place.q, goOn)) add(place.region);
     result.stopped = !goOn();

@@ -117,11 +117,11 @@ public:
         // Those of surfaces that attract each other take long: only where they are asked for.
         const bool asked = !contactLaw(case_).recordsSurfaces || case_.initial.branch == ContactBranch::TakeOff;
         const bool mayHaveSeveral = makeSeparationLaw(case_) || (contactLaw(case_).adheres(case_) && asked);
-        if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, {}, goOn_));
+        if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, goOn_));
         // Pressed hard it lies flatter, and parked, without air, flat on its crown.
         for (const double share : {0.6, 0.3, 0.0})
             if (found.empty() && !flies_ && !stopped_ && problem_.empty())
-                take(touchingPlaces(*balance_, {rest_.height, share * rest_.pitch, share * rest_.roll}, {}, goOn_));
+                take(touchingPlaces(*balance_, {rest_.height, share * rest_.pitch, share * rest_.roll}, goOn_));
         if (stopped_) return stop();
         if (!below.empty() && found.empty()) problem_ = below;
         report(found);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -132,10 +131,9 @@ TouchingPlaces touchingPlaces(FilmBalance& balance, const std::vector<Attitude>&
     return TouchingSearch(balance, branch, goOn).search(starts);
 }
 
-TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
-                              const std::function<bool()>& goOn)
+TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::function<bool()>& goOn)
 {
-    std::vector<Attitude> starts = near;
+    std::vector<Attitude> starts;
     if (const auto law = characteristic(balance.setup())) {
         const double spacing = balance.spacing(balance.body().coordinates(rest));
         for (const double target : {law->touchDown, 0.5 * (law->touchDown + law->takeOff), 0.6 * law->touchDown}) {
@@ -144,7 +142,7 @@ TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const 
             starts.push_back(lowered);
         }
     } else {
-        std::ranges::move(startsByForce(balance, rest, goOn), std::back_inserter(starts));
+        starts = startsByForce(balance, rest, goOn);
     }
     return touchingPlaces(balance, starts, ContactBranch::TakeOff, goOn);
 }

@@ -29,9 +29,8 @@ struct TouchingPlaces {
     std::string problem;              // of a start that stayed where no contact is modelled
 };
 
-/// Out of a contact, from `rest` set down to several separations and from those of `near`.
-TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::vector<Attitude>& near,
-                              const std::function<bool()>& goOn);
+/// Out of a contact, from `rest` set down to several separations.
+TouchingPlaces touchingPlaces(FilmBalance& balance, const Attitude& rest, const std::function<bool()>& goOn);
 
 /// On one branch, from the starts.
 TouchingPlaces touchingPlaces(FilmBalance& balance, const std::vector<Attitude>& starts, ContactBranch branch,
