@@ -18,8 +18,13 @@ constexpr double stiffnessStep = 1e-13;
 
 std::unique_ptr<SeparationLaw> makeSeparationLaw(const Case& c)
 {
-    if (const auto parameters = characteristic(c)) return std::make_unique<CharacteristicLaw>(*parameters);
-    if (c.contact == ContactKind::MultiAsperity) return std::make_unique<MultiAsperityLaw>(manyAsperities(c));
+    switch (c.contact) {
+    case ContactKind::OnoYamane: return std::make_unique<CharacteristicLaw>(*characteristic(c));
+    case ContactKind::MultiAsperity: return std::make_unique<MultiAsperityLaw>(manyAsperities(c));
+    case ContactKind::Asperity: // gapLawOf
+    case ContactKind::Elastic:  // on cells
+    case ContactKind::None: break;
+    }
     return nullptr;
 }
 

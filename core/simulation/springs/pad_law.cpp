@@ -135,8 +135,7 @@ std::unique_ptr<const PadLaw> makePadLaw(const Case& c)
     if (c.contact == noContact || !contactLaw(c).whyNot(ModelKind::Springs).empty()) return std::make_unique<PadLaw>();
     if (const auto parameters = characteristic(c)) return std::make_unique<CharacteristicOfPad>(*parameters);
     if (auto law = makeSeparationLaw(c)) return makePadLaw(std::move(law), makeSeparationLaw(c));
-    const GapLaw law(c.asperity, c.elastic.pair, c.adhesion);
-    return std::make_unique<PressureOnPad>(law, c.pad.length * c.pad.width, c.asperity.planeHeight);
+    return std::make_unique<PressureOnPad>(*gapLawOf(c), c.pad.length * c.pad.width, c.asperity.planeHeight);
 }
 
 } // namespace touchdown
