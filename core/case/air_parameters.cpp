@@ -46,8 +46,9 @@ std::string slipMeanings()
 
 std::string accommodationMeaning()
 {
-    return "Accommodation coefficient of the walls: 1 = all molecules leave them diffusely. With " +
-           joined(slipNames([](const SlipLaw& law) { return !law.knowsAccommodation; })) + " it must be 1.";
+    return "Accommodation coefficient of the walls: 1 = all molecules leave them diffusely. These slip models take 1 "
+           "alone: " +
+           joined(slipNames([](const SlipLaw& law) { return !law.knowsAccommodation; })) + ".";
 }
 
 } // namespace

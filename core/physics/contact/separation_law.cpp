@@ -24,11 +24,14 @@ bool CharacteristicLaw::sameLaw(ContactRegion a, ContactRegion b) const
     return law_.contactLaw(a) == law_.contactLaw(b) && law_.adhesionLaw(a) == law_.adhesionLaw(b);
 }
 
-/// The last region up there, or down there, whose law is this one's: nothing switches on the way.
+/// The last region up there, or down there, whose law is this one's: nothing switches on the way. Without menisci no
+/// force tells Bridged from Apart, but a slider that comes back from beyond d_e touches down at d_s again.
 ContactRegion CharacteristicLaw::lastOfLaw(bool upper) const
 {
     ContactRegion last = region_;
-    for (ContactRegion next; (next = law_.beyond(last, upper)) != last && sameLaw(last, next);) last = next;
+    for (ContactRegion next; (next = law_.beyond(last, upper)) != last && next != ContactRegion::Apart &&
+                             last != ContactRegion::Apart && sameLaw(last, next);)
+        last = next;
     return last;
 }
 
@@ -92,7 +95,10 @@ SeparationForces MultiAsperityLaw::at(double separation) const
     const Interval holds = interval();
     const MultiAsperityState state = stateAt(separation);
     const MultiAsperityForces forces = model_.forces(state);
-    const PadMotion motion = separation < model_.padSeparation(state_) ? PadMotion::Towards : PadMotion::Away;
+    // At the accepted state rounding must not choose between the slopes of the two ways.
+    constexpr double resolved = 1e-14; // of a way [m]
+    const bool towards = separation < model_.padSeparation(state_) - resolved;
+    const PadMotion motion = towards ? PadMotion::Towards : PadMotion::Away;
     const bool beyond = separation <= holds.lower || separation >= holds.upper;
     const MultiAsperitySlopes slopes = beyond ? MultiAsperitySlopes{} : model_.slopes(state, motion);
     return {.contact = {forces.contact, slopes.contact, separation},

@@ -41,7 +41,7 @@ constexpr SlipLaw rowOf(SlipModel model)
     case SlipModel::FukuiKaneko:
         return {.name = "fukui-kaneko",
                 .label = "kinetic",
-                .meaning = "Kinetic theory: the values of Fukui & Kaneko 1988, 1990.",
+                .meaning = "Kinetic theory, the values of Fukui & Kaneko 1988, 1990.",
                 .knowsAccommodation = false,
                 .rate = kineticFlowRate};
     case SlipModel::FukuiKanekoFit:
@@ -65,7 +65,7 @@ constexpr SlipLaw rowOf(SlipModel model)
     case SlipModel::Combination: // FlowTable
         return {.name = "combination",
                 .label = "combined (paper)",
-                .meaning = "As fukui-kaneko, and below a gap of air.switch_gap as new-second-order.",
+                .meaning = "Kinetic; where the gap is small, new second order.",
                 .knowsAccommodation = false};
     }
     return {}; // beyond the last enumerator

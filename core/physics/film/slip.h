@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Flow factor Q(Kn) of a rarefied film: the Poiseuille flow in units of the continuum's. Kn = lambda(p)/h,
-// D = (sqrt(pi)/2)/Kn, a = (2 - alpha)/alpha with alpha the accommodation coefficient.
-//
-//   continuum            1
-//   first order          1 + 6 a Kn                      Burgdorfer 1959
-//   second order         1 + 6 Kn + 6 Kn^2               Hsia & Domoto 1983
-//   1.5 order            1 + 6 a Kn + (8/3) Kn^2         Mitsuya 1993
-//   Fukui-Kaneko         6 Q_P(D)/D                      Fukui & Kaneko 1988, 1990: kinetic values, or their fit
-//   new first order      1 + 4 a Kn                      Wu & Bogy 2003
-//   new second order     1 + 4 a Kn + 3 Kn^2             Wu & Bogy 2003
-//   combination          Fukui-Kaneko above a gap of 0.3 nm, new second order below (Chen & Bogy, section 2); a hard
-//                        switch, as there, or blended over a given width
+// D = (sqrt(pi)/2)/Kn, a = (2 - alpha)/alpha with alpha the accommodation coefficient. The models:
+// core/physics/film/slip_model.h.
 #pragma once
 
 #include <cstdint>

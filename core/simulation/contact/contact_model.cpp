@@ -39,7 +39,8 @@ void addPulls(const SeparationLaw& law, double from, double to, std::vector<Pull
 /// Moves the law straight from one separation to another. Returns its forces there.
 SeparationForces follow(SeparationLaw& law, double from, double to, PadMove& passed)
 {
-    passed = {};
+    passed.switches.clear();
+    passed.pulls.clear();
     const bool away = to > from;
     if (away) passed.pulls.push_back({from, law.at(from).netAt(from)});
     for (;;) {

@@ -29,7 +29,7 @@ struct ContactForces {
     double area = 0.0;                                // real area of contact [m^2]
     double peakPressure = 0.0;                        // of contact [Pa]
     double minimumGap = 0.0;                          // of the deformed surfaces [m]
-    double energy = 0.0;                              // of elastic contact with adhesion [J]
+    double energy = 0.0;                              // stored by an elastic contact, with its adhesion [J]
     double fittedContact = 0.0, fittedAdhesion = 0.0; // of the five parameters that were fitted [N]
     int iterations = 0;                               // of the solution
     std::string problem;                              // a sentence, when it did not converge; "" when it did

@@ -10,6 +10,7 @@
 
 #include "core/case/contact_law.h"
 #include "core/formats/words.h"
+#include "core/physics/contact/contact_grid_error.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/sensitivity.h"
@@ -120,7 +121,7 @@ public:
         if (mayHaveSeveral || (found.empty() && !flies_)) take(touchingPlaces(*balance_, rest_, goOn_));
         // Pressed hard it lies flatter, and parked, without air, flat on its crown.
         for (const double share : {0.6, 0.3, 0.0})
-            if (found.empty() && !flies_ && !stopped_ && problem_.empty())
+            if (found.empty() && !flies_ && !stopped_ && below.empty())
                 take(touchingPlaces(*balance_, {rest_.height, share * rest_.pitch, share * rest_.roll}, goOn_));
         if (stopped_) return stop();
         if (!below.empty() && found.empty()) problem_ = below;
@@ -276,11 +277,10 @@ private:
             error = differenceFrom(found, case_, {everySecond(grid_.x), everySecond(grid_.y)}, nullptr, 0.5);
         if (contactLaw(case_).recordsSurfaces) {
             if (edgesHangOnCells(case_)) return {}; // the remark says so
-            constexpr double ofCells = 1.5;         // as in elastic_patch.cpp
             Case coarse = case_;
             coarse.elastic.cell *= 2.0;
             const DiscretisationError cells =
-                differenceFrom(found, coarse, grid_, balance_->level().film.sharedGaps(), ofCells);
+                differenceFrom(found, coarse, grid_, balance_->level().film.sharedGaps(), moreThanCoarse);
             error.minimumSpacing += cells.minimumSpacing;
             error.pitch += cells.pitch;
             error.roll += cells.roll;
@@ -330,7 +330,7 @@ private:
     Attitude rest_;
     CellGrid grid_;
     std::unique_ptr<FilmBalance> balance_;
-    int givenUp_ = 0;     // searches
+    int givenUp_ = 0;     // attempts
     std::string problem_; // of a state that was not taken
 };
 

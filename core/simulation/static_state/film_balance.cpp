@@ -51,7 +51,8 @@ std::unique_ptr<FilmBalance> FilmBalance::at(const Case& c, const SteadyResult& 
     const Vector3 q = balance->body_.coordinates(state.attitude);
     if (contact == Contact::Out)
         balance->moveTo(q), level.film.setAttitude(state.attitude);
-    else if (!balance->settle(q, state.contact.branch, goOn))
+    else if (!balance->settle(
+                 q, state.contact.branch, goOn ? goOn : [] { return true; }))
         return nullptr;
     return balance;
 }

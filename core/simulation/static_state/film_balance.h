@@ -38,15 +38,15 @@ public:
     using GoOn = std::function<bool()>;
 
     enum class Contact : std::uint8_t { Acts, Out };
-    /// `c` is valid, with a film; spacing and gaps are of its slider, `rest` is q_0. Invalid where `goOn` ends the
-    /// making.
+    /// `c` is valid, with a film, and with a contact that acts; spacing and gaps are of its slider, `rest` is q_0.
+    /// Invalid where `goOn` ends the making.
     FilmBalance(const Case& c, MinimumSpacing spacing, std::shared_ptr<const FilmGaps> gaps, const Attitude& rest,
                 const GoOn& goOn = {}, Contact contact = Contact::Acts);
     /// On a grid, with its gaps where they are known. Null where `goOn` ends the making.
     static std::unique_ptr<FilmBalance> make(const Case& c, const CellGrid& grid, std::shared_ptr<const FilmGaps> gaps,
                                              const Attitude& rest, const GoOn& goOn, Contact contact = Contact::Acts);
-    /// At a static state of `c`, with the contact where that acts; what else the state is with its slider in flight
-    /// counts for nothing. Null where `goOn` ends the making.
+    /// At a static state of `c`, with the contact where that acts in it. Null where `goOn` ends the making, or the
+    /// contact of the state is not solved again.
     static std::unique_ptr<FilmBalance> at(const Case& c, const SteadyResult& state, const GoOn& goOn = {});
     FilmBalance(const FilmBalance&) = delete;
     ~FilmBalance();
@@ -88,7 +88,7 @@ public:
     /// The contact as it is at q when that was reached from afar, or out of a contact; the region that then acts.
     ContactRegion begin(ContactBranch branch, const Vector3& q);
     /// The greatest spacing at which the contact exerts a force on any branch [m].
-    double reach() const { return contact_->reach(); }
+    double reach() const { return contact_ ? contact_->reach() : 0.0; }
     bool outOfReach(const Vector3& q) const { return !contact_ || contact_->outOfReach(body_.attitude(q)); }
     /// It must act.
     SliderContact& contact() { return *contact_; }

@@ -15,7 +15,6 @@
 namespace touchdown {
 
 class FilmBalance;
-class Recess;
 struct FilmGaps;
 
 /// Of a static state with its contact; case and balance must last, the balance solved there. In contact the place where

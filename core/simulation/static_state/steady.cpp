@@ -69,6 +69,12 @@ public:
             }
         }
         report(true);
+        if (!case_.steady.sensitivities || case_.steady.fixedAttitude || result_.status == SteadyStatus::Cancelled)
+            return result_;
+        lineMultigrid_.reset();
+        previous_.reset();
+        level_.reset(); // two films of the finest grid take much memory
+        result_.sensitivities = sensitivities(case_, *FilmBalance::at(case_, result_), result_.contact);
         return result_;
     }
 
@@ -268,8 +274,6 @@ private:
         }
         if (!coarse_.empty())
             result_.discretisationError = gridError(case_, level, stiffness, summary(), coarse_, ridges);
-        if (converged && case_.steady.sensitivities && !case_.steady.fixedAttitude)
-            result_.sensitivities = sensitivities(case_, *FilmBalance::at(case_, result_), result_.contact);
         if (converged && case_.steady.allEquilibria && !case_.steady.fixedAttitude) findOthers();
         if (converged && !case_.steady.fixedAttitude && result_.minimumSpacing <= 0.0) {
             result_.status = SteadyStatus::Failed;

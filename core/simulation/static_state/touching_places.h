@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Places at which a slider in contact is in balance (film_balance.h): Newton's method with the stiffnesses of film and
-// contact, from an attitude lowered to several separations and from known nearby attitudes. At each place that is tried
+// contact, from an attitude lowered to several separations or from given ones. At each place that is tried
 // the contact is as if the slider had come there on one branch: from afar, or out of a contact. A place that no start
 // leads to is missed. A start that stays where the slider touches outside the modelled contact is left.
 #pragma once

@@ -57,6 +57,21 @@ private slots:
         QVERIFY(!law.outOfReach(4.5e-9));
     }
 
+    /// No force tells of the menisci, yet the slider touches down at d_s only after it was at d_e.
+    void withoutMenisciTakeOffCounts()
+    {
+        OnoYamane parameters = fiveParameters();
+        parameters.meniscusForce = 0.0;
+        CharacteristicLaw law(parameters);
+        law.begin(ContactBranch::TakeOff, 4.5e-9);
+        QCOMPARE(net(law, 4.5e-9), 0.0);
+        QVERIFY(law.interval().lower > 3e-9);
+        QCOMPARE(law.interval().upper, 5e-9);
+        QCOMPARE(QString::fromStdString(law.cross(true)), QStringLiteral("take-off"));
+        QCOMPARE(law.interval().lower, 3e-9);
+        QVERIFY(std::isinf(law.interval().upper));
+    }
+
     /// The pad's area times the pressures; a tangent meets the law beside it but for the square of the distance.
     void pressureOfTheGapOnAPad()
     {
@@ -123,6 +138,23 @@ private slots:
                          qPrintable(
                              QString("%1: %2 %3").arg(d).arg(slope).arg(forces.contact.slope + forces.adhesion.slope)));
             }
+        }
+    }
+
+    /// The slopes of the way in and of the way out differ; those at the accepted state do not hang on its last digits.
+    void roundingChoosesNoSlope()
+    {
+        const MultiAsperity model = test::AsperityPad{}.model();
+        for (const double accepted : {3.2e-9, 2.4e-9, 1.8e-9}) {
+            MultiAsperityLaw law(model);
+            law.begin(ContactBranch::TouchDown, accepted);
+            const double here = law.at(accepted).adhesion.slope;
+            for (const double digits : {-4e-16, -1e-16, 1e-16, 4e-16}) {
+                const double near = law.at(accepted * (1.0 + digits)).adhesion.slope;
+                QVERIFY2(std::abs(near - here) < 1e-6 * model.bulkStiffness(),
+                         qPrintable(QString::number(near / here)));
+            }
+            QVERIFY(std::abs(law.at(accepted - 1e-12).adhesion.slope - here) > 1e-4 * model.bulkStiffness());
         }
     }
 
