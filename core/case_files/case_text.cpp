@@ -18,7 +18,7 @@ namespace {
 
 std::string_view groupComment(std::string_view group)
 {
-    static constexpr std::array<std::pair<std::string_view, std::string_view>, 20> comments{{
+    static constexpr auto comments = std::to_array<std::pair<std::string_view, std::string_view>>({
         {"about", "What this case is about."},
         {"slider", "The slider as a rigid body."},
         {"springs", "The air bearing: two nonlinear springs with dashpots, given at the static state."},
@@ -39,7 +39,7 @@ std::string_view groupComment(std::string_view group)
         {"initial", "The start."},
         {"run", "The integration."},
         {"spectrum", "The power spectra."},
-    }};
+    });
     for (const auto& [name, comment] : comments)
         if (name == group) return comment;
     return {};

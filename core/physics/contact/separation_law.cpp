@@ -100,7 +100,8 @@ SeparationForces MultiAsperityLaw::at(double separation) const
     const bool towards = separation < model_.padSeparation(state_) - resolved;
     const PadMotion motion = towards ? PadMotion::Towards : PadMotion::Away;
     const bool beyond = separation <= holds.lower || separation >= holds.upper;
-    const MultiAsperitySlopes slopes = beyond ? MultiAsperitySlopes{} : model_.slopes(state, motion);
+    const bool smooth = !beyond && model_.bulkStiffness() > 0.0; // a pad without area has neither forces nor slopes
+    const MultiAsperitySlopes slopes = smooth ? model_.slopes(state, motion) : MultiAsperitySlopes{};
     return {.contact = {forces.contact, slopes.contact, separation},
             .adhesion = {forces.adhesion, slopes.adhesion, separation},
             .area = forces.contactArea,

@@ -73,7 +73,8 @@ public:
     BranchesOfPad(std::unique_ptr<SeparationLaw> in, std::unique_ptr<SeparationLaw> out)
         : in_(std::move(in)), out_(std::move(out))
     {
-        in_->begin(ContactBranch::TouchDown, in_->reach());
+        constexpr double clear = 1e-9; // of its reach: on the branch of a pad that comes from afar [m]
+        in_->begin(ContactBranch::TouchDown, in_->reach() + clear);
         touchDown_ = in_->interval().lower;
         if (!switches()) return;
         out_->begin(ContactBranch::TakeOff, touchDown_);
