@@ -54,7 +54,7 @@ ContactGridError contactGridError(const ContactState& state, const SeparationOn&
 /// The same rectangle in half as many cells along and across, one more where that is no whole number.
 UniformGrid coarsened(const UniformGrid& grid);
 
-/// Of the difference from cells twice as large: the error of a contact with adhesion shrinks as cell^0.74 or faster [-].
+/// Of the difference from cells twice as large: the error of a contact with adhesion shrinks as cell^0.74 or faster.
 inline constexpr double moreThanCoarse = 1.5;
 
 /// Whether contact at the border of the patch continues beyond it: next to a touching cell at the border the undeformed
