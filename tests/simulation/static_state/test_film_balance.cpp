@@ -124,8 +124,16 @@ private slots:
         QCOMPARE(beyond.name, std::string("touch-down"));
         QCOMPARE(beyond.region, ContactRegion::Pressed);
         QVERIFY(beyond.jumps); // by f_c0 - f_m
+        // Where the contact force ends the menisci go on to pull.
+        const double ends = balance->interval(ContactRegion::Lifting).upper;
+        q[0] += ends - 5e-9;
+        QVERIFY(balance->solve(q, always));
+        const FilmBalance::Beyond bridged = balance->beyond(ContactRegion::Lifting, true);
+        QCOMPARE(bridged.region, ContactRegion::Bridged);
+        QVERIFY(balance->netContactForce(ContactRegion::Bridged) < -1e-4);
+        QVERIFY(!bridged.jumps && bridged.kinks);
         // At d_e the menisci pull no more: a kink.
-        q[0] += 15e-9;
+        q[0] += 20e-9 - ends;
         QVERIFY(balance->solve(q, always));
         const FilmBalance::Beyond off = balance->beyond(ContactRegion::Bridged, true);
         QCOMPARE(off.region, ContactRegion::Apart);
