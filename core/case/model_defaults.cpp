@@ -17,4 +17,21 @@ bool takeModelDefaults(Case& c, ModelKind before, const std::function<bool(const
     return changed;
 }
 
+bool takeFirstUnevenness(Case& c)
+{
+    DiskSurface& disk = c.diskSurface;
+    if (disk.kind == DiskSurfaceKind::Waves && disk.waveAmplitudes.empty() && disk.waveLengths.empty()) {
+        disk.waveAmplitudes = {0.5e-9};
+        disk.waveLengths = {100e-6};
+        return true;
+    }
+    if (disk.kind == DiskSurfaceKind::Bumps && disk.bumpHeights.empty() && disk.bumpLengths.empty()) {
+        disk.bumpHeights = {5e-9};
+        disk.bumpLengths = {10e-6};
+        disk.bumpX = disk.bumpY = {0.0};
+        return true;
+    }
+    return false;
+}
+
 } // namespace touchdown

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The defaults that differ from model to model, when a case changes its model: a film has three degrees of freedom and
-// no contact law unless it is asked for, springs have two and the characteristic of Ono and Yamane.
+// What follows a choice that was made by hand. The defaults that differ from model to model, when a case changes its
+// model: a film has three degrees of freedom and no contact law unless it is asked for, springs have two and the
+// characteristic of Ono and Yamane. And what an uneven disk needs at least.
 #pragma once
 
 #include <functional>
@@ -13,5 +14,9 @@ namespace touchdown {
 /// Each parameter of `c` that still has the default of the model `before` takes that of the model of `c`, but for those
 /// that are `stated`. Returns whether any changed.
 bool takeModelDefaults(Case& c, ModelKind before, const std::function<bool(const Parameter&)>& stated);
+
+/// A disk that has become uneven gets a first wave or a first bump where it has none, so that it can run: a wave of
+/// 0.5 nm and 100 um, a bump of 5 nm and 10 um. Returns whether it did.
+bool takeFirstUnevenness(Case& c);
 
 } // namespace touchdown

@@ -30,6 +30,27 @@ private slots:
                 QVERIFY(c == defaultsOf(from));
             }
     }
+    /// An uneven disk can run at once; what is there already stays, and other disks have what they need.
+    void anUnevenDiskHasAFirstFeature()
+    {
+        for (const DiskSurfaceKind kind : {DiskSurfaceKind::Waves, DiskSurfaceKind::Bumps}) {
+            Case c;
+            c.diskSurface.kind = kind;
+            QVERIFY(!checkCombinations(c).empty());
+            QVERIFY(takeFirstUnevenness(c));
+            QVERIFY(checkCombinations(c).empty());
+            QVERIFY(!takeFirstUnevenness(c));
+        }
+        for (const DiskSurfaceKind kind : {DiskSurfaceKind::Flat, DiskSurfaceKind::Rough, DiskSurfaceKind::File}) {
+            Case c;
+            c.diskSurface.kind = kind;
+            QVERIFY(!takeFirstUnevenness(c));
+        }
+        Case own;
+        own.diskSurface.kind = DiskSurfaceKind::Waves;
+        own.diskSurface.waveAmplitudes = {2e-9};
+        QVERIFY(!takeFirstUnevenness(own));
+    }
     /// A value that is not the default was chosen, and so was one that is stated.
     void whatWasChosenStays()
     {

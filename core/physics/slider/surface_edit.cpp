@@ -227,6 +227,16 @@ AirBearingSurface withoutWall(AirBearingSurface surface, std::size_t wall)
     return surface;
 }
 
+AirBearingSurface withoutUnusedWalls(AirBearingSurface surface)
+{
+    std::set<int> used;
+    for (const Rail& rail : surface.rails)
+        for (const RailPoint& point : rail.points) used.insert(point.wall);
+    for (std::size_t wall = surface.walls.size(); wall-- > 0;)
+        if (!used.contains(static_cast<int>(wall) + 1)) surface = withoutWall(std::move(surface), wall);
+    return surface;
+}
+
 AirBearingSurface withEdgeWall(AirBearingSurface surface, const PartSelection& parts, int wall)
 {
     for (const SurfacePart& part : parts) {

@@ -75,6 +75,9 @@ std::vector<std::optional<MirrorImage>> mirrorImages(const AirBearingSurface& su
 AirBearingSurface movedInPairs(const AirBearingSurface& surface, const PartSelection& parts, SurfaceShift by,
                                double width, double reach, const std::set<std::size_t>& single = {});
 
+/// Without the wall profiles that no edge has.
+AirBearingSurface withoutUnusedWalls(AirBearingSurface surface);
+
 /// With this wall on these edges, and on all edges of these rails; 0: none, vertical edges.
 AirBearingSurface withEdgeWall(AirBearingSurface surface, const PartSelection& parts, int wall);
 

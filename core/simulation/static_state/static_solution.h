@@ -13,7 +13,7 @@ struct StaticSolution {
     SteadyResult state;
 };
 
-/// Nothing that a static state and its search depend on differs.
+/// Nothing that a static state and its search depend on differs. A wall profile that no edge has is nothing.
 bool sameFilm(const Case& a, Case b);
 
 /// `c` with what only a run in time uses as `run` has it: the disk's surface where no contact at rest sees it, the run

@@ -51,6 +51,22 @@ private slots:
         QVERIFY(has(surface, {PartKind::Interest, 1}));
         QVERIFY(!has(surface, {PartKind::Interest, 2}));
     }
+    /// Of four walls two are used, which keep their edges.
+    void unusedWalls()
+    {
+        AirBearingSurface surface = sample();
+        for (std::size_t i = 0; i < surface.walls.size(); ++i) surface.walls[i].recess[1] = 1e-6 * double(i);
+        for (Rail& rail : surface.rails)
+            for (RailPoint& point : rail.points) point.wall = point.wall == 4 ? 4 : point.wall == 2 ? 2 : 0;
+        const AirBearingSurface less = withoutUnusedWalls(surface);
+        QCOMPARE(less.walls, (std::vector<WallProfile>{surface.walls[1], surface.walls[3]}));
+        for (std::size_t rail = 0; rail < surface.rails.size(); ++rail)
+            for (std::size_t k = 0; k < 4; ++k) {
+                const int before = corner(surface, rail, k).wall, after = corner(less, rail, k).wall;
+                QCOMPARE(after, before == 4 ? 2 : before == 2 ? 1 : 0);
+            }
+        QCOMPARE(withoutUnusedWalls(less), less);
+    }
     /// A rail, a corner of another one and a point of interest, by (10, -20) um; a corner that is meant twice moves
     /// once. Nothing else changes.
     void move()

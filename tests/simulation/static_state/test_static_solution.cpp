@@ -48,6 +48,7 @@ private slots:
         row("another start of the search", false, [](Case& c) { c.initial.nominalTrailingEdgeHeight = 300e-9; });
         row("the preload", false, [](Case& c) { c.suspension.preload *= 1.0 + 1e-15; });
         row("a rail", false, [](Case& c) { c.surface.rails[0].points[0].x += 1e-12; });
+        row("a wall that no edge has", true, [](Case& c) { c.surface.walls.push_back({{0.0, 1e-6}, {0.0, 1e-6}}); });
         row("the grid", false, [](Case& c) { c.film.nodes = {67, 65}; });
         row("the contact, which has a least gap", false, [](Case& c) { c.contact = ContactKind::OnoYamane; });
         row("the air", false, [](Case& c) { c.air.given.pressure *= 0.9; });
