@@ -19,6 +19,8 @@ struct SampleCase {
     std::string text;
 };
 const std::vector<SampleCase>& sampleCases();
+/// Films to begin a design with: typical sliders with simple surfaces. "pico_two_rails"
+const std::vector<SampleCase>& sliderTemplates();
 /// The case with which the program opens.
 inline constexpr std::string_view defaultCaseName = "fig10a";
 

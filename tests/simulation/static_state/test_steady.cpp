@@ -6,6 +6,8 @@
 
 #include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
+#include "core/physics/slider/lift_area.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
@@ -19,6 +21,8 @@ class TestSteady : public QObject {
 
 private slots:
     void forcesBalanceTheLoad();
+    void theSlidersToBeginWithFly_data();
+    void theSlidersToBeginWithFly();
     void aFixedAttitudeIsKept();
     void aHeldRollCarriesAnyTorque();
     void reportsWhereItIsNearest();
@@ -52,6 +56,33 @@ void TestSteady::forcesBalanceTheLoad()
     QCOMPARE(r.grid.nx(), 64);
     QCOMPARE(r.pressure.size(), r.grid.cells());
     QVERIFY(*std::min_element(r.pressure.begin(), r.pressure.end()) > 0.0);
+}
+
+void TestSteady::theSlidersToBeginWithFly_data()
+{
+    QTest::addColumn<int>("index");
+    for (std::size_t i = 0; i < sliderTemplates().size(); ++i)
+        QTest::newRow(sliderTemplates()[i].name.c_str()) << static_cast<int>(i);
+}
+
+/// Whoever begins a design with one sees it fly: clear of the disk, nose up, level but for the speed that grows
+/// outwards, with three degrees of freedom.
+void TestSteady::theSlidersToBeginWithFly()
+{
+    QFETCH(const int, index);
+    const SampleCase& slider = sliderTemplates()[static_cast<std::size_t>(index)];
+    const CaseDocument document = parseCase(slider.text, slider.name);
+    QVERIFY(document.valid());
+    QVERIFY(document.warnings.empty() && document.unused.empty());
+    Case c = document.value;
+    QCOMPARE(c.degreesOfFreedom, 3);
+    QVERIFY(railsSurround(c.surface, {0.5 * c.slider.length, 0.5 * c.slider.width}));
+    c.film.nodes = {65, 65};
+    const SteadyResult r = steady(c);
+    QCOMPARE(r.status, SteadyStatus::Converged);
+    QVERIFY2(r.minimumSpacing > 3e-9 && r.minimumSpacing < 1e-6, qPrintable(QString::number(r.minimumSpacing)));
+    QVERIFY(r.attitude.pitch > 20e-6 && r.attitude.pitch < 500e-6);
+    QVERIFY(std::abs(r.attitude.roll) < 20e-6);
 }
 
 void TestSteady::aFixedAttitudeIsKept()
