@@ -205,7 +205,7 @@ int main(int argc, char** argv)
     const bool staticState = arguments.staticState && document.value.model == ModelKind::Film;
     if (pictures)
         return takePictures(window, {arguments.exportFolder, arguments.screenshot, arguments.size, staticState});
-    window.resize(window.size().boundedTo(window.screen()->availableSize()));
+    window.fitScreen();
     window.show();
     window.beginSession(arguments.file.isEmpty() && !arguments.fresh, remarks);
     if (isRun) window.openResults(arguments.file);

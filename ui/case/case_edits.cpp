@@ -129,9 +129,9 @@ void CaseEdits::push(const QString& text, State after, int merge)
 void CaseEdits::pushChange(const Parameter& parameter, const QString& text, State after)
 {
     const Case entered = after.value;
-    const bool followed = parameter.key == "model" &&
-                          takeModelDefaults(after.value, state_.value.model,
-                                            [&after](const Parameter& other) { return after.bad.contains(other.key); });
+    const auto stated = [&after](const Parameter& other) { return after.bad.contains(other.key); };
+    const bool followed = (parameter.key == "model" && takeModelDefaults(after.value, state_.value.model, stated)) ||
+                          (parameter.key == "disk.surface.kind" && takeFirstUnevenness(after.value));
     const QStringList changes = followed ? caseDifference(entered, after.value) : QStringList();
     push(text, std::move(after));
     if (followed) emit modelFollowed(changes);

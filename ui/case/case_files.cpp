@@ -149,11 +149,15 @@ void CaseFiles::openChanged(const QString& sample, const std::vector<CaseSetting
     });
 }
 
-void CaseFiles::newCase()
+void CaseFiles::newCase(const QString& slider)
 {
-    whenSettled([this] {
+    whenSettled([this, slider] {
+        const auto found = std::ranges::find(sliderTemplates(), slider.toStdString(), &SampleCase::name);
         CaseDocument document;
-        document.text = formatCase(document.value);
+        if (found != sliderTemplates().end())
+            document = parseCase(found->text, found->name);
+        else
+            document.text = formatCase(document.value);
         take(document, {});
     });
 }

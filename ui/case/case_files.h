@@ -66,7 +66,7 @@ public:
     /// changed and can be undone, but they are nothing to save.
     void openChanged(const QString& sample, const std::vector<CaseSetting>& settings,
                      const std::function<void()>& next);
-    void newCase();
+    void newCase(const QString& slider = {});
     void chooseFile();
     void chooseImport();
     void chooseExport();

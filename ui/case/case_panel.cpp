@@ -19,8 +19,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr double mostOfScreen = 0.27; // its width
-
 QString groupTitle(const std::string& name)
 {
     static const QHash<QString, QString> titles{{"", CasePanel::tr("Model")},
@@ -85,11 +83,11 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     auto* page = new QWidget;
     buildGroups(page);
     scroll_->setWidget(page);
+    alignUnits();
     scroll_->setWidgetResizable(true);
     scroll_->setFrameShape(QFrame::NoFrame);
     scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     scroll_->setFocusPolicy(Qt::NoFocus);
-    page->installEventFilter(this);
 
     auto* tools = new QHBoxLayout;
     tools->addWidget(search_, 1);
@@ -153,7 +151,6 @@ void CasePanel::buildGroups(QWidget* page)
         editors_.push_back(editor);
     }
     layout->addStretch(1);
-    alignUnits();
 }
 
 std::vector<CasePanel::Group>::iterator CasePanel::addGroup(const std::string& name, QWidget* page)
@@ -191,7 +188,26 @@ void CasePanel::alignUnits()
 {
     int width = 0;
     for (const ParameterEditor* editor : editors_) width = std::max(width, editor->unitWidth());
-    for (ParameterEditor* editor : editors_) editor->setUnitWidth(width);
+    const QMargins page = scroll_->widget()->layout()->contentsMargins();
+    const QMargins body = groups_.front().body->layout()->contentsMargins();
+    const int around =
+        page.left() + page.right() + body.left() + body.right() + scroll_->verticalScrollBar()->sizeHint().width();
+    int narrowest = 0; // in which all rows have room
+    besideWidths_.clear();
+    for (ParameterEditor* editor : editors_) {
+        editor->setUnitWidth(width);
+        editor->setStacked(true);
+        narrowest = std::max(narrowest, editor->minimumSizeHint().width());
+        editor->setStacked(false);
+        besideWidths_.push_back(editor->minimumSizeHint().width() + around);
+    }
+    scroll_->setMinimumWidth(narrowest + around);
+    stackRows();
+}
+
+void CasePanel::stackRows()
+{
+    for (std::size_t i = 0; i < besideWidths_.size(); ++i) editors_[i]->setStacked(scroll_->width() < besideWidths_[i]);
 }
 
 void CasePanel::setPreset(const QString& sampleName)
@@ -256,13 +272,17 @@ void CasePanel::refreshVisibility()
     const QString search = search_->text().trimmed();
     std::vector<SearchMatch> matches;
     for (const ParameterEditor* editor : editors_)
-        matches.push_back(editor->parameter().used(edits_.value()) ? editor->match(search) : SearchMatch::None);
+        matches.push_back(editor->parameter().used(edits_.value())
+                              ? editor->match(search, groupTitle(editor->parameter().group()))
+                              : SearchMatch::None);
     const SearchMatch best = *std::ranges::min_element(matches),
                       last = std::min(everyMatch_ ? SearchMatch::Help : best, SearchMatch::Help);
     std::ptrdiff_t more = 0; // matches of a lower rank
     for (std::size_t i = 0; i < editors_.size(); ++i) {
-        editors_[i]->setVisible(matches[i] <= last);
-        more += matches[i] > last && matches[i] != SearchMatch::None ? 1 : 0;
+        // What a choice needs is shown, whatever is sought.
+        const bool needed = editors_[i]->wrong() && editors_[i]->parameter().used(edits_.value());
+        editors_[i]->setVisible(matches[i] <= last || needed);
+        more += matches[i] > last && matches[i] != SearchMatch::None && !needed ? 1 : 0;
     }
     for (const Group& group : groups_) {
         const bool any = std::ranges::any_of(editors_, [&group](const ParameterEditor* editor) {
@@ -289,16 +309,10 @@ void CasePanel::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange) setTextColour(legend_, meaningColours(palette()).warning);
 }
 
-bool CasePanel::eventFilter(QObject* watched, QEvent* event)
+void CasePanel::resizeEvent(QResizeEvent* event)
 {
-    // The panel is wide enough for its rows in any font, as far as the screen is.
-    if (watched == scroll_->widget() && event->type() == QEvent::LayoutRequest) {
-        const int rows =
-            scroll_->widget()->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
-        scroll_->setMinimumWidth(
-            std::min(rows, static_cast<int>(mostOfScreen * screen()->availableGeometry().width())));
-    }
-    return QWidget::eventFilter(watched, event);
+    QWidget::resizeEvent(event);
+    stackRows();
 }
 
 } // namespace touchdown

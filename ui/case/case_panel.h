@@ -42,7 +42,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Group {
@@ -59,6 +59,7 @@ private:
     void refresh();
     void refreshVisibility();
     void alignUnits();
+    void stackRows();
 
     CaseEdits& edits_;
     QString presetName_;
@@ -70,6 +71,7 @@ private:
     QScrollArea* scroll_;
     QLabel* legend_;
     std::vector<Group> groups_;
+    std::vector<int> besideWidths_;         // of the rows with labels beside their values [px]
     std::vector<ParameterEditor*> editors_; // children of the bodies of the groups
 };
 

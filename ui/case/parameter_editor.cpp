@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QRegularExpression>
@@ -60,6 +59,7 @@ bool isWide(const Parameter& parameter)
 ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
     : QWidget(parent),
       parameter_(parameter),
+      grid_(new QGridLayout(this)),
       label_(new QLabel(labelOf(parameter), this)),
       unit_(new QLabel(unitText(parameter.displayUnit), this)),
       assumed_(new QLabel(QStringLiteral("≈"), this)),
@@ -87,34 +87,43 @@ ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
     reason_->setWordWrap(true);
     reason_->hide();
 
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(4, 1, 0, 1);
-    grid->setHorizontalSpacing(spacing);
-    grid->setVerticalSpacing(1);
-    const bool wide = isWide(parameter);
-    grid->addWidget(label_, 0, 0, 1, wide ? 4 : 1);
-    if (wide) {
-        grid->addWidget(input(), 1, 0, 1, 3);
-        if (parameter.kind == ParameterKind::List) grid->addWidget(unit_, 1, 3);
-        grid->addWidget(reset_, 1, 4);
-    } else {
-        grid->addWidget(assumed_, 0, 1);
-        if (choice_) {
-            grid->addWidget(choice_, 0, 2, 1, 2);
-            unit_->hide();
-        } else {
-            grid->addWidget(input(), 0, 2);
-            grid->addWidget(unit_, 0, 3);
-        }
-        grid->addWidget(reset_, 0, 4);
-    }
-    grid->addWidget(reason_, 2, 0, 1, 5);
-    grid->setColumnStretch(0, 1);
+    grid_->setContentsMargins(4, 1, 0, 1);
+    grid_->setHorizontalSpacing(spacing);
+    grid_->setVerticalSpacing(1);
+    grid_->addWidget(reason_, 2, 0, 1, 5);
+    grid_->setColumnStretch(0, 1);
+    if (choice_) unit_->hide();
+    arrange(false);
 
     connect(reset_, &QToolButton::clicked, this, &ParameterEditor::resetRequested);
     connect(&flash_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
     describe();
     colour();
+}
+
+void ParameterEditor::setStacked(bool stacked)
+{
+    if (stacked != stacked_) arrange(stacked);
+}
+
+void ParameterEditor::arrange(bool stacked)
+{
+    stacked_ = stacked;
+    const bool wide = isWide(parameter_);
+    const int row = stacked || wide ? 1 : 0; // of the value
+    for (QWidget* part : {static_cast<QWidget*>(label_), static_cast<QWidget*>(assumed_), input(),
+                          static_cast<QWidget*>(unit_), static_cast<QWidget*>(reset_)})
+        grid_->removeWidget(part);
+    grid_->addWidget(label_, 0, 0, 1, row == 0 ? 1 : 5);
+    grid_->addWidget(reset_, row, 4);
+    if (wide) {
+        grid_->addWidget(input(), 1, 0, 1, 3);
+        if (parameter_.kind == ParameterKind::List) grid_->addWidget(unit_, 1, 3);
+        return;
+    }
+    grid_->addWidget(assumed_, row, 1);
+    grid_->addWidget(input(), row, 2, 1, choice_ ? 2 : 1);
+    if (!choice_) grid_->addWidget(unit_, row, 3);
 }
 
 QWidget* ParameterEditor::input() const
@@ -221,12 +230,12 @@ void ParameterEditor::show(const CaseEdits& edits)
     colour();
 }
 
-SearchMatch ParameterEditor::match(const QString& search) const
+SearchMatch ParameterEditor::match(const QString& search, const QString& heading) const
 {
     QString texts = QString::fromStdString(parameter_.help);
     for (int i = 0; choice_ && i < choice_->count(); ++i)
         texts += QLatin1Char(' ') + choice_->itemText(i) + QLatin1Char(' ') + meaning(i);
-    const QString label = QString::fromStdString(parameter_.label + ' ' + parameter_.symbol),
+    const QString label = QString::fromStdString(parameter_.label + ' ' + parameter_.symbol) + u' ' + heading,
                   key = label + QLatin1Char(' ') + QString::fromStdString(parameter_.key);
     if (hasWords(label, search)) return SearchMatch::Label;
     if (hasWords(key, search)) return SearchMatch::Key;

@@ -6,6 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QToolButton>
@@ -31,8 +32,9 @@ public:
     const Parameter& parameter() const { return parameter_; }
     /// Shows the value of the case.
     void show(const CaseEdits& edits);
-    /// Where all words of `search` are found, each at the start of a word.
-    SearchMatch match(const QString& search) const;
+    /// Where all words of `search` are found, each at the start of a word. `heading`, of its group, counts as its
+    /// label.
+    SearchMatch match(const QString& search, const QString& heading) const;
 
     /// The widget that takes the entry.
     QWidget* input() const;
@@ -41,6 +43,8 @@ public:
     int unitWidth() const { return unit_->sizeHint().width(); }
     /// Its background has the colour of a selection for a moment.
     void flash();
+    /// The label stands above the value: in a place that is too narrow for both beside each other.
+    void setStacked(bool stacked);
     /// Lines up the columns of all rows.
     void setUnitWidth(int width);
 
@@ -57,6 +61,7 @@ protected:
 
 private:
     void buildInput();
+    void arrange(bool stacked);
     void describe();
     void colour();
     QString meaning(int choice) const;
@@ -64,6 +69,7 @@ private:
     void commitLine();
 
     const Parameter& parameter_;
+    QGridLayout* grid_;
     QLabel* label_;
     QLineEdit* line_ = nullptr;   // Number, Integer, List, Text
     QComboBox* choice_ = nullptr; // Choice
@@ -74,6 +80,7 @@ private:
     QLabel* reason_;
     QString shown_; // text last put into line_
     bool changed_ = false;
+    bool stacked_ = false;
     QVariantAnimation flash_; // from 1 to 0
     bool wrong_ = false;      // the entry cannot be taken; else `reason_` warns
 };

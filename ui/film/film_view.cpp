@@ -5,7 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -82,6 +81,7 @@ bool sameSize(const Case& a, const Case& b)
 FilmView::FilmView(QAction* solve, QWidget* parent)
     : QWidget(parent),
       tabs_(new QTabBar(this)),
+      row_(new QHBoxLayout),
       gridShown_(new QCheckBox(tr("&Grid"), this)),
       difference_(new QCheckBox(this)),
       note_(new QLabel(this)),
@@ -126,22 +126,21 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     pages_->addWidget(modes_);
     pages_->addWidget(series_);
 
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(6, 4, 8, 4);
-    row->setSpacing(8);
-    row->addWidget(tabs_);
-    row->addStretch(1);
-    row->addWidget(maps_->controls());
-    row->addWidget(difference_);
-    row->addWidget(gridShown_);
+    row_->setContentsMargins(6, 4, 8, 4);
+    row_->setSpacing(8);
+    row_->addWidget(tabs_);
+    row_->addStretch(1);
+    row_->addWidget(maps_->controls());
+    row_->addWidget(difference_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addLayout(row);
+    layout->addLayout(row_);
     layout->addWidget(note_);
     layout->addWidget(pages_, 1);
 
     connect(tabs_, &QTabBar::currentChanged, this, &FilmView::showPage);
+    connect(tabs_, &QTabBar::currentChanged, this, &FilmView::pageChanged);
     // Its letters choose tools at once; by keys the focus stays on the tabs.
     connect(tabs_, &QTabBar::tabBarClicked, this, [this](int page) {
         if (page == static_cast<int>(Page::Surface)) shape_->editor()->setFocus();
@@ -314,6 +313,10 @@ void FilmView::showPage()
     pages_->setCurrentIndex(page() == Page::Surface ? 0 : mapped ? (state_ ? 1 : 2) : 3 + map - fieldCount);
     maps_->controls()->setVisible(mapped && state_);
     difference_->setVisible(mapped && base_);
+    if (page() == Page::Surface)
+        shape_->addTool(*gridShown_);
+    else
+        row_->addWidget(gridShown_);
     gridShown_->setVisible(page() == Page::Surface || mapped);
     gridShown_->setEnabled(state_.has_value());
     QStringList notes;

@@ -8,6 +8,7 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -72,6 +73,8 @@ public:
 
 signals:
     void busyChanged();
+    /// The user or the program went to another page.
+    void pageChanged();
 
 private:
     QWidget* buildEmptyPage(QAction* solve);
@@ -79,6 +82,7 @@ private:
     void showPage();
 
     QTabBar* tabs_;
+    QHBoxLayout* row_; // tabs and what belongs to the maps
     QCheckBox *gridShown_, *difference_;
     QLabel* note_;
     QStackedWidget* pages_;

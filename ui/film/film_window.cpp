@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/film_window.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/case/parameters.h"
+#include "core/physics/slider/lift_area.h"
 #include "core/physics/slider/surface_check.h"
 #include "core/simulation/static_state/static_solution.h"
 #include "core/simulation/static_state/steady_quantities.h"
@@ -20,7 +22,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr int restTime = 250; // after the last edit of the shape [ms]
+constexpr std::size_t mostFruitless = 16; // searches that are remembered
+constexpr int restTime = 250;             // after the last edit of the shape [ms]
 
 /// A baseline of another slider says nothing about an edit of this one.
 bool ofTheSameSize(const Case& a, const Case& b)
@@ -203,6 +206,7 @@ void FilmWindow::edit(const Case& c)
 
 void FilmWindow::solve(const Case& c, bool given)
 {
+    byItself_ = false;
     restTimer_.stop();
     controller_.stopAndWait();
     asked_ = c;
@@ -227,6 +231,14 @@ void FilmWindow::conclude(const SteadyResult& result)
 void FilmWindow::onFinished(const SteadyResult& result)
 {
     conclude(result);
+    // A shape that is being drawn passes through many that do not fly: nobody asked for them.
+    if (byItself_ && (result.status == SteadyStatus::NotConverged || result.status == SteadyStatus::Failed)) {
+        if (fruitless_.size() == mostFruitless) fruitless_.erase(fruitless_.begin());
+        fruitless_.push_back({asked_, result});
+        fruitless_.back().state.dropFields();
+        if (isEdited(asked_, {})) view_->shape()->showObstacle(reasonToWait());
+        return;
+    }
     // A solution that ended without a field does not replace the last one.
     if (!result.pressure.empty() && result.status != SteadyStatus::Cancelled) {
         beforeOf_[solutions_.nextNumber()] = before_;
@@ -299,10 +311,23 @@ void FilmWindow::followEdit()
         restTimer_.start(restTime);
         return;
     }
-    if (const auto problems = checkCombinations(edited_); !problems.empty())
-        view_->shape()->showObstacle(sentence(problems.front().message));
-    else
-        solve(edited_, false);
+    const auto problems = checkCombinations(edited_);
+    const QString reason = problems.empty() ? reasonToWait() : sentence(problems.front().message);
+    if (!reason.isEmpty()) return view_->shape()->showObstacle(reason);
+    solve(edited_, false);
+    byItself_ = true;
+}
+
+QString FilmWindow::reasonToWait() const
+{
+    const auto found =
+        std::ranges::find_if(fruitless_, [this](const StaticSolution& each) { return isEdited(each.solved, {}); });
+    if (found != fruitless_.end())
+        return tr("It does not fly so: %1").arg(QString::fromStdString(found->state.message));
+    const SurfacePoint load{0.5 * edited_.slider.length + edited_.suspension.offsetX,
+                            0.5 * edited_.slider.width + edited_.suspension.offsetY};
+    if (edited_.steady.fixedAttitude || railsSurround(edited_.surface, load)) return {};
+    return tr("Not solved: the rails do not surround the place where the suspension presses. F9 solves all the same.");
 }
 
 bool FilmWindow::isEdited(Case solved, const Attitude& found) const

@@ -81,8 +81,10 @@ private:
     void updateInfluence();
     void forgetPreviews();
     void onSurfaceEdited(const AirBearingSurface& surface, const QString& text, int merge);
-    /// Solves on the case's own grid once the hand rests.
+    /// Solves on the case's own grid once the hand rests, where the shape may fly.
     void followEdit();
+    /// Why the shape is not solved by itself: its rails cannot carry it, or a search found so before. "": it is solved.
+    QString reasonToWait() const;
     /// What was solved, with this attitude, is the case as it is edited.
     bool isEdited(Case solved, const Attitude& found) const;
     void updateStale();
@@ -103,6 +105,8 @@ private:
     std::optional<Case> preview_;                 // waits for that one
     Case edited_;                                 // as it is now
     Case asked_;                                  // of the solution under way
+    bool byItself_ = false;                       // the solution under way follows an edit; nobody asked for it
+    std::vector<StaticSolution> fruitless_;       // the last ones of these that found no state, without fields
     int shown_ = -1;                              // number of the solution that is shown
     bool stale_ = false;
 };

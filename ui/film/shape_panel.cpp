@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -59,6 +58,9 @@ public:
 
 ShapePanel::ShapePanel(QWidget* parent)
     : QWidget(parent),
+      parts_(new QSplitter(Qt::Vertical, this)),
+      lower_(new QWidget(this)),
+      numbers_(new QBoxLayout(QBoxLayout::TopToBottom)),
       list_(new PartTree(this)),
       table_(new QTableWidget(this)),
       caption_(new QLabel(this)),
@@ -80,8 +82,6 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->setTabKeyNavigation(false);
     table_->setMinimumWidth(120);
     table_->setItemDelegate(new RoundingDelegate(table_));
-    list_->setMinimumWidth(
-        list_->fontMetrics().horizontalAdvance(tr("Rail 10, ramp") + tr("Recess [µm]") + tr("Points")) + 90);
 
     const auto button = [this](const QString& text, const QString& tip, auto perform) {
         auto* made = new QToolButton(this);
@@ -116,24 +116,21 @@ ShapePanel::ShapePanel(QWidget* parent)
     upperLayout->addLayout(buttons);
     upperLayout->addLayout(verbs);
     upperLayout->setSpacing(2);
-    auto* lower = new QWidget(this);
-    auto* lowerLayout = new QVBoxLayout(lower);
+    auto* lowerLayout = new QVBoxLayout(lower_);
     lowerLayout->setContentsMargins(0, 0, 0, 0);
     lowerLayout->addWidget(caption_);
-    auto* numbers = new QHBoxLayout;
-    numbers->addWidget(table_, 3);
-    numbers->addWidget(profile_, 2);
-    lowerLayout->addLayout(numbers, 1);
+    numbers_->addWidget(table_, 3);
+    numbers_->addWidget(profile_, 2);
+    lowerLayout->addLayout(numbers_, 1);
     lowerLayout->addWidget(problem_);
-    auto* parts = new QSplitter(Qt::Horizontal, this);
-    parts->addWidget(upper);
-    parts->addWidget(lower);
-    parts->setChildrenCollapsible(false);
-    parts->setStretchFactor(0, 2);
-    parts->setStretchFactor(1, 3);
+    parts_->addWidget(upper);
+    parts_->addWidget(lower_);
+    parts_->setChildrenCollapsible(false);
+    parts_->setStretchFactor(0, 2);
+    parts_->setStretchFactor(1, 3);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 0, 4, 4);
-    layout->addWidget(parts);
+    layout->addWidget(parts_);
 
     connect(list_, &QTreeWidget::itemSelectionChanged, this, &ShapePanel::onListSelected);
     connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item, int column) {
@@ -160,6 +157,14 @@ void ShapePanel::setCase(const Case& c)
     fillTable();
 }
 
+void ShapePanel::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    const bool narrow = width() < 2 * height();
+    parts_->setOrientation(narrow ? Qt::Vertical : Qt::Horizontal);
+    numbers_->setDirection(narrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
 void ShapePanel::onTableSelected()
 {
     if (!filling_ && chosen_.kind == Kind::Wall && table_->currentRow() >= 0)
@@ -176,7 +181,9 @@ void ShapePanel::onTableSelected()
 void ShapePanel::setHeaders(const QStringList& headers)
 {
     table_->setColumnCount(static_cast<int>(headers.size()));
-    table_->setHorizontalHeaderLabels(headers);
+    QStringList lines;
+    for (QString head : headers) lines << head.replace(QStringLiteral(" ["), QStringLiteral("\n["));
+    table_->setHorizontalHeaderLabels(lines);
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
 }
 
@@ -208,6 +215,7 @@ void ShapePanel::fillTable()
     table_->clearContents();
     table_->setRowCount(0);
     profile_->setVisible(chosen_.kind == Kind::Wall);
+    lower_->setVisible(chosen_.kind != Kind::None);
     switch (chosen_.kind) {
     case Kind::Rail:
         caption_->setText(tr("Corners of rail %1").arg(chosen_.item + 1));
@@ -227,10 +235,7 @@ void ShapePanel::fillTable()
         setNumber(0, 1, key + ".y");
         break;
     }
-    case Kind::None:
-        caption_->setText(tr("Select a rail, a wall or a point to see its numbers."));
-        setHeaders({});
-        break;
+    case Kind::None: setHeaders({}); break;
     }
     if (row >= 0 && row < table_->rowCount() && column < table_->columnCount())
         table_->setCurrentCell(row, column, QItemSelectionModel::NoUpdate);

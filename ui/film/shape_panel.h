@@ -9,7 +9,9 @@
 #include <string>
 #include <vector>
 
+#include <QBoxLayout>
 #include <QLabel>
+#include <QSplitter>
 #include <QTableWidget>
 #include <QToolButton>
 #include <QTreeWidget>
@@ -50,6 +52,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     static constexpr int keyRole = Qt::UserRole, kindRole = Qt::UserRole + 1; // of items
@@ -94,6 +97,9 @@ private:
     Chosen chosen_;
     PartSelection selection_;
     bool filling_ = false;
+    QSplitter* parts_;    // list and numbers, below each other in a narrow place
+    QWidget* lower_;      // what belongs to the chosen part
+    QBoxLayout* numbers_; // table and profile of a wall, likewise
     PartTree* list_;
     QTreeWidgetItem *rails_ = nullptr, *walls_ = nullptr, *interests_ = nullptr;
     QTableWidget* table_;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/surface_page.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
-#include <QSplitter>
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
@@ -18,6 +18,8 @@
 namespace touchdown {
 
 namespace {
+
+constexpr int longestState = 88; // minimum spacing, pitch and roll with changes and errors [characters]
 
 /// "min 8.75 nm  +0.31 (±0.16)": the change is left out where there is nothing to compare with, the error where it is
 /// not known.
@@ -67,24 +69,16 @@ SurfacePage::SurfacePage(QWidget* parent)
     flight_->setContentsMargins(8, 2, 8, 2);
     flight_->setTextFormat(Qt::RichText);
     flight_->setMinimumWidth(1);
+    flight_->setWordWrap(true);
 
-    auto* upper = new QWidget(this);
-    auto* layout = new QVBoxLayout(upper);
+    panel_->hide();
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(buildTools());
+    layout->addWidget(toolRow_ = buildTools());
     layout->addWidget(flight_);
     layout->addWidget(influenceWords_);
     layout->addWidget(editor_, 1);
-    auto* split = new QSplitter(Qt::Vertical, this);
-    split->addWidget(upper);
-    split->addWidget(panel_);
-    split->setStretchFactor(0, 1);
-    split->setStretchFactor(1, 0);
-    split->setSizes({480, 220});
-    auto* whole = new QHBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(split);
 
     connect(editor_, &SurfaceEditor::selectionChanged, this, [this] { panel_->setSelection(editor_->selection()); });
     connect(panel_, &ShapePanel::selected, editor_, &SurfaceEditor::select);
@@ -102,11 +96,13 @@ SurfacePage::SurfacePage(QWidget* parent)
 QWidget* SurfacePage::buildTools()
 {
     auto* row = new QWidget(this);
+    row->setMinimumWidth(1); // it does not widen the window
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(6, 2, 8, 2);
     auto* group = new QButtonGroup(this);
     const auto tool = [&](SurfaceEditor::Tool which, const QString& text, const QString& tip) {
         auto* button = new QToolButton(row);
+        tools_.push_back(button);
         button->setText(text);
         button->setToolTip(plainTip(tip));
         button->setAccessibleName(tip);
@@ -147,6 +143,45 @@ QWidget* SurfacePage::buildTools()
     setTabOrder(follow_, influence_);
     layout->addStretch(1);
     return row;
+}
+
+void SurfacePage::addTool(QWidget& tool)
+{
+    toolRow_->layout()->addWidget(&tool);
+    fit();
+}
+
+/// The plan keeps its place whatever is said above it: rows have as many lines as their longest text needs in this
+/// width and font.
+void SurfacePage::fit()
+{
+    static const QStringList icons{QStringLiteral("select"), QStringLiteral("rectangle"), QStringLiteral("polygon"),
+                                   QStringLiteral("measure")};
+    for (std::size_t i = 0; i < tools_.size(); ++i) {
+        tools_[i]->setIcon(icon(icons[static_cast<qsizetype>(i)], palette()));
+        tools_[i]->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    }
+    toolRow_->layout()->invalidate();
+    if (toolRow_->layout()->minimumSize().width() > width())
+        for (QToolButton* button : tools_) button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    const QFontMetrics metrics = flight_->fontMetrics();
+    const int lines = width() < longestState * metrics.averageCharWidth() ? 2 : 1;
+    const QMargins margins = flight_->contentsMargins();
+    flight_->setFixedHeight(lines * metrics.lineSpacing() + margins.top() + margins.bottom());
+}
+
+void SurfacePage::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void SurfacePage::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    const auto type = event->type();
+    if (type == QEvent::FontChange || type == QEvent::PaletteChange || type == QEvent::StyleChange)
+        QMetaObject::invokeMethod(this, &SurfacePage::fit, Qt::QueuedConnection); // when its parts have it, too
 }
 
 void SurfacePage::showInfluence(const std::vector<PartInfluence>& influence)
@@ -194,13 +229,7 @@ void SurfacePage::open(const Case& c)
 void SurfacePage::showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview)
 {
     if (state.status != SteadyStatus::Converged) {
-        const QString reason = QString::fromStdString(state.message);
-        // One line; the tool tip has all of it.
-        constexpr int mostCharacters = 100;
-        const QFontMetrics metrics = flight_->fontMetrics();
-        showObstacle(tr("It does not fly so: %1")
-                         .arg(metrics.elidedText(reason, Qt::ElideRight, mostCharacters * metrics.averageCharWidth())));
-        flight_->setToolTip(plainTip(sentence(state.message)));
+        showObstacle(tr("It does not fly so: %1").arg(QString::fromStdString(state.message)));
         return;
     }
     const bool compared = reference && reference->status == SteadyStatus::Converged;
@@ -211,13 +240,13 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         return compared ? std::optional(reference->attitude.*member) : std::nullopt;
     };
     const DiscretisationError& error = state.discretisationError;
+    shortPart_ =
+        part(tr("min"), state.minimumSpacing, before(&SteadyResult::minimumSpacing), error.minimumSpacing, "nm");
     flightParts_ =
-        part(tr("min"), state.minimumSpacing, before(&SteadyResult::minimumSpacing), error.minimumSpacing, "nm") +
-        QStringLiteral(" &nbsp; ") +
+        shortPart_ + QStringLiteral(" &nbsp; ") +
         part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, "urad") +
         QStringLiteral(" &nbsp; ") + part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), error.roll, "urad") +
-        QStringLiteral(" &nbsp; ") + tr("%1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) +
-        (preview ? tr(", preview") : QString());
+        (preview ? tr(" &nbsp; preview, %1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) : QString());
     if (!preview) confirmedParts_ = flightParts_;
     setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());
     flight_->setText(flightParts_);
@@ -228,10 +257,16 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
 void SurfacePage::showObstacle(const QString& reason)
 {
     setTextColour(flight_, meaningColours(palette()).muted);
+    // As much of it as there is room for beside the state before; the tool tip has all of it.
+    constexpr int characters = 34; // of "before: min 8.75 nm  +0.31 (±0.16)"
+    const QFontMetrics metrics = flight_->fontMetrics();
+    const int room = (flight_->height() / metrics.lineSpacing()) * flight_->width() -
+                     (flightParts_.isEmpty() ? 2 : characters) * metrics.averageCharWidth();
+    const QString shown = metrics.elidedText(reason, Qt::ElideRight, std::max(room, flight_->width() / 2));
     const QString problem = QStringLiteral("<span style='color:%1'>%2</span>")
-                                .arg(meaningColours(palette()).failure.name(), escaped(reason));
-    flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + flightParts_);
-    flight_->setToolTip({});
+                                .arg(meaningColours(palette()).failure.name(), escaped(shown));
+    flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + shortPart_);
+    flight_->setToolTip(plainTip(reason));
     obstacle_ = true;
 }
 

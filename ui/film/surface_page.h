@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page on which a slider is shaped: tools, the plan as an editor, the list of its parts, and above the plan how it
-// flies.
+// The page on which a slider is shaped: tools, the plan as an editor, and above it how the slider flies. The list of
+// its parts has a place elsewhere in the window.
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <QCheckBox>
 #include <QLabel>
@@ -30,6 +31,9 @@ public:
     void open(const Case& c);
 
     SurfaceEditor* editor() const { return editor_; }
+    /// At the end of the row of tools.
+    void addTool(QWidget& tool);
+    /// Hidden until the window gives it a place.
     ShapePanel* panel() const { return panel_; }
     bool follows() const { return follow_->isChecked(); }
     bool showsInfluence() const { return influence_->isChecked(); }
@@ -58,14 +62,22 @@ signals:
     void previewed(const touchdown::AirBearingSurface& surface);
     void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
     QWidget* buildTools();
+    void fit();
 
     SurfaceEditor* editor_;
     ShapePanel* panel_;
     QCheckBox *follow_, *influence_;
     QLabel *flight_, *influenceWords_;
+    QWidget* toolRow_ = nullptr;
+    std::vector<QToolButton*> tools_;
     QString flightParts_, confirmedParts_; // the last state, and the last that was not a preview
+    QString shortPart_;                    // of the last state: its minimum spacing
     bool obstacle_ = false;                // stands before flightParts_
 };
 

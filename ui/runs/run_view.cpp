@@ -94,6 +94,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     layout->addWidget(tabs_);
     layout->addWidget(pages_, 1);
     connect(tabs_, &QTabBar::currentChanged, pages_, &QStackedWidget::setCurrentIndex);
+    connect(tabs_, &QTabBar::currentChanged, this, &RunView::pageChanged);
     for (const QAction* wanted : {spectrumWanted_, sideWanted_})
         connect(wanted, &QAction::toggled, this, &RunView::showParts);
     connect(quantitiesWanted_, &QAction::toggled, quantities_, &QWidget::setVisible);

@@ -81,6 +81,10 @@ public:
     /// Offers the plots, new ones, the spectrum and the list of quantities.
     void fillPlotsMenu(QMenu& menu);
 
+signals:
+    /// The user or the program went to another page.
+    void pageChanged();
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
 

@@ -105,19 +105,18 @@ void SliderPlan::fit()
     applyFit();
 }
 
-SliderPlan::Margins SliderPlan::margins(const QFont& font, bool paper) const
+SliderPlan::Margins SliderPlan::margins(const QFont& font, bool above) const
 {
     if (!slider_) return {2.0 * gap, 2.0 * gap, 4.0 * gap};
     const double text = QFontMetricsF(plotNumberFont(font)).height();
     const double name = text + 2.0 * gap;
-    // On paper the air flow stands above the slider, so that the plan is as wide as can be.
-    return {paper ? name : arrowLength + 3.0 * gap + text, paper ? name : text + 3.0 * gap, 2.0 * name};
+    return {above ? name : arrowLength + 3.0 * gap + text, above ? name : text + 3.0 * gap, 2.0 * name};
 }
 
 void SliderPlan::applyFit()
 {
     const QRectF area = planArea();
-    const auto [left, right, ends] = margins(font(), paper_);
+    const auto [left, right, ends] = margins(font(), airAbove());
     scale_ =
         std::max(1.0, std::min((area.width() - left - right) / area_.width(), (area.height() - ends) / area_.height()));
     centre_ = {area_.center().x() + 0.5 * (right - left) / scale_, area_.center().y()};

@@ -114,7 +114,10 @@ private:
     struct Margins {
         double left, right, ends; // ends: above and below together
     };
-    Margins margins(const QFont& font, bool paper) const;
+    Margins margins(const QFont& font, bool above) const;
+    /// On paper and in a narrow place the air flow stands above the slider, so that the plan is as wide as can be.
+    bool airAbove() const { return paper_ || planArea().width() < narrow; }
+    static constexpr double narrow = 600.0; // [px]
 
     void setArea(const QRectF& area, bool slider);
     void setReading(const QString& text);

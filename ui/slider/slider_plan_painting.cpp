@@ -46,7 +46,7 @@ void SliderPlan::paintSurroundings(QPainter& painter, const PlotTheme& theme) co
     painter.drawText(QRectF(outline.left(), outline.bottom() + PlotFrame::gap, outline.width(), text), Qt::AlignCenter,
                      tr("inner edge"));
     painter.drawText(QRectF(outline.left(), outline.top() - PlotFrame::gap - text, outline.width(), text),
-                     paper_ ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignCenter, tr("outer edge"));
+                     airAbove() ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignCenter, tr("outer edge"));
     const auto drawUpright = [&](double x, double turn, const QString& name) {
         painter.save();
         painter.translate(x, outline.center().y());
@@ -67,11 +67,11 @@ void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
     const QPointF along(std::cos(skew_), std::sin(skew_));
     const QPointF across(-along.y(), along.x());
     const QPointF corner = toPixel({area_.left(), area_.bottom()});
-    const double length = paper_ ? arrowOnPaper : arrowLength;
+    const double length = airAbove() ? arrowOnPaper : arrowLength;
     QPointF tip = toPixel({area_.left(), area_.center().y()}) - QPointF(2.0 * PlotFrame::gap + metrics.height(), 0.0);
     // On paper above the leading end of the slider.
     const double above = corner.y() - PlotFrame::gap - 0.5 * metrics.height();
-    if (paper_) tip = QPointF(std::max(corner.x() - metrics.height(), planArea().left() + 2.0) + length, above);
+    if (airAbove()) tip = QPointF(std::max(corner.x() - metrics.height(), planArea().left() + 2.0) + length, above);
     const QPointF tail = tip - length * along;
     const QString turn = skew_ != 0.0 ? typeset(skew_ * 180.0 / std::numbers::pi, 1) + QStringLiteral("°") : QString();
     painter.setPen(QPen(theme.mutedText, 2.0, Qt::SolidLine, Qt::FlatCap));
@@ -83,7 +83,7 @@ void SliderPlan::paintAirFlow(QPainter& painter, const PlotTheme& theme) const
 
     painter.setFont(font);
     painter.setPen(theme.mutedText);
-    if (paper_) {
+    if (airAbove()) {
         painter.drawText(QRectF(tip.x() + PlotFrame::gap, above - 0.5 * metrics.height(), 0.0, metrics.height()),
                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, tr("air") + QLatin1Char(' ') + turn);
         return;

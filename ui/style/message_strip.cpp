@@ -1,26 +1,48 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/message_strip.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QPainter>
-#include <QToolButton>
 
 #include "ui/style/theme.h"
 
 namespace touchdown {
 
+namespace {
+
+constexpr int scrollBar = 20; // room for it beside the words [px]
+
+} // namespace
+
 MessageStrip::MessageStrip(QWidget* parent)
     : QFrame(parent),
       mark_(new QLabel(this)),
-      text_(new QLabel(this)),
+      line_(new QLabel(this)),
+      more_(new QToolButton(this)),
       action_(new QPushButton(this)),
-      second_(new QPushButton(this))
+      second_(new QPushButton(this)),
+      whole_(new QPlainTextEdit(parent ? parent : this))
 {
     setAccessibleName(tr("Messages"));
-    text_->setWordWrap(true);
-    text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    text_->setFocusPolicy(Qt::ClickFocus);
+    line_->setMinimumWidth(1);
+    line_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    line_->installEventFilter(this);
+    more_->setText(tr("More"));
+    more_->setCheckable(true);
+    more_->setAutoRaise(true);
+    more_->setToolTip(tr("Show all of the message"));
+    more_->setFocusPolicy(Qt::TabFocus);
+    more_->hide();
+    connect(more_, &QToolButton::toggled, this, &MessageStrip::showWhole);
+    whole_->setReadOnly(true);
+    whole_->setAccessibleName(tr("All of the message"));
+    whole_->setFrameShape(QFrame::StyledPanel);
+    whole_->hide();
     auto* close = new QToolButton(this);
     close->setText(QStringLiteral("✕"));
     close->setAutoRaise(true);
@@ -32,23 +54,23 @@ MessageStrip::MessageStrip(QWidget* parent)
     connect(second_, &QPushButton::clicked, this, &MessageStrip::secondRequested);
 
     auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(12, 5, 6, 5);
+    layout->setContentsMargins(12, 2, 6, 2);
     layout->setSpacing(8);
-    layout->addWidget(mark_, 0, Qt::AlignTop);
-    layout->addWidget(text_, 1);
+    layout->addWidget(mark_);
+    layout->addWidget(line_, 1);
+    layout->addWidget(more_);
     for (QPushButton* button : {action_, second_}) {
         button->setAutoDefault(false);
-        button->hide();
-        layout->addWidget(button, 0, Qt::AlignVCenter);
+        layout->addWidget(button);
     }
-    layout->addWidget(close, 0, Qt::AlignTop);
+    layout->addWidget(close);
     keepPlace(true);
-    hide();
+    fitHeight();
+    clear();
 }
 
 void MessageStrip::keepPlace(bool kept)
 {
-    // The page above keeps its place when a message of one line comes or goes.
     QSizePolicy keeping = sizePolicy();
     keeping.setRetainSizeWhenHidden(kept);
     setSizePolicy(keeping);
@@ -56,14 +78,17 @@ void MessageStrip::keepPlace(bool kept)
 
 void MessageStrip::show(Kind kind, const QString& text, const QString& action, Topic topic, const QString& second)
 {
+    showWhole(false);
     kind_ = kind;
     topic_ = topic;
-    text_->setText(text);
+    text_ = text;
+    whole_->setPlainText(text);
     for (const auto& [button, words] : {std::pair(action_, action), std::pair(second_, second)}) {
         button->setText(words);
         button->setVisible(!words.isEmpty());
     }
     colour();
+    fitLine();
     setVisible(true);
 }
 
@@ -74,17 +99,83 @@ void MessageStrip::clear(Topic topic)
 
 void MessageStrip::clear()
 {
+    showWhole(false);
     topic_ = Topic::Any;
-    text_->clear();
+    text_.clear();
     action_->hide();
     second_->hide();
     setVisible(false);
+}
+
+void MessageStrip::showWhole(bool on)
+{
+    if (more_->isChecked() != on) return more_->setChecked(on); // which comes back
+    whole_->setVisible(on);
+    if (!on) return;
+    placeWhole();
+    whole_->raise();
+}
+
+void MessageStrip::placeWhole()
+{
+    if (whole_->isHidden()) return;
+    const QWidget* page = whole_->parentWidget();
+    const QRect strip(mapTo(page, QPoint(0, 0)), size());
+    const int margin = static_cast<int>(std::ceil(whole_->document()->documentMargin())) + whole_->frameWidth();
+    const QRect words = whole_->fontMetrics().boundingRect(QRect(0, 0, strip.width() - 2 * margin - scrollBar, 1),
+                                                           Qt::TextWordWrap, text_);
+    const int height = std::min(words.height() + 2 * margin, strip.top());
+    whole_->setGeometry(strip.left(), strip.top() - height, strip.width(), height);
+}
+
+/// One line of text, whether or not there are buttons beside it.
+void MessageStrip::fitHeight()
+{
+    const int line = std::max(line_->fontMetrics().height(), action_->sizeHint().height());
+    setFixedHeight(line + layout()->contentsMargins().top() + layout()->contentsMargins().bottom());
+}
+
+void MessageStrip::fitLine()
+{
+    const QString line = QString(text_).replace(QLatin1Char('\n'), QStringLiteral(" · "));
+    const QString shown = line_->fontMetrics().elidedText(line, Qt::ElideRight, line_->width());
+    if (line_->text() != shown) line_->setText(shown);
+    const bool cut = shown != line;
+    more_->setVisible(cut);
+    line_->setTextInteractionFlags(cut ? Qt::NoTextInteraction : Qt::TextSelectableByMouse);
+    line_->setCursor(cut ? Qt::PointingHandCursor : Qt::IBeamCursor);
+    if (!cut) showWhole(false);
 }
 
 void MessageStrip::changeEvent(QEvent* event)
 {
     QFrame::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) colour();
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) fitHeight();
+}
+
+bool MessageStrip::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::FontChange) fitLine();
+    return QFrame::eventFilter(watched, event);
+}
+
+void MessageStrip::mousePressEvent(QMouseEvent* event)
+{
+    QFrame::mousePressEvent(event);
+    if (isCut()) more_->toggle();
+}
+
+void MessageStrip::moveEvent(QMoveEvent* event)
+{
+    QFrame::moveEvent(event);
+    placeWhole();
+}
+
+void MessageStrip::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    placeWhole();
 }
 
 void MessageStrip::colour()

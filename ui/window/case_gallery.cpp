@@ -10,12 +10,15 @@
 #include <QDialogButtonBox>
 #include <QKeyEvent>
 #include <QLocale>
+#include <QPainter>
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "ui/case/parameter_text.h"
+#include "ui/plot/colour_scale.h"
+#include "ui/slider/rail_drawing.h"
 #include "ui/style/readable.h"
 
 namespace touchdown {
@@ -49,6 +52,31 @@ QString wordsOf(const Case& c)
            valueText(c, *findParameter("contact"), QLocale());
 }
 
+/// The surface from below: base and rails by their recess, the pads lightest, as the plan has them.
+QPixmap surfacePixmap(const Case& c, const QPalette& palette)
+{
+    constexpr int width = 96, height = 72, margin = 4; // [px]
+    QPixmap picture(width, height);
+    picture.fill(palette.color(QPalette::Base));
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double scale =
+        std::min((width - 2 * margin) / c.slider.length, (height - 2 * margin) / c.slider.width); // [px/m]
+    painter.translate(0.5 * (width - scale * c.slider.length), 0.5 * (height + scale * c.slider.width));
+    painter.scale(scale, -scale);
+    QPen outline(palette.color(QPalette::Text), 1.0);
+    outline.setCosmetic(true);
+    painter.setPen(outline);
+    const ColourScale colours = ColourScale::throughLevels(ColourMap::Mako, recessLevels(c.surface)).reversed();
+    painter.setBrush(QColor(colours.colour(c.surface.baseRecess)));
+    painter.drawRect(QRectF(0.0, 0.0, c.slider.length, c.slider.width));
+    for (const Rail& rail : c.surface.rails) {
+        painter.setBrush(QColor(colours.colour(rail.recess.front())));
+        painter.drawPolygon(railPolygon(rail));
+    }
+    return picture;
+}
+
 } // namespace
 
 std::vector<GalleryItem> sampleCaseItems()
@@ -67,16 +95,34 @@ std::vector<GalleryItem> sampleCaseItems()
     return all;
 }
 
-CaseGallery::CaseGallery(QWidget* parent) : QDialog(parent), words_(new QLineEdit(this)), gallery_(new Gallery(this))
+std::vector<GalleryItem> newCaseItems(const QPalette& palette)
 {
-    setWindowTitle(tr("Gallery of cases"));
+    std::vector<GalleryItem> items;
+    for (const SampleCase& slider : sliderTemplates()) {
+        const Case c = parseCase(slider.text, slider.name).value;
+        items.push_back({QString::fromStdString(slider.name), CaseGallery::tr("Sliders on an air film"),
+                         readable(c.title), firstSentence(slider.text), surfacePixmap(c, palette), wordsOf(c)});
+    }
+    items.push_back({QString(),
+                     CaseGallery::tr("Other"),
+                     CaseGallery::tr("Nothing but defaults"),
+                     CaseGallery::tr("A slider on springs; the model can be changed to an air film, with an empty "
+                                     "surface, or to a contact alone."),
+                     {}});
+    return items;
+}
+
+CaseGallery::CaseGallery(const QString& title, std::vector<GalleryItem> items, QWidget* parent)
+    : QDialog(parent), words_(new QLineEdit(this)), gallery_(new Gallery(this))
+{
+    setWindowTitle(title);
     words_->setPlaceholderText(tr("Words to look for, as menisci or rough disk"));
     words_->setAccessibleName(tr("Words that a sample case has"));
     words_->setClearButtonEnabled(true);
     words_->installEventFilter(this);
-    gallery_->setAccessibleName(tr("Sample cases"));
+    gallery_->setAccessibleName(tr("Cases to choose from"));
     gallery_->setNothingFound(tr("No case has all of these words."));
-    gallery_->setItems(sampleCaseItems());
+    gallery_->setItems(std::move(items));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
     open_ = buttons->button(QDialogButtonBox::Open);
     open_->setText(tr("Open"));
@@ -96,7 +142,7 @@ CaseGallery::CaseGallery(QWidget* parent) : QDialog(parent), words_(new QLineEdi
         if (const GalleryItem* item = gallery_->at(gallery_->currentRow())) choose(item->name);
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    updateOpen();
+    chooseFirst();
 }
 
 void CaseGallery::choose(const QString& name)

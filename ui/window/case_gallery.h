@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// All sample cases with a small picture of what comes of them, to choose the one that is opened.
+// Cases with a small picture each, to choose the one that is opened: all sample cases, or what a new case begins with.
 #pragma once
 
 #include <QDialog>
@@ -15,7 +15,7 @@ class CaseGallery : public QDialog {
     Q_OBJECT
 
 public:
-    explicit CaseGallery(QWidget* parent);
+    CaseGallery(const QString& title, std::vector<GalleryItem> items, QWidget* parent);
 
     QLineEdit* words() const { return words_; }
     Gallery* gallery() const { return gallery_; }
@@ -40,5 +40,9 @@ private:
 
 /// The sample cases by theme, in the order of the paper within each.
 std::vector<GalleryItem> sampleCaseItems();
+
+/// Sliders to begin a design with, drawn from below in the colours of the palette, and, without a name, the case that
+/// is all defaults.
+std::vector<GalleryItem> newCaseItems(const QPalette& palette);
 
 } // namespace touchdown

@@ -2,6 +2,7 @@
 #include "ui/window/main_window.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -142,6 +143,8 @@ bool MainWindow::readyToRun()
     casePanel_->showFirstProblem();
     return false;
 }
+
+void MainWindow::leaveMessage() { messages_->clear(MessageStrip::Topic::Any); }
 
 void MainWindow::solveStaticState(bool atGivenAttitude)
 {
@@ -331,6 +334,12 @@ void MainWindow::followFont(const QSize& before)
     actions_->toolBar->layout()->invalidate();
     if (!isMaximized() && !isFullScreen()) resize(before);
     QCoreApplication::postEvent(statusBar(), new QEvent(QEvent::LayoutRequest));
+}
+
+void MainWindow::showEvent(QShowEvent* event)
+{
+    QMainWindow::showEvent(event);
+    if (!std::exchange(arranged_, true)) pages_->arrangeAtFirst();
 }
 
 void MainWindow::changeEvent(QEvent* event)

@@ -54,6 +54,8 @@ public:
 
     /// Geometry, theme, font and panes of the last session.
     void restoreArrangement();
+    /// Not larger than the screen, with the frame that the system draws about a window.
+    void fitScreen();
     /// Instead of the chosen theme, until another one is chosen.
     void useTheme(const QString& name);
     /// The case of the last session, or the default case.
@@ -108,6 +110,7 @@ signals:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -124,6 +127,8 @@ private:
     /// Takes text that was typed into a field or a cell and not confirmed yet.
     void takeTyped();
     bool readyToRun();
+    /// A message belongs to the page and the tab on which it was shown; one about the case to all.
+    void leaveMessage();
     void onCaseOpened();
     void onImported(const QString& path, const QStringList& warnings);
     void onExported(const QString& path, const QStringList& warnings);
@@ -138,6 +143,7 @@ private:
     void makeFigure();
     void printLesson();
     void showGallery();
+    void chooseNewCase();
     void endSlowMotion();
     void useParametersOf(int number);
     void useSolution(int number);
@@ -172,6 +178,7 @@ private:
     Recording* recording_ = nullptr;
     std::unique_ptr<ResultMessages> results_;
     ClosingQuestion* closing_ = nullptr;
+    bool arranged_ = false; // the panes, by the user or at first
     bool mayClose_ = false; // that question was answered
 };
 

@@ -75,7 +75,7 @@ void tell(MessageStrip& messages, const Part& part)
 
 void MainWindow::connectFiles()
 {
-    connect(actions_->newCase, &QAction::triggered, files_, &CaseFiles::newCase);
+    connect(actions_->newCase, &QAction::triggered, this, &MainWindow::chooseNewCase);
     connect(actions_->open, &QAction::triggered, files_, &CaseFiles::chooseFile);
     connect(actions_->caseGallery, &QAction::triggered, this, &MainWindow::showGallery);
     connect(actions_->save, &QAction::triggered, files_, &CaseFiles::save);
@@ -114,7 +114,7 @@ void MainWindow::connectFiles()
         messages_->show(MessageStrip::Kind::Success,
                         tr("Reloaded: %1. Undo brings the values back.").arg(QDir::toNativeSeparators(files_->file())));
     });
-    pages_->addFoot(*new FileNotice(*files_, this));
+    pages_->addNotice(*new FileNotice(*files_, this));
     connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
     connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
     connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
@@ -123,7 +123,7 @@ void MainWindow::connectFiles()
     connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
     connect(edits_, &CaseEdits::modelFollowed, this, [this](const QStringList& changes) {
         messages_->show(MessageStrip::Kind::Information,
-                        tr("Defaults of the new model: %1. Undo restores the previous ones.")
+                        tr("What goes with this choice: %1. Undo takes it back.")
                             .arg(changes.join(QStringLiteral("; "))));
     });
     connect(&edits_->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
@@ -180,10 +180,11 @@ void MainWindow::connectFilm()
     connect(actions_->solve, &QAction::triggered, this, [this] { solveStaticState(); });
     connect(actions_->solveGiven, &QAction::triggered, this, [this] { solveStaticState(true); });
     connect(pages_, &WindowPages::shown, this, [this, before = pages_->page()]() mutable {
+        if (std::exchange(before, pages_->page()) != pages_->page()) leaveMessage();
         updateRunActions();
-        // A message belongs to the page on which it was shown.
-        if (std::exchange(before, pages_->page()) != pages_->page()) messages_->clear();
     });
+    connect(film_->view(), &FilmView::pageChanged, this, &MainWindow::leaveMessage);
+    connect(runs_->view(), &RunView::pageChanged, this, &MainWindow::leaveMessage);
     connect(actions_->stop, &QAction::triggered, &film_->controller(), &SteadyController::stop);
     connect(&film_->controller(), &SteadyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(actions_->stop, &QAction::triggered, film_->view(), &FilmView::stop);
@@ -267,7 +268,12 @@ void MainWindow::connectView()
 
     connect(actions_->theme, &QActionGroup::triggered, this, [this] { useTheme({}); });
     connect(actions_->fontSize, &QActionGroup::triggered, this, &MainWindow::look);
-    connect(actions_->presenter, &QAction::toggled, presenter_, &Presenter::set);
+    connect(actions_->alone, &QAction::toggled, pages_, &WindowPages::showAlone);
+    connect(actions_->presenter, &QAction::toggled, this, [this](bool on) {
+        if (on) actions_->alone->setChecked(false); // the presenter brings back what was there before
+        actions_->alone->setEnabled(!on);
+        presenter_->set(on);
+    });
     connect(presenter_, &Presenter::changed, this, &MainWindow::look);
     connect(guides_, &Guides::stepShown, presenter_, &Presenter::showCaption);
     connect(files_, &CaseFiles::opened, presenter_, &Presenter::showCaption);

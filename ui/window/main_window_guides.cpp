@@ -134,9 +134,17 @@ void MainWindow::printLessonTo(const QString& file)
 
 void MainWindow::showGallery()
 {
-    auto* dialog = new CaseGallery(this);
+    auto* dialog = new CaseGallery(tr("Gallery of cases"), sampleCaseItems(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &CaseGallery::chosen, files_, &CaseFiles::open);
+    dialog->open();
+}
+
+void MainWindow::chooseNewCase()
+{
+    auto* dialog = new CaseGallery(tr("New case"), newCaseItems(palette()), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &CaseGallery::chosen, files_, &CaseFiles::newCase);
     dialog->open();
 }
 

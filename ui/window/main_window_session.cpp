@@ -42,7 +42,7 @@ namespace touchdown {
 
 namespace {
 
-constexpr int stateVersion = 2;          // of the arrangement of the panes in the settings
+constexpr int stateVersion = 3;          // of the arrangement of the panes in the settings
 constexpr std::size_t mostSessions = 12; // in the menu
 constexpr auto reopenKey = "session/reopen";
 
@@ -70,7 +70,7 @@ void MainWindow::connectSession()
 void MainWindow::beginSession(bool offer, QStringList remarks)
 {
     session_ = new Session(sessionParts(), this);
-    pages_->addFoot(*new RestoreStrip(*session_, *messages_, *this));
+    pages_->addNotice(*new RestoreStrip(*session_, *messages_, *this));
     connect(session_, &Session::problemChanged, this, &MainWindow::showWhatIsKept);
     showWhatIsKept();
     connect(session_, &Session::failed, this, [this](const QString& text) {
@@ -147,6 +147,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
 void MainWindow::saveArrangement()
 {
     presenter_->set(false);
+    actions_->alone->setChecked(false);
     runs_->view()->setStage(std::nullopt); // the parts have the sizes that the user gave them
     setPage(Page::Run);                    // the next session begins with its panes
     QSettings settings;
@@ -165,12 +166,18 @@ void MainWindow::saveArrangement()
     settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
 }
 
+void MainWindow::fitScreen()
+{
+    const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this);
+    resize(size().boundedTo(screen()->availableSize() - QSize(0, title)));
+}
+
 void MainWindow::restoreArrangement()
 {
     const QSettings settings;
     restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-    resize(size().boundedTo(screen()->availableSize())); // before look(), which keeps it
-    restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
+    fitScreen(); // before look(), which keeps the size
+    arranged_ = restoreState(settings.value(QStringLiteral("window/state")).toByteArray(), stateVersion);
     runs_->view()->splitter()->restoreState(settings.value(QStringLiteral("window/parts")).toByteArray());
     const auto check = [](QActionGroup* group, const QVariant& value) {
         for (QAction* action : group->actions())

@@ -31,7 +31,10 @@ void ResultMessages::runEnded(const RunRecord& run, bool quiet)
     if (summary.stepCheck && summary.stepCheck->sameEndState) lines << sentence(summary.stepCheck->message);
     if (!summary.warnings.empty() || (summary.stepCheck && !summary.stepCheck->sameEndState))
         kind = MessageStrip::Kind::Warning;
-    if (summary.status == RunStatus::Cancelled) kind = MessageStrip::Kind::Information;
+    if (summary.status == RunStatus::Cancelled) {
+        kind = MessageStrip::Kind::Information;
+        lines = {lines.front()}; // remarks on a run that was given up are in the way
+    }
     if (summary.status == RunStatus::Failed || summary.status == RunStatus::Diverged) {
         kind = MessageStrip::Kind::Failure;
         lines.front() = tr("Run %1 failed at %2: %3").arg(run.number).arg(timeText(summary.endTime), result);

@@ -23,7 +23,7 @@ WindowActions::WindowActions(QMainWindow& window, QUndoStack& stack) : QObject(&
     buildHelp(window);
     buildToolBar(window);
     // Their keys work without the menus, too.
-    window.addActions({presenter, run, pause, step, stop, lesson, demonstrations});
+    window.addActions({alone, presenter, run, pause, step, stop, lesson, demonstrations});
     updateIcons(window.palette());
 }
 
@@ -57,7 +57,7 @@ QActionGroup* WindowActions::choices(QMenu* menu, const std::vector<std::pair<QV
 void WindowActions::buildFile(QMainWindow& window)
 {
     QMenu* menu = window.menuBar()->addMenu(tr("&File"));
-    newCase = add(menu, tr("&New case"), QKeySequence::New);
+    newCase = add(menu, tr("&New case…"), QKeySequence::New, {}, tr("Begin with a typical slider, or with defaults"));
     open = add(menu, tr("&Open…"), QKeySequence::Open, QStringLiteral("open"), tr("Open a case file or a saved run"));
     samples = menu->addMenu(tr("Open sample &case"));
     for (const SampleCase& sample : sampleCases()) {
@@ -184,10 +184,12 @@ void WindowActions::buildView(QMainWindow& window)
     fontSize = choices(menu->addMenu(tr("Font si&ze")),
                        {{0, tr("&Normal")}, {2, tr("&Large")}, {5, tr("&Projector")}, {9, tr("Lecture &hall")}});
     menu->addSeparator();
+    alone = add(menu, tr("Page &alone"), QKeySequence(Qt::Key_F10), {},
+                tr("The page has the whole window; again, and the panes come back"));
     presenter = add(menu, tr("P&resenter"), QKeySequence(Qt::Key_F11), {},
                     tr("For a lecture: the whole screen, large text, no panes; again to leave it (F11)"));
     fullScreen = add(menu, tr("F&ull screen"), QKeySequence(Qt::SHIFT | Qt::Key_F11));
-    for (QAction* action : {presenter, fullScreen}) action->setCheckable(true);
+    for (QAction* action : {alone, presenter, fullScreen}) action->setCheckable(true);
 }
 
 void WindowActions::buildHelp(QMainWindow& window)

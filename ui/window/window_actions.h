@@ -30,7 +30,7 @@ public:
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
     QAction* printLesson;
-    QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *presenter, *fullScreen;
+    QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *alone, *presenter, *fullScreen;
     QAction *help, *firstSteps, *lesson, *demonstrations, *shortcuts, *aboutProgram, *aboutQt;
     QMenu *samples, *recent, *panes, *plots;
     QMenu* sessions;            // earlier ones that can be restored

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QEvent>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -13,6 +14,7 @@
 #include "ui/case/case_panel.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/film/surface_page.h"
 #include "ui/lists/record_panel.h"
 #include "ui/plot/cursor_table.h"
 #include "ui/runs/about_case_pane.h"
@@ -32,7 +34,7 @@ namespace touchdown {
 namespace {
 
 // The most that is asked for, of the screen: a pane at the left, three at the right, the page between them.
-constexpr double widestPane = 0.27, widestPage = 0.44;
+constexpr double widestPane = 0.245, widestPage = 0.44;
 constexpr double highestPane = 0.18, highestPage = 0.7;
 constexpr int lowWindow = 850;                                           // [px]
 constexpr QLatin1String valuesMoved("window/valuesShareThePlaceOfRuns"); // by the program
@@ -66,6 +68,7 @@ WindowPages::WindowPages(const Parts& parts)
         memory_->setVisible(parts_.runs.runs().count() > 0);
     });
     connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);
+    connect(parts_.film.view(), &FilmView::pageChanged, this, &WindowPages::raisePaneOfView);
     // A run that is added to the list is shown.
     connect(&parts_.runs.runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
 }
@@ -94,17 +97,43 @@ void WindowPages::buildCentre()
     centre_->addWidget(pages_, 1);
     centre_->addWidget(&parts_.messages);
     parts_.window.setCentralWidget(centre);
+    notices_ = new QWidget(centre);
+    auto* notices = new QVBoxLayout(notices_);
+    notices->setContentsMargins(0, 0, 0, 0);
+    notices->setSpacing(0);
+    for (QWidget* watched : {notices_, static_cast<QWidget*>(pages_)}) watched->installEventFilter(this);
 }
 
 void WindowPages::addFoot(QWidget& foot) { centre_->addWidget(&foot); }
+
+void WindowPages::addNotice(QWidget& notice)
+{
+    notice.setAutoFillBackground(true);
+    notices_->layout()->addWidget(&notice);
+}
+
+bool WindowPages::eventFilter(QObject* watched, QEvent* event)
+{
+    const auto type = event->type();
+    if (watched == notices_ ? type == QEvent::LayoutRequest : type == QEvent::Resize || type == QEvent::Move)
+        placeNotices();
+    return QObject::eventFilter(watched, event);
+}
+
+void WindowPages::placeNotices()
+{
+    const QRect page = pages_->geometry();
+    const int height = notices_->layout()->sizeHint().height();
+    notices_->setGeometry(page.left(), page.bottom() + 1 - height, page.width(), height);
+    notices_->raise();
+}
 
 void WindowPages::buildPanes()
 {
     QMainWindow& window = parts_.window;
     window.setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    QDockWidget* parameters =
-        addPane(QStringLiteral("parameters"), tr("Parameters"), &parts_.casePanel, Qt::LeftDockWidgetArea);
+    parameters_ = addPane(QStringLiteral("parameters"), tr("Parameters"), &parts_.casePanel, Qt::LeftDockWidgetArea);
     about_ = addPane(QStringLiteral("about"), tr("About this case"), &parts_.aboutCase, Qt::RightDockWidgetArea);
     runs_ = addPane(QStringLiteral("runs"), tr("Runs"), parts_.runs.panel(), Qt::RightDockWidgetArea);
     values_ =
@@ -112,14 +141,17 @@ void WindowPages::buildPanes()
     solutions_ = addPane(QStringLiteral("solutions"), tr("Solutions"), parts_.film.panel(), Qt::RightDockWidgetArea);
     attitude_ =
         addPane(QStringLiteral("attitude"), tr("Static attitude"), parts_.film.attitude(), Qt::RightDockWidgetArea);
+    shape_ =
+        addPane(QStringLiteral("shape"), tr("Shape"), parts_.film.view()->shape()->panel(), Qt::RightDockWidgetArea);
+    window.tabifyDockWidget(attitude_, shape_);
     study_ = addPane(QStringLiteral("study"), tr("Study"), parts_.studies.editor(), Qt::RightDockWidgetArea);
-    window.resizeDocks({parameters, about_}, {340, 340}, Qt::Horizontal);
     window.resizeDocks({about_, runs_, values_}, {280, 240, 260}, Qt::Vertical);
     panes_ = {{about_, {Page::StaticState, Page::Run}},
               {runs_, {Page::Run}},
               {values_, {Page::Run}},
               {solutions_, {Page::StaticState}},
               {attitude_, {Page::StaticState}},
+              {shape_, {Page::StaticState}},
               {study_, {Page::Studies}}};
     showPanesOfPage();
     parts_.film.progress()->hide();
@@ -131,6 +163,7 @@ QDockWidget* WindowPages::addPane(const QString& name, const QString& title, QWi
     auto* dock = new QDockWidget(title, &parts_.window);
     dock->setObjectName(name);
     dock->setWidget(content);
+    content->show();
     dock->setAccessibleName(title);
     parts_.window.addDockWidget(area, dock);
     parts_.actions.panes->addAction(dock->toggleViewAction());
@@ -161,10 +194,24 @@ void WindowPages::showPage()
     parts_.actions.setPage(model_, shown_ == Page::Run);
     showPanesOfPage();
     // The table of the attitude is long, the description of a film case is short.
-    if (shown_ == Page::StaticState)
+    if (shown_ == Page::StaticState && parts_.window.tabifiedDockWidgets(about_).contains(solutions_))
+        parts_.window.resizeDocks({solutions_, attitude_}, {220, 400}, Qt::Vertical);
+    else if (shown_ == Page::StaticState)
         parts_.window.resizeDocks({about_, solutions_, attitude_}, {130, 220, 400}, Qt::Vertical);
+    QMetaObject::invokeMethod(this, &WindowPages::raisePaneOfView, Qt::QueuedConnection); // when they have their places
     makeRoomForGuide();
     emit shown();
+}
+
+void WindowPages::raisePaneOfView()
+{
+    const bool plan = parts_.film.view()->page() == FilmView::Page::Surface;
+    if (QDockWidget* wanted = plan ? shape_ : attitude_; !wanted->isHidden()) wanted->raise();
+    const bool guided = std::ranges::any_of(guides_, [](const auto& each) { return !each.second->isHidden(); });
+    if (!guided && !solutions_->isHidden()) solutions_->raise();
+    // The window makes the bars of panes that share a place.
+    for (QTabBar* bar : parts_.window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        bar->setAccessibleName(tr("Panes in one place"));
 }
 
 /// Which panes of its page the user left open.
@@ -243,6 +290,14 @@ void WindowPages::hidePanes()
     }
 }
 
+void WindowPages::showAlone(bool on)
+{
+    if (on == panesHidden_) return;
+    if (!on) return bringPanesBack(arrangement_);
+    arrangement_ = parts_.window.saveState();
+    hidePanes();
+}
+
 void WindowPages::bringPanesBack(const QByteArray& arrangement)
 {
     panesHidden_ = true;
@@ -267,6 +322,13 @@ void WindowPages::makeRoomForGuide()
 {
     for (const auto& [guide, dock] : guides_)
         if (!dock->isHidden()) parts_.window.resizeDocks({dock, runs_, values_}, {600, 150, 150}, Qt::Vertical);
+}
+
+void WindowPages::arrangeAtFirst()
+{
+    const int width = std::min(340, static_cast<int>(widestPane * parts_.window.width()));
+    parts_.window.resizeDocks({parameters_, about_}, {width, width}, Qt::Horizontal);
+    if (parts_.window.height() < lowWindow) parts_.window.tabifyDockWidget(about_, solutions_);
 }
 
 void WindowPages::limitSizes()

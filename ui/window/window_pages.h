@@ -63,10 +63,17 @@ public:
     void hidePanes();
     void bringPanesBack(const QByteArray& arrangement);
     bool panesHidden() const { return panesHidden_; }
-    /// Below the page.
+    /// The page has the whole window, until the panes come back as they were.
+    void showAlone(bool on);
+    /// Below the page, which makes room for it.
     void addFoot(QWidget& foot);
+    /// Over the lower edge of the page, which stays as it is.
+    void addNotice(QWidget& notice);
     /// The progress of the shown page, and of other pages with an active calculation.
     void updateProgress();
+    /// Where the user has not arranged the panes: the page has half of the window, and in a low one the solutions stand
+    /// over the description of the case.
+    void arrangeAtFirst();
     /// Panes and pages ask for no more room than the screen has, however large the font is.
     void limitSizes();
     /// What the runs of the list take of the memory; hidden without runs.
@@ -82,6 +89,9 @@ signals:
     /// The pane of a guide was opened or closed.
     void guideToggled(QWidget* guide, bool open);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
     void buildCentre();
     void buildPanes();
@@ -89,6 +99,9 @@ private:
     void showPage();
     void noteWanted();
     void makeRoomForGuide();
+    void placeNotices();
+    /// Shape and static attitude share a place: the plan wants the one, the other views the other.
+    void raisePaneOfView();
     struct Guide {
         QWidget* widget = nullptr;
         QString name, title;
@@ -102,17 +115,19 @@ private:
     QTabBar* tabs_;
     QVBoxLayout* centre_ = nullptr;
     QStackedWidget* pages_;
+    QWidget* notices_ = nullptr; // over the lower edge of the pages
     QLabel *memory_, *notKept_;
-    QDockWidget *about_ = nullptr, *runs_ = nullptr, *values_ = nullptr;
+    QDockWidget *parameters_ = nullptr, *about_ = nullptr, *runs_ = nullptr, *values_ = nullptr;
     struct Pane {
         QDockWidget* dock = nullptr;
         std::vector<Page> pages; // that show it
         bool wanted = true;      // the user did not close it
     };
     std::vector<Pane> panes_; // those that belong to some pages
-    QDockWidget *solutions_ = nullptr, *attitude_ = nullptr;
+    QDockWidget *solutions_ = nullptr, *attitude_ = nullptr, *shape_ = nullptr;
     QDockWidget* study_ = nullptr;
     bool panesHidden_ = false;
+    QByteArray arrangement_;                  // while a page is shown alone
     std::vector<QDockWidget*> hiddenPanes_;   // meanwhile
     std::optional<Guide> meanwhile_;          // that was asked for meanwhile: its pane opens with the others
     std::map<QWidget*, QDockWidget*> guides_; // those that were asked for

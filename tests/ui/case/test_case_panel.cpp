@@ -2,6 +2,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <QtTest>
@@ -74,6 +75,8 @@ private slots:
     void acceptsADecimalComma();
     void searches();
     void ranksWhatItFinds();
+    void findsAGroupAndWhatAChoiceNeeds();
+    void stacksRowsInANarrowPlace();
     void enteringAChoice();
     void closesAndOpensGroups();
     void ignoresTheWheelUnlessFocused();
@@ -373,6 +376,42 @@ void TestCasePanel::searches()
     QVERIFY(!f.panel.editor("springs.front_stiffness")->isVisible());
     f.panel.setPreset({});
     QVERIFY(f.panel.editor("springs.front_stiffness")->isVisible());
+}
+
+/// The word of a heading finds all of its group. A choice that was found needs another field: that is shown, too,
+/// and with a first wave the case can run.
+void TestCasePanel::findsAGroupAndWhatAChoiceNeeds()
+{
+    Fixture f("film_pico");
+    f.panel.search()->setText(QStringLiteral("disk surface"));
+    const ParameterEditor* kind = f.panel.editor("disk.surface.kind");
+    QVERIFY(kind->isVisible());
+    QVERIFY(!f.panel.editor("suspension.preload")->isVisible());
+    f.panel.search()->setText(QStringLiteral("surface kind"));
+    f.edits.enter(*findParameter("disk.surface.kind"), QStringLiteral("waves"));
+    QVERIFY(f.edits.reasonNotToRun().isEmpty());
+    QCOMPARE(f.edits.value().diskSurface.waveAmplitudes, std::vector<double>{0.5e-9});
+    f.edits.undoStack().undo();
+    QVERIFY(f.edits.value().diskSurface.waveAmplitudes.empty()); // one edit
+    f.edits.enter(*findParameter("disk.surface.kind"), QStringLiteral("file"));
+    QVERIFY(!f.edits.reasonNotToRun().isEmpty());
+    f.panel.search()->setText(QStringLiteral("preload"));
+    QVERIFY(f.panel.editor("disk.surface.file")->isVisible());
+}
+
+/// Labels stand above their values where both have no room; nothing is cut at the side.
+void TestCasePanel::stacksRowsInANarrowPlace()
+{
+    Fixture f("film_pico");
+    const ParameterEditor* inertia = f.panel.editor("slider.pitch_inertia");
+    const QScrollArea* area = f.panel.findChild<QScrollArea*>();
+    const int beside = inertia->height();
+    for (const int width : {600, 250, 600}) {
+        f.panel.resize(width, 800);
+        QCoreApplication::processEvents();
+        QVERIFY2(area->horizontalScrollBar()->maximum() == 0, qPrintable(QString::number(width)));
+        QCOMPARE(inertia->height() > beside, width == 250);
+    }
 }
 
 void TestCasePanel::enteringAChoice()

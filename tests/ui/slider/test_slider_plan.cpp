@@ -241,7 +241,8 @@ void TestSliderPlan::paintsIntoAPictureOfAnotherSize()
 
 void TestSliderPlan::arrowTurnsWithTheSkew()
 {
-    // Left of the slider's middle stands the arrow; a flow from the outer edge enters from above.
+    // Left of the slider's middle stands the arrow in a wide place; a flow from the outer edge enters from above.
+    plan_->resize(900, 600);
     const auto ink = [this](bool upper) {
         const QImage image = plan_->grab().toImage();
         const QPointF middle = plan_->toPixel({0.0, 0.5 * shortSide});

@@ -61,7 +61,7 @@ private slots:
         addSeries();
         addModes();
         if (way == "open") window_->files().open(file_);
-        if (way == "new") window_->actions().newCase->trigger();
+        if (way == "new") window_->files().newCase();
         if (way == "drop") drop();
         if (way == "sample") emit window_->actions().sampleChosen(QStringLiteral("fig12a"));
         if (way == "preset") emit window_->casePanel().presetChosen(QStringLiteral("fig12a"));

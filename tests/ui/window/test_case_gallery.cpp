@@ -37,7 +37,7 @@ private slots:
     }
     void wordsAndEnterChoose()
     {
-        CaseGallery dialog(nullptr);
+        CaseGallery dialog(QStringLiteral("Gallery of cases"), sampleCaseItems(), nullptr);
         const QSignalSpy chosen(&dialog, &CaseGallery::chosen);
         dialog.open();
         QVERIFY(QTest::qWaitForWindowExposed(&dialog));
@@ -53,7 +53,7 @@ private slots:
     /// Also where no title names them.
     void modelsAndContactsAreFound()
     {
-        CaseGallery dialog(nullptr);
+        CaseGallery dialog(QStringLiteral("Gallery of cases"), sampleCaseItems(), nullptr);
         dialog.words()->setText(QStringLiteral("springs"));
         QVERIFY(dialog.gallery()->shownNames().contains(QStringLiteral("fig10a")));
         QVERIFY(!dialog.gallery()->shownNames().contains(QStringLiteral("film_pico")));
@@ -62,7 +62,7 @@ private slots:
     }
     void wordsOfNoCaseChooseNothing()
     {
-        CaseGallery dialog(nullptr);
+        CaseGallery dialog(QStringLiteral("Gallery of cases"), sampleCaseItems(), nullptr);
         dialog.words()->setText(QStringLiteral("no such words"));
         QVERIFY(!dialog.openButton()->isEnabled());
         QCOMPARE(dialog.gallery()->accessibleDescription(), QStringLiteral("No case has all of these words."));
@@ -79,6 +79,29 @@ private slots:
         emit dialog->gallery()->chosen(QStringLiteral("contact_hertz"));
         QTRY_COMPARE(opened.count(), 1);
         QCOMPARE(window.files().sample(), QStringLiteral("contact_hertz"));
+    }
+    /// A new case begins with a slider of the gallery, or with defaults; it is nobody's file and nothing to save.
+    void aNewCaseBeginsWithASlider()
+    {
+        MainWindow window;
+        window.show();
+        const auto begin = [&](const QString& name) {
+            window.actions().newCase->trigger();
+            auto* dialog = window.findChild<CaseGallery*>();
+            QVERIFY(dialog != nullptr);
+            QCOMPARE(dialog->gallery()->shownNames().size(), qsizetype(sliderTemplates().size()) + 1);
+            QVERIFY(dialog->openButton()->isEnabled()); // Enter takes the first
+            const QSignalSpy opened(&window.files(), &CaseFiles::opened);
+            emit dialog->gallery()->chosen(name);
+            QTRY_COMPARE(opened.count(), 1);
+            delete dialog;
+        };
+        begin(QStringLiteral("pico_three_rails"));
+        QVERIFY(window.edits().value().model == ModelKind::Film);
+        QCOMPARE(window.edits().value().surface.rails.size(), std::size_t(6));
+        QVERIFY(window.files().file().isEmpty() && !window.files().modified());
+        begin({});
+        QVERIFY(window.edits().value() == Case{});
     }
 };
 
