@@ -54,8 +54,9 @@ set(rooms
     ui/film
     ui/disk
     ui/studies
-    ui/lesson
     ui/runs
+    ui/workbench
+    ui/guides
     ui/sessions
     ui/window
     app/terminal
@@ -100,11 +101,7 @@ set(known_arrows
     ui/plot/plot_painter->ui/plot/plot_widget
     # The static state finds sensitivities, which need static states of changed cases.
     core/simulation/static_state/steady->core/simulation/static_state/sensitivity
-    core/simulation/static_state/contact_rest->core/simulation/static_state/sensitivity
-    # The guides call the window that holds them. They need an interface of their own.
-    ui/window/guides->ui/window/main_window
-    ui/window/live_runs->ui/window/main_window
-    ui/window/presenter->ui/window/main_window)
+    core/simulation/static_state/contact_rest->core/simulation/static_state/sensitivity)
 
 set(problems "")
 

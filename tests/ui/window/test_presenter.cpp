@@ -16,12 +16,12 @@
 
 #include "tests/support/test_program.h"
 #include "ui/case/case_files.h"
-#include "ui/lesson/lesson_pane.h"
+#include "ui/guides/guides.h"
+#include "ui/guides/lesson_pane.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
-#include "ui/window/guides.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 
