@@ -38,7 +38,7 @@ public:
     QWidget* input() const;
     QString reason() const { return reason_->isHidden() ? QString() : reason_->text(); }
     bool wrong() const { return wrong_; }
-    int unitWidth() const { return unit_->sizeHint().width(); }
+    int unitWidth() const;
     /// Its background has the colour of a selection for a moment.
     void flash();
     /// Lines up the columns of all rows.
