@@ -185,7 +185,7 @@ void Guides::onStep(Kind kind)
     if (kind == Kind::Lesson || step.runs.empty() || !step.runs.front().kind.empty()) return;
     // A demonstration on springs is there at once; a film takes its time, and waits for the button.
     const bool quick = caseOf(step.runs.front()).model == ModelKind::Springs;
-    openCaseOf(step.runs.front(), quick && !stages_->hasRuns(step));
+    openCaseOf(step.runs.front(), quick && !stages_->newestOf(step));
 }
 
 /// Of the runs of the step that are in the list and have ended.

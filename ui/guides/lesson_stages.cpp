@@ -100,8 +100,6 @@ void LessonStages::tick(int row, bool shown)
         runs_.setData(runs_.index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
 }
 
-bool LessonStages::hasRuns(const LessonStep& step) const { return newestOf(step) != nullptr; }
-
 const RunRecord* LessonStages::newestOf(const LessonStep& step) const
 {
     const auto found = numbers_.find(step.title);

@@ -37,9 +37,7 @@ public:
     LessonStages(RunView& view, RunsModel& runs, QObject* parent);
 
     void show(const LessonStep& step);
-    /// Whether a run of this step is in the list.
-    bool hasRuns(const LessonStep& step) const;
-    /// The newest of them; nullptr: none.
+    /// The newest run of this step in the list; nullptr: none.
     const RunRecord* newestOf(const LessonStep& step) const;
     /// The plots and the earlier runs are again as the user chose; without such runs those of the step stay.
     void end();

@@ -3,7 +3,6 @@
 // The progress of a session that is restored, with a button that stops it; hidden otherwise. Reports the result.
 #pragma once
 
-#include <QStringList>
 #include <QWidget>
 
 namespace touchdown {
@@ -11,18 +10,7 @@ namespace touchdown {
 class MessageStrip;
 class Session;
 
-class RestoreStrip : public QWidget {
-    Q_OBJECT
-
-public:
-    /// All must outlive this.
-    RestoreStrip(Session& session, MessageStrip& messages, QWidget& window);
-
-private:
-    void tell(const QString& what, const QStringList& problems, bool stopped);
-
-    MessageStrip& messages_;
-    QWidget& window_;
-};
+/// All must outlive the strip.
+QWidget* restoreStrip(Session& session, MessageStrip& messages, QWidget& window);
 
 } // namespace touchdown

@@ -27,6 +27,7 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
+#include "ui/film/surface_page.h"
 #include "ui/guides/guide_strip.h"
 #include "ui/guides/guides.h"
 #include "ui/lists/record_panel.h"
@@ -35,7 +36,6 @@
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
 #include "ui/sessions/session.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
@@ -114,12 +114,6 @@ MainWindow::~MainWindow()
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
 }
-
-RunsModel& MainWindow::runs() { return runs_->runs(); }
-
-RunController& MainWindow::controller() { return runs_->controller(); }
-
-RunView& MainWindow::runView() { return *runs_->view(); }
 
 void MainWindow::takeTyped()
 {
@@ -207,6 +201,12 @@ void MainWindow::onCaseEdited()
     updateTitle();
 }
 
+void MainWindow::showInFile()
+{
+    film_->view()->shape()->editor()->setGhost(edits_->value().surface);
+    updateTitle();
+}
+
 void MainWindow::updateRunActions()
 {
     using State = RunController::State;
@@ -266,14 +266,6 @@ void MainWindow::useParametersOf(int number)
             tr("The parameters of run %1 are not known: %2").arg(QString::number(number), run->caseProblem));
     else if (run)
         files_->use(run->value, tr("run %1").arg(number), tr("use the parameters of run %1").arg(number));
-}
-
-void MainWindow::useSolution(int number)
-{
-    const SolutionRecord* solution = film_->solutions().find(number);
-    if (solution)
-        files_->use(solution->value, tr("solution %1").arg(number),
-                    tr("use the parameters of solution %1").arg(number));
 }
 
 void MainWindow::runFromSolution(int number)

@@ -9,6 +9,7 @@
 
 #include <QMainWindow>
 
+#include "ui/runs/run_window.h"
 #include "ui/window/help_window.h"
 #include "ui/window/window_pages.h"
 #include "ui/workbench/workbench.h"
@@ -22,10 +23,8 @@ class Guides;
 class Presenter;
 class Recording;
 class ResultMessages;
-class RunController;
 class RunFiles;
 class RunView;
-class RunsModel;
 class Session;
 class StartCard;
 class SolutionFiles;
@@ -68,12 +67,12 @@ public:
 
     CaseEdits& edits() override { return *edits_; }
     CaseFiles& files() override { return *files_; }
-    RunsModel& runs();
-    RunController& controller();
+    RunsModel& runs() { return runs_->runs(); }
+    RunController& controller() { return runs_->controller(); }
     WindowActions& actions() { return *actions_; }
     CasePanel& casePanel() { return *casePanel_; }
     RunWindow& runWindow() override { return *runs_; }
-    RunView& runView();
+    RunView& runView() { return *runs_->view(); }
     MessageStrip& messages() override { return *messages_; }
     StartCard& startCard() { return *startCard_; }
     AboutCasePane& aboutCase() { return *aboutCase_; }
@@ -105,8 +104,8 @@ private:
     void takeTyped();
     bool readyToRun();
     void onCaseOpened();
-    void onImported(const QString& path, const QStringList& warnings);
-    void onExported(const QString& path, const QStringList& warnings);
+    /// The values are those of the file.
+    void showInFile();
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
@@ -122,7 +121,6 @@ private:
     void showGallery();
     void endSlowMotion();
     void useParametersOf(int number);
-    void useSolution(int number);
     void runFromSolution(int number);
     void showHelp(HelpWindow::Page page);
     void look();

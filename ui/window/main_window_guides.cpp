@@ -16,7 +16,6 @@
 #include "ui/guides/lesson_print.h"
 #include "ui/guides/live_runs.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/whole_file.h"
@@ -45,8 +44,8 @@ void MainWindow::connectHelp()
     connect(actions_->lesson, &QAction::triggered, this, [open] { open(LessonPane::Kind::Lesson); });
     connect(actions_->demonstrations, &QAction::triggered, this, [open] { open(LessonPane::Kind::Demonstrations); });
     connect(actions_->printLesson, &QAction::triggered, this, &MainWindow::printLesson);
-    connect(startCard_, &StartCard::lessonRequested, actions_->lesson, &QAction::trigger);
-    connect(startCard_, &StartCard::demonstrationsRequested, actions_->demonstrations, &QAction::trigger);
+    connect(startCard_->lesson(), &QPushButton::clicked, actions_->lesson, &QAction::trigger);
+    connect(startCard_->figures(), &QPushButton::clicked, actions_->demonstrations, &QAction::trigger);
     connect(guides_, &Guides::paneWanted, pages_, [this](QWidget* pane, const QString& name, const QString& title) {
         pages_->showGuide(*pane, name, title);
     });
@@ -57,7 +56,7 @@ void MainWindow::connectHelp()
         casePanel_->showParameter(key.toStdString());
     });
     connect(actions_->stop, &QAction::triggered, &guides_->live(), &LiveRuns::leave);
-    connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
+    connect(startCard_->openFile(), &QPushButton::clicked, files_, &CaseFiles::chooseFile);
     connect(startCard_, &StartCard::closed, this, [this] {
         endSlowMotion();
         if (!guides_->staged()) runView().setStage({});

@@ -26,7 +26,6 @@
 #include "ui/lists/record_panel.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
 #include "ui/sessions/restore_strip.h"
 #include "ui/sessions/session.h"
 #include "ui/sessions/session_offer.h"
@@ -69,7 +68,7 @@ void MainWindow::beginSession(bool offer, QStringList remarks)
 {
     session_ = new Session(*this, this);
     connect(pages_, &WindowPages::shown, session_, &Session::schedule);
-    pages_->addFoot(*new RestoreStrip(*session_, *messages_, *this));
+    pages_->addFoot(*restoreStrip(*session_, *messages_, *this));
     connect(session_, &Session::problemChanged, this, &MainWindow::showWhatIsKept);
     showWhatIsKept();
     connect(session_, &Session::failed, this, [this](const QString& text) {

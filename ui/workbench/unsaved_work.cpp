@@ -52,10 +52,11 @@ QString namesIn(const RecordList& list, const std::vector<int>& numbers)
 }
 
 /// A file of this name that does not exist yet.
-QString freeName(const QDir& folder, const QString& base, const QString& ending)
+QString freeName(const QDir& folder, const QString& base, const char* ending)
 {
-    QString name = base + ending;
-    for (int copy = 2; folder.exists(name); ++copy) name = QStringLiteral("%1-%2%3").arg(base).arg(copy).arg(ending);
+    QString name = base + QLatin1String(ending);
+    for (int copy = 2; folder.exists(name); ++copy)
+        name = QStringLiteral("%1-%2%3").arg(base).arg(copy).arg(QLatin1String(ending));
     return folder.filePath(name);
 }
 
@@ -139,48 +140,39 @@ QStringList linesOf(const UnsavedWork& work, Workbench& bench)
 QStringList saveWork(const UnsavedWork& work, Workbench& bench, const QDir& folder)
 {
     QStringList problems;
+    const auto saved = [&problems](const QString& what, const QString& problem) {
+        if (!problem.isEmpty()) problems << QStringLiteral("%1: %2").arg(what, problem);
+        return problem.isEmpty();
+    };
     if (!work.editedCase.isEmpty()) {
         const QString file = bench.files().file();
         const QString base = QFileInfo(bench.files().shortName()).completeBaseName();
-        const QString problem =
-            bench.files().write(file.isEmpty() ? freeName(folder, base, QStringLiteral(".toml")) : file);
-        if (!problem.isEmpty()) problems << tr("The case: %1").arg(problem);
+        saved(tr("The case"), bench.files().write(file.isEmpty() ? freeName(folder, base, ".toml") : file));
     }
+    RunsModel& runs = bench.runWindow().runs();
     for (const int number : work.runs) {
-        RunRecord& run = *bench.runWindow().runs().find(number);
-        const QString file = freeName(folder, suggestedName(run), QStringLiteral(".h5"));
-        const QString problem = saveHdf5(run, file);
-        if (problem.isEmpty())
-            bench.runWindow().runs().setFile(number, file);
-        else
-            problems << tr("Run %1: %2").arg(number).arg(problem);
+        RunRecord& run = *runs.find(number);
+        const QString file = freeName(folder, suggestedName(run), ".h5");
+        if (saved(tr("Run %1").arg(number), saveHdf5(run, file))) runs.setFile(number, file);
     }
     SolutionsModel& solutions = bench.film().solutions();
     for (const int number : work.solutions) {
-        const QString file = freeName(folder, QStringLiteral("solution%1").arg(number), QStringLiteral(".h5"));
-        const QString problem = saveSolution(*solutions.find(number), file);
-        if (problem.isEmpty())
+        const QString file = freeName(folder, QStringLiteral("solution%1").arg(number), ".h5");
+        if (saved(tr("Solution %1").arg(number), saveSolution(*solutions.find(number), file)))
             solutions.setFile(number, file);
-        else
-            problems << tr("Solution %1: %2").arg(number).arg(problem);
     }
-    if (work.series > 0)
-        problems << bench.film().view()->series()->save(
-            freeName(folder, QStringLiteral("series"), QStringLiteral(".csv")));
-    if (work.modes)
-        problems << bench.film().view()->modes()->save(
-            freeName(folder, QStringLiteral("modes"), QStringLiteral(".csv")));
+    const FilmView* film = bench.film().view();
+    if (work.series > 0) problems << film->series()->save(freeName(folder, QStringLiteral("series"), ".csv"));
+    if (work.modes) problems << film->modes()->save(freeName(folder, QStringLiteral("modes"), ".csv"));
     problems.removeAll(QString());
     for (const std::string& kind : work.studies) {
         const QString name = QString::fromStdString(kind);
-        const QString problem = bench.studies().save(kind, freeName(folder, name, QStringLiteral(".h5")));
-        if (!problem.isEmpty()) problems << tr("Study %1: %2").arg(name, problem);
+        saved(tr("Study %1").arg(name), bench.studies().save(kind, freeName(folder, name, ".h5")));
     }
-    for (const StudyDraft& draft : work.drafts) {
-        const QString file = draft.file.isEmpty() ? freeName(folder, draft.kind, QStringLiteral(".toml")) : draft.file;
-        const QString problem = bench.studies().editor()->save(draft.kind, file);
-        if (!problem.isEmpty()) problems << tr("Study %1: %2").arg(draft.kind, problem);
-    }
+    for (const StudyDraft& draft : work.drafts)
+        saved(tr("Study %1").arg(draft.kind),
+              bench.studies().editor()->save(draft.kind, draft.file.isEmpty() ? freeName(folder, draft.kind, ".toml")
+                                                                              : draft.file));
     return problems;
 }
 
