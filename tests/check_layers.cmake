@@ -54,8 +54,9 @@ set(rooms
     ui/film
     ui/disk
     ui/studies
-    ui/lesson
     ui/runs
+    ui/workbench
+    ui/guides
     ui/sessions
     ui/window
     app/terminal
@@ -66,7 +67,7 @@ set(planned_lines 400)      # in a file; a longer one is split by the next large
 set(most_lines 440)         # in a file
 set(most_lines_of_class 900) # in its header and all sources that define its members
 # Larger classes, with their lines. Each may grow by most_growth lines until it is split.
-set(large_classes SurfaceEditor=1471 MainWindow=1228 GasFilm=1195 LivePlots=945)
+set(large_classes SurfaceEditor=1471 MainWindow=1226 GasFilm=1195 LivePlots=945)
 set(most_growth 50)
 
 # Includes within a room that close a circle of files, a header and its source counted as one. A new one must not be
@@ -100,11 +101,7 @@ set(known_arrows
     ui/plot/plot_painter->ui/plot/plot_widget
     # The static state finds sensitivities, which need static states of changed cases.
     core/simulation/static_state/steady->core/simulation/static_state/sensitivity
-    core/simulation/static_state/contact_rest->core/simulation/static_state/sensitivity
-    # The guides call the window that holds them. They need an interface of their own.
-    ui/window/guides->ui/window/main_window
-    ui/window/live_runs->ui/window/main_window
-    ui/window/presenter->ui/window/main_window)
+    core/simulation/static_state/contact_rest->core/simulation/static_state/sensitivity)
 
 set(problems "")
 

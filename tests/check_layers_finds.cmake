@@ -94,7 +94,7 @@ foreach(expected
         "core/case/a->core/case/b is part of a circle"
         "core/case/b->core/case/c is part of a circle"
         "core/case/c->core/case/a is part of a circle"
-        "ui/window/guides->ui/window/main_window is no longer there"
+        "core/results/stored_values->core/results/steady_reader is no longer there"
         "core/formats/twin.h: the type Twin has its name from core/case/twin.h too"
         "core/results/longer.cpp: 401 lines"
         "core/results/longest.cpp: 440 lines"

@@ -19,6 +19,7 @@
 #include "app/workbench/workbench_pictures.h"
 #include "core/case_files/case_file.h"
 #include "core/studies/reader_program.h"
+#include "ui/case/case_files.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/settings_file.h"
@@ -164,7 +165,7 @@ int main(int argc, char** argv)
         applyTheme(Theme::Light);
         return printLesson(arguments.printLesson);
     }
-    const bool isRun = MainWindow::isResultsFile(arguments.file);
+    const bool isRun = CaseFiles::isResultsFile(arguments.file);
     const bool pictures = !arguments.exportFolder.isEmpty() || !arguments.screenshot.isEmpty();
     if (isRun && pictures) {
         complain(arguments.file.toStdString() + ": is a saved run; pictures need a case");
@@ -192,12 +193,12 @@ int main(int argc, char** argv)
 
     const QFileInfo info(arguments.file);
     if (!document.valid()) {
-        window.openFile(defaultCase);
-        window.openFile(arguments.file); // asks, or says what is wrong; a study opens its page
+        window.files().open(defaultCase);
+        window.files().open(arguments.file); // asks, or says what is wrong; a study opens its page
     } else if (!document.name.empty()) {
-        window.openCase(document, info.exists() ? info.absoluteFilePath() : QString());
+        window.files().take(document, info.exists() ? info.absoluteFilePath() : QString());
     } else if (arguments.fresh) {
-        window.openCase(readCase(defaultCase, arguments.outside, false), {});
+        window.files().take(readCase(defaultCase, arguments.outside, false), {});
     } else {
         window.openLastCase();
     }
@@ -208,7 +209,7 @@ int main(int argc, char** argv)
     window.fitScreen();
     window.show();
     window.beginSession(arguments.file.isEmpty() && !arguments.fresh, remarks);
-    if (isRun) window.openResults(arguments.file);
+    if (isRun) window.files().open(arguments.file);
     const bool plainStart = arguments.file.isEmpty() || (arguments.run && arguments.file == defaultCase);
     // A person whose settings cannot be read is no newcomer.
     if (plainStart && !arguments.fresh && remarks.isEmpty() && StartCard::wanted()) {

@@ -20,6 +20,7 @@
 #include "ui/disk/disk_surface_view.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
+#include "ui/guides/lesson_print.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/spectrum_view.h"
@@ -28,7 +29,6 @@
 #include "ui/runs/run_view.h"
 #include "ui/studies/study_chart_drawing.h"
 #include "ui/style/whole_file.h"
-#include "ui/window/lesson_print.h"
 #include "ui/window/main_window.h"
 
 namespace touchdown {

@@ -123,7 +123,9 @@ bool CaseFiles::openNow(const QString& fileOrSample)
 
 void CaseFiles::open(const QString& fileOrSample)
 {
-    if (isStudyFile(fileOrSample))
+    if (isResultsFile(fileOrSample))
+        emit resultsFileChosen(fileOrSample);
+    else if (isStudyFile(fileOrSample))
         emit studyFileChosen(fileOrSample);
     else
         whenSettled([this, fileOrSample] { openNow(fileOrSample); });
@@ -179,12 +181,7 @@ void CaseFiles::askForFile(const QString& title, const QString& filter)
     auto* dialog = new QFileDialog(&window_, title, QFileInfo(file_).absolutePath(), filter);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
-        if (isResultsFile(file))
-            emit resultsFileChosen(file);
-        else
-            open(file);
-    });
+    connect(dialog, &QFileDialog::fileSelected, this, &CaseFiles::open);
     dialog->open();
 }
 
@@ -335,9 +332,10 @@ void CaseFiles::showProblems(const QString& what, const QStringList& problems)
     box->open();
 }
 
-bool CaseFiles::isCaseFile(const QString& file)
+bool CaseFiles::canOpen(const QString& file)
 {
-    return QFileInfo(file).suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0 || isCmlPath(pathOf(file));
+    return isResultsFile(file) || QFileInfo(file).suffix().compare(QLatin1String("toml"), Qt::CaseInsensitive) == 0 ||
+           isCmlPath(pathOf(file));
 }
 
 bool CaseFiles::isResultsFile(const QString& file)

@@ -60,7 +60,7 @@ public:
     /// Opens a case file or a sample case at once; shows problems. A case that names files outside its folder is opened
     /// after the person allowed it; asked once a session.
     bool openNow(const QString& fileOrSample);
-    /// As openNow, after asking about changes.
+    /// As openNow, after asking about changes. Results and the text of a study are left to who hears of them.
     void open(const QString& fileOrSample);
     /// A sample case with some values changed, after asking about changes; then calls `next`. The values are marked as
     /// changed and can be undone, but they are nothing to save.
@@ -114,8 +114,8 @@ public:
     std::string wholeText() const;
     QStringList recent() const;
 
-    /// A case file, or what can be imported.
-    static bool isCaseFile(const QString& file);
+    /// By the name of the file: a case, results, or what can be imported.
+    static bool canOpen(const QString& file);
     static bool isResultsFile(const QString& file);
     /// The text of a study.
     static bool isStudyFile(const QString& file);

@@ -169,6 +169,14 @@ QString ParameterEditor::meaning(int choice) const
 
 int ParameterEditor::inputWidth() const { return fontMetrics().averageCharWidth() * inputCharacters + 14; }
 
+int ParameterEditor::unitWidth() const
+{
+    // The hint of a label counts its least width: it would never get narrower.
+    unit_->setMinimumWidth(0);
+    unit_->setIndent(unit_->indent()); // forgets the hint
+    return unit_->sizeHint().width();
+}
+
 void ParameterEditor::setUnitWidth(int width)
 {
     unit_->setFixedWidth(width);

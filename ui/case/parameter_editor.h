@@ -40,7 +40,7 @@ public:
     QWidget* input() const;
     QString reason() const { return reason_->isHidden() ? QString() : reason_->text(); }
     bool wrong() const { return wrong_; }
-    int unitWidth() const { return unit_->sizeHint().width(); }
+    int unitWidth() const;
     /// Its background has the colour of a selection for a moment.
     void flash();
     /// The label stands above the value: in a place that is too narrow for both beside each other.

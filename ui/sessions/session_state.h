@@ -42,7 +42,7 @@ struct SessionState {
     QDateTime written;
     bool closed = false; // by the user, who left the work behind
     CaseState edited;
-    int page = 0; // WindowPages::Page
+    int page = 0; // Workbench::Page
     std::vector<ListedState> runs, solutions;
     std::vector<StudyDraft> drafts; // texts of studies that are not saved
     std::optional<FoundModes> modes;

@@ -30,6 +30,20 @@ constexpr double ownWidth = -1.0;
 /// The settings as text: a figure of one case, or the latest one.
 QString settingsKey(const QString& of) { return QStringLiteral("figure/") + of; }
 
+/// Each number and text of the format, with its name in the settings.
+template <class Format, class Use>
+void eachSetting(Format& format, const Use& use)
+{
+    use("width", format.width);
+    use("height", format.height);
+    use("columns", format.columns);
+    use("family", format.family);
+    use("fontSize", format.fontSize);
+    use("dots", format.dotsPerInch);
+    use("letters", format.letters);
+    use("data", format.data);
+}
+
 } // namespace
 
 FigureDialog::FigureDialog(QWidget& page, const QString& key, const QString& name, QWidget* parent)
@@ -230,19 +244,11 @@ void FigureDialog::restore()
     const bool known = settings.contains(settingsKey(key_));
     const QVariantMap kept = settings.value(settingsKey(known ? key_ : QStringLiteral("latest"))).toMap();
     FigureFormat format;
-    const auto take = [&kept](const char* name, auto& value) {
+    eachSetting(format, [&kept](const char* name, auto& value) {
         using Value = std::remove_reference_t<decltype(value)>;
         const QVariant found = kept.value(QLatin1String(name));
         if (found.canConvert<Value>()) value = found.value<Value>();
-    };
-    take("width", format.width);
-    take("height", format.height);
-    take("columns", format.columns);
-    take("family", format.family);
-    take("fontSize", format.fontSize);
-    take("dots", format.dotsPerInch);
-    take("letters", format.letters);
-    take("data", format.data);
+    });
     if (kept.value(QStringLiteral("black")).toBool()) format.colours = PaperColours::Black;
     const QSignalBlocker quiet(panels_);
     setFormat(format);
@@ -265,16 +271,8 @@ void FigureDialog::keep() const
     QStringList names;
     for (int row = 0; row < panels_->count(); ++row)
         if (panels_->item(row)->checkState() == Qt::Checked) names << panels_->item(row)->text();
-    const QVariantMap kept{{QStringLiteral("width"), now.width},
-                           {QStringLiteral("height"), now.height},
-                           {QStringLiteral("columns"), now.columns},
-                           {QStringLiteral("family"), now.family},
-                           {QStringLiteral("fontSize"), now.fontSize},
-                           {QStringLiteral("dots"), now.dotsPerInch},
-                           {QStringLiteral("letters"), now.letters},
-                           {QStringLiteral("data"), now.data},
-                           {QStringLiteral("black"), now.colours == PaperColours::Black},
-                           {QStringLiteral("panels"), names}};
+    QVariantMap kept{{QStringLiteral("black"), now.colours == PaperColours::Black}, {QStringLiteral("panels"), names}};
+    eachSetting(now, [&kept](const char* name, const auto& value) { kept[QLatin1String(name)] = value; });
     QSettings settings;
     settings.setValue(settingsKey(key_), kept);
     settings.setValue(settingsKey(QStringLiteral("latest")), kept);

@@ -12,7 +12,7 @@
 #include "core/case/parameters.h"
 #include "core/formats/csv_cell.h"
 #include "ui/case/parameter_text.h"
-#include "ui/lesson/glossary.h"
+#include "ui/guides/glossary.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 

@@ -28,13 +28,16 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solution_files.h"
+#include "ui/film/surface_page.h"
+#include "ui/guides/guide_strip.h"
+#include "ui/guides/guides.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
+#include "ui/sessions/session.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/foreign_text.h"
@@ -42,14 +45,12 @@
 #include "ui/style/message_strip.h"
 #include "ui/style/theme.h"
 #include "ui/window/apply_question.h"
-#include "ui/window/closing_question.h"
-#include "ui/window/guides.h"
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
 #include "ui/window/result_messages.h"
-#include "ui/window/session.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
+#include "ui/workbench/closing_question.h"
 
 namespace touchdown {
 
@@ -77,11 +78,12 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
         {*this, *actions_, *runs_, *film_, *studies_, *casePanel_, *aboutCase_, *messages_, *startCard_});
     runFiles_ = new RunFiles(runs(), *page(), *this);
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
-    guides_ = new Guides(*this, *pages_);
-    presenter_ = new Presenter(*this, *pages_);
+    guides_ = new Guides(*this, *this);
+    pages_->addFoot(*guides_->strip());
+    presenter_ = new Presenter(*this, *this, *actions_, *pages_, *guides_);
     recording_ = new Recording(*actions_->record, *runs_, *this);
     results_ = std::make_unique<ResultMessages>(*messages_, *aboutCase_, *film_);
-    closing_ = new ClosingQuestion(sessionParts(), *this);
+    closing_ = new ClosingQuestion(*this, *this);
     connectFiles();
     connectRuns();
     connectFilm();
@@ -97,7 +99,10 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
 
 MainWindow::~MainWindow()
 {
-    delete session_; // its parts live on for a moment
+    // These call the window, whose parts live on for a moment.
+    for (QObject* caller : {static_cast<QObject*>(session_), static_cast<QObject*>(presenter_),
+                            static_cast<QObject*>(guides_), static_cast<QObject*>(closing_)})
+        delete caller;
     // The members and the case's edits are destroyed before the widgets that show them.
     edits_->undoStack().disconnect(this);
     for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
@@ -110,23 +115,6 @@ MainWindow::~MainWindow()
     qDeleteAll(findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly));
     delete takeCentralWidget();
 }
-
-void MainWindow::openCase(const CaseDocument& document, const QString& file) { files_->take(document, file); }
-
-bool MainWindow::isResultsFile(const QString& file) { return CaseFiles::isResultsFile(file); }
-
-void MainWindow::openFile(const QString& file)
-{
-    CaseFiles::isStudyFile(file) ? openStudy(file) : void(files_->openNow(file));
-}
-
-void MainWindow::openResults(const QString& file) { runFiles_->openResults(file); }
-
-RunsModel& MainWindow::runs() { return runs_->runs(); }
-
-RunController& MainWindow::controller() { return runs_->controller(); }
-
-RunView& MainWindow::runView() { return *runs_->view(); }
 
 void MainWindow::takeTyped()
 {
@@ -189,7 +177,7 @@ void MainWindow::performStudy()
 
 void MainWindow::onCaseOpened()
 {
-    const bool byGuide = guides_->leave();
+    const bool byGuide = guides_->openedCase();
     casePanel_->setPreset(files_->sample());
     if (byGuide)
         setPage(Page::Run);
@@ -213,6 +201,12 @@ void MainWindow::onCaseEdited()
     studies_->editor()->setCase(edits_->value());
     pages_->showModel(edits_->value().model);
     updateRunActions();
+    updateTitle();
+}
+
+void MainWindow::showInFile()
+{
+    film_->view()->shape()->editor()->setGhost(edits_->value().surface);
     updateTitle();
 }
 
@@ -275,14 +269,6 @@ void MainWindow::useParametersOf(int number)
             tr("The parameters of run %1 are not known: %2").arg(QString::number(number), run->caseProblem));
     else if (run)
         files_->use(run->value, tr("run %1").arg(number), tr("use the parameters of run %1").arg(number));
-}
-
-void MainWindow::useSolution(int number)
-{
-    const SolutionRecord* solution = film_->solutions().find(number);
-    if (solution)
-        files_->use(solution->value, tr("solution %1").arg(number),
-                    tr("use the parameters of solution %1").arg(number));
 }
 
 void MainWindow::runFromSolution(int number)
@@ -352,19 +338,13 @@ void MainWindow::changeEvent(QEvent* event)
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
     for (const QUrl& url : event->mimeData()->urls())
-        if (CaseFiles::isCaseFile(url.toLocalFile()) || CaseFiles::isResultsFile(url.toLocalFile()))
-            event->acceptProposedAction();
+        if (CaseFiles::canOpen(url.toLocalFile())) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-    for (const QUrl& url : event->mimeData()->urls()) {
-        const QString file = url.toLocalFile();
-        if (CaseFiles::isResultsFile(file))
-            runFiles_->openResults(file);
-        else if (CaseFiles::isCaseFile(file))
-            files_->open(file);
-    }
+    for (const QUrl& url : event->mimeData()->urls())
+        if (CaseFiles::canOpen(url.toLocalFile())) files_->open(url.toLocalFile());
     event->acceptProposedAction();
 }
 

@@ -9,41 +9,32 @@
 
 #include <QMainWindow>
 
+#include "ui/runs/run_window.h"
 #include "ui/window/help_window.h"
 #include "ui/window/window_pages.h"
+#include "ui/workbench/workbench.h"
 
 namespace touchdown {
 
 class AboutCasePane;
-class CaseEdits;
-class CaseFiles;
 class CasePanel;
 class ClosingQuestion;
-class FilmWindow;
 class Guides;
-class MessageStrip;
 class Presenter;
 class Recording;
 class ResultMessages;
-class RunController;
 class RunFiles;
 class RunView;
-class RunWindow;
-class RunsModel;
 class Session;
 class StartCard;
 class SolutionFiles;
-class StudyWindow;
 class WindowActions;
-struct CaseDocument;
-struct LessonRun;
-struct SessionParts;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
 struct Summary;
 
-class MainWindow : public QMainWindow {
+class MainWindow : public QMainWindow, public Workbench {
     Q_OBJECT
 
 public:
@@ -65,44 +56,32 @@ public:
     void beginSession(bool offer, QStringList remarks = {});
     /// Shows a newcomer the default case in slow motion, and where to go from there.
     void greet();
-    /// Runs the case in time.
-    void startRun();
+    void startRun() override;
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
     void solveStaticState(bool atGivenAttitude = false);
-    /// Performs the study in the editor of studies.
-    void performStudy();
-    /// Opens and runs what a step of the lesson or a demonstration asks for.
-    void performLessonRun(const LessonRun& run);
+    void performStudy() override;
     /// Performs the lesson beside the window and writes it as PDF.
     void printLessonTo(const QString& file);
-    /// A case that was read elsewhere; `file` is empty for a sample case.
-    void openCase(const CaseDocument& document, const QString& file);
-    /// Reads a case file; shows its problems, and asks where it names files outside its folder.
-    void openFile(const QString& file);
-    /// The text of a study (TOML) or its saved report (HDF5).
-    void openStudy(const QString& file);
-    void openResults(const QString& file);
-    static bool isResultsFile(const QString& file);
-    using Page = WindowPages::Page;
-    void setPage(Page page) { pages_->setPage(page); }
+    void setPage(Page page) override { pages_->setPage(page); }
+    Page shownPage() const override { return pages_->page(); }
     /// The page that is shown, as it is exported.
     QWidget* page() const { return pages_->pages(); }
 
-    CaseEdits& edits() { return *edits_; }
-    CaseFiles& files() { return *files_; }
-    RunsModel& runs();
-    RunController& controller();
+    CaseEdits& edits() override { return *edits_; }
+    CaseFiles& files() override { return *files_; }
+    RunsModel& runs() { return runs_->runs(); }
+    RunController& controller() { return runs_->controller(); }
     WindowActions& actions() { return *actions_; }
     CasePanel& casePanel() { return *casePanel_; }
-    RunWindow& runWindow() { return *runs_; }
-    RunView& runView();
-    MessageStrip& messages() { return *messages_; }
+    RunWindow& runWindow() override { return *runs_; }
+    RunView& runView() { return *runs_->view(); }
+    MessageStrip& messages() override { return *messages_; }
     StartCard& startCard() { return *startCard_; }
     AboutCasePane& aboutCase() { return *aboutCase_; }
     Guides& guides() { return *guides_; }
     Presenter& presenter() { return *presenter_; }
-    FilmWindow& film() { return *film_; }
-    StudyWindow& studies() { return *studies_; }
+    FilmWindow& film() override { return *film_; }
+    StudyWindow& studies() override { return *studies_; }
 
 signals:
     /// A run, a solution or a study has ended, after the window shows it; `valid` when it has an answer.
@@ -130,11 +109,13 @@ private:
     /// A message belongs to the page and the tab on which it was shown; one about the case to all.
     void leaveMessage();
     void onCaseOpened();
-    void onImported(const QString& path, const QStringList& warnings);
-    void onExported(const QString& path, const QStringList& warnings);
+    /// The values are those of the file.
+    void showInFile();
     void onCaseEdited();
     void onRunEnded(int number, const Summary& summary);
     void onSolved(const SteadyResult& result);
+    /// The text of a study (TOML) or its saved report (HDF5).
+    void openStudy(const QString& file);
     void onStudyOpened(const QString& file);
     void onStudied(const StudyReport& report);
     void updateRunActions();
@@ -146,12 +127,10 @@ private:
     void chooseNewCase();
     void endSlowMotion();
     void useParametersOf(int number);
-    void useSolution(int number);
     void runFromSolution(int number);
     void showHelp(HelpWindow::Page page);
     void look();
     void followFont(const QSize& before);
-    SessionParts sessionParts();
     void listSessions();
     void showWhatIsKept();
     void saveArrangement();

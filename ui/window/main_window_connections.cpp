@@ -24,7 +24,8 @@
 #include "ui/film/modes_page.h"
 #include "ui/film/solution_files.h"
 #include "ui/film/surface_page.h"
-#include "ui/lesson/guide_strip.h"
+#include "ui/guides/guide_strip.h"
+#include "ui/guides/guides.h"
 #include "ui/lists/record_panel.h"
 #include "ui/plot/plot_export.h"
 #include "ui/plot/plot_group.h"
@@ -34,7 +35,6 @@
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
@@ -42,7 +42,6 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/window/apply_question.h"
-#include "ui/window/guides.h"
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
 #include "ui/window/result_messages.h"
@@ -100,24 +99,38 @@ void MainWindow::connectFiles()
     connect(actions_->figure, &QAction::triggered, this, &MainWindow::makeFigure);
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
-    connect(files_, &CaseFiles::saved, this, [this] {
-        casePanel_->setPreset({});
-        film_->view()->shape()->editor()->setGhost(edits_->value().surface);
-        updateTitle();
-        messages_->show(MessageStrip::Kind::Success, tr("Saved: %1").arg(QDir::toNativeSeparators(files_->file())));
-    });
     connect(files_, &CaseFiles::aboutToUse, this, &MainWindow::takeTyped);
-    connect(files_, &CaseFiles::reloaded, this, [this](const QStringList& warnings) {
+    // `remark`: what is not as in the file; empty: all is.
+    const auto tellFile = [this](const QString& what, const QString& path, const QString& remark = {}) {
+        messages_->show(remark.isEmpty() ? MessageStrip::Kind::Success : MessageStrip::Kind::Warning,
+                        what.arg(QDir::toNativeSeparators(path)) + remark);
+    };
+    connect(files_, &CaseFiles::saved, this, [this, tellFile] {
+        casePanel_->setPreset({});
+        showInFile();
+        tellFile(tr("Saved: %1"), files_->file());
+    });
+    connect(files_, &CaseFiles::reloaded, this, [this, tellFile](const QStringList& warnings) {
         aboutCase_->setWarnings(warnings);
-        film_->view()->shape()->editor()->setGhost(edits_->value().surface);
-        updateTitle();
-        messages_->show(MessageStrip::Kind::Success,
-                        tr("Reloaded: %1. Undo brings the values back.").arg(QDir::toNativeSeparators(files_->file())));
+        showInFile();
+        tellFile(tr("Reloaded: %1. Undo brings the values back."), files_->file());
     });
     pages_->addNotice(*new FileNotice(*files_, this));
-    connect(files_, &CaseFiles::imported, this, &MainWindow::onImported);
     connect(files_, &CaseFiles::warned, aboutCase_, &AboutCasePane::setWarnings);
-    connect(files_, &CaseFiles::exported, this, &MainWindow::onExported);
+    connect(files_, &CaseFiles::imported, this, [this, tellFile](const QString& path, const QStringList& warnings) {
+        aboutCase_->setWarnings(warnings);
+        const QString several = tr(" There are %1 remarks on the files: see About this case.").arg(warnings.size());
+        tellFile(tr("Imported: %1."), path,
+                 warnings.isEmpty()     ? QString()
+                 : warnings.size() == 1 ? tr(" There is a remark on the files: see About this case.")
+                                        : several);
+    });
+    connect(files_, &CaseFiles::exported, this, [tellFile](const QString& path, const QStringList& warnings) {
+        tellFile(tr("Written: %1"), path,
+                 warnings.isEmpty() ? QString()
+                                    : tr("\nWritten as comments of run.dat, which the established program ignores: %1")
+                                          .arg(warnings.join(QStringLiteral(", "))));
+    });
     connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openResults);
     tell(*messages_, *runFiles_);
     connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
@@ -202,7 +215,10 @@ void MainWindow::connectFilm()
     });
     RecordPanel* panel = film_->panel();
     panel->offer(tr("Use"), tr("Take the parameters of this solution, also its shape, into the case that is edited"),
-                 [this](int number) { useSolution(number); });
+                 [this](int number) {
+                     files_->use(film_->solutions().find(number)->value, tr("solution %1").arg(number),
+                                 tr("use the parameters of solution %1").arg(number));
+                 });
     panel->offer(
         tr("Run from here"),
         tr("Run this solution's case in time, from its static state; disk surface and run as they are set now"),
@@ -343,32 +359,6 @@ void MainWindow::onSolved(const SteadyResult& result)
     updateRunActions();
     results_->solved(result);
     emit calculationEnded(result.status == SteadyStatus::Converged, QString::fromStdString(result.message));
-}
-
-void MainWindow::onImported(const QString& path, const QStringList& warnings)
-{
-    aboutCase_->setWarnings(warnings);
-    const QString text = tr("Imported: %1.").arg(QDir::toNativeSeparators(path));
-    if (warnings.isEmpty())
-        messages_->show(MessageStrip::Kind::Success, text);
-    else
-        messages_->show(MessageStrip::Kind::Warning,
-                        text + QLatin1Char(' ') +
-                            (warnings.size() == 1
-                                 ? tr("There is a remark on the files: see About this case.")
-                                 : tr("There are %1 remarks on the files: see About this case.").arg(warnings.size())));
-}
-
-void MainWindow::onExported(const QString& path, const QStringList& warnings)
-{
-    const QString text = tr("Written: %1").arg(QDir::toNativeSeparators(path));
-    if (warnings.isEmpty())
-        messages_->show(MessageStrip::Kind::Success, text);
-    else
-        messages_->show(MessageStrip::Kind::Warning,
-                        text + QLatin1Char('\n') +
-                            tr("Written as comments of run.dat, which the established program ignores: %1")
-                                .arg(warnings.join(QStringLiteral(", "))));
 }
 
 } // namespace touchdown

@@ -11,15 +11,16 @@
 
 #include "core/case_files/case_file.h"
 #include "ui/case/case_files.h"
+#include "ui/case/case_panel.h"
+#include "ui/guides/guides.h"
+#include "ui/guides/lesson_print.h"
+#include "ui/guides/live_runs.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/whole_file.h"
 #include "ui/window/case_gallery.h"
 #include "ui/window/figure_dialog.h"
-#include "ui/window/guides.h"
-#include "ui/window/lesson_print.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
@@ -43,9 +44,19 @@ void MainWindow::connectHelp()
     connect(actions_->lesson, &QAction::triggered, this, [open] { open(LessonPane::Kind::Lesson); });
     connect(actions_->demonstrations, &QAction::triggered, this, [open] { open(LessonPane::Kind::Demonstrations); });
     connect(actions_->printLesson, &QAction::triggered, this, &MainWindow::printLesson);
-    connect(startCard_, &StartCard::lessonRequested, this, [open] { open(LessonPane::Kind::Lesson); });
-    connect(startCard_, &StartCard::demonstrationsRequested, this, [open] { open(LessonPane::Kind::Demonstrations); });
-    connect(startCard_, &StartCard::fileRequested, files_, &CaseFiles::chooseFile);
+    connect(startCard_->lesson(), &QPushButton::clicked, actions_->lesson, &QAction::trigger);
+    connect(startCard_->figures(), &QPushButton::clicked, actions_->demonstrations, &QAction::trigger);
+    connect(guides_, &Guides::paneWanted, pages_, [this](QWidget* pane, const QString& name, const QString& title) {
+        pages_->showGuide(*pane, name, title);
+    });
+    connect(guides_, &Guides::paneLeft, pages_, [this](QWidget* pane) { pages_->hideGuide(*pane); });
+    connect(pages_, &WindowPages::guideToggled, guides_, &Guides::toggle);
+    connect(guides_, &Guides::keyChosen, this, [this](const QString& key) {
+        findChild<QDockWidget*>(QStringLiteral("parameters"))->show();
+        casePanel_->showParameter(key.toStdString());
+    });
+    connect(actions_->stop, &QAction::triggered, &guides_->live(), &LiveRuns::leave);
+    connect(startCard_->openFile(), &QPushButton::clicked, files_, &CaseFiles::chooseFile);
     connect(startCard_, &StartCard::closed, this, [this] {
         endSlowMotion();
         if (!guides_->staged()) runView().setStage({});
@@ -147,8 +158,6 @@ void MainWindow::chooseNewCase()
     connect(dialog, &CaseGallery::chosen, files_, &CaseFiles::newCase);
     dialog->open();
 }
-
-void MainWindow::performLessonRun(const LessonRun& run) { guides_->perform(run); }
 
 void MainWindow::showHelp(HelpWindow::Page page)
 {

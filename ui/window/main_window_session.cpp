@@ -21,22 +21,21 @@
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/film/film_window.h"
+#include "ui/guides/guides.h"
+#include "ui/guides/lesson_print.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/live_plots.h"
 #include "ui/runs/run_view.h"
-#include "ui/runs/run_window.h"
+#include "ui/sessions/restore_strip.h"
+#include "ui/sessions/session.h"
 #include "ui/sessions/session_offer.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
-#include "ui/window/closing_question.h"
-#include "ui/window/guides.h"
-#include "ui/window/lesson_print.h"
 #include "ui/window/presenter.h"
-#include "ui/window/restore_strip.h"
-#include "ui/window/session.h"
 #include "ui/window/window_actions.h"
+#include "ui/workbench/closing_question.h"
 
 namespace touchdown {
 
@@ -47,8 +46,6 @@ constexpr std::size_t mostSessions = 12; // in the menu
 constexpr auto reopenKey = "session/reopen";
 
 } // namespace
-
-SessionParts MainWindow::sessionParts() { return {*files_, *edits_, *runs_, *film_, *studies_, *pages_}; }
 
 void MainWindow::connectSession()
 {
@@ -69,8 +66,9 @@ void MainWindow::connectSession()
 
 void MainWindow::beginSession(bool offer, QStringList remarks)
 {
-    session_ = new Session(sessionParts(), this);
-    pages_->addNotice(*new RestoreStrip(*session_, *messages_, *this));
+    session_ = new Session(*this, this);
+    connect(pages_, &WindowPages::shown, session_, &Session::schedule);
+    pages_->addNotice(*restoreStrip(*session_, *messages_, *this));
     connect(session_, &Session::problemChanged, this, &MainWindow::showWhatIsKept);
     showWhatIsKept();
     connect(session_, &Session::failed, this, [this](const QString& text) {
@@ -139,7 +137,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     controller().stopAndWait();
     film_->controller().stopAndWait();
     studies_->controller().stopAndWait();
-    if (session_) session_->close(!unsavedWork(sessionParts()).empty() || hasNotesOnFiles(sessionParts()));
+    if (session_) session_->close(!unsavedWork(*this).empty() || hasNotesOnFiles(*this));
     saveArrangement();
     event->accept();
 }

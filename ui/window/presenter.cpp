@@ -12,15 +12,15 @@
 #include <QTimer>
 
 #include "ui/case/case_edits.h"
-#include "ui/case/case_files.h"
+#include "ui/guides/guides.h"
 #include "ui/runs/run_view.h"
+#include "ui/runs/run_window.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/readable.h"
 #include "ui/style/theme.h"
-#include "ui/window/guides.h"
-#include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_pages.h"
+#include "ui/workbench/workbench.h"
 
 namespace touchdown {
 
@@ -33,17 +33,19 @@ constexpr int longestWait = 2000; // for the former size of the window [ms]
 
 } // namespace
 
-Presenter::Presenter(MainWindow& window, WindowPages& pages)
+Presenter::Presenter(QMainWindow& window, Workbench& bench, WindowActions& actions, WindowPages& pages, Guides& guides)
     : QObject(&window),
       window_(window),
+      bench_(bench),
+      actions_(actions),
       pages_(pages),
+      guides_(guides),
       bar_(new QToolBar(tr("Presenter"), &window)),
       caption_(new QLabel(bar_)),
       next_(new QAction(tr("Next"), this)),
       back_(new QAction(tr("Back"), this)),
       leave_(new QAction(tr("Leave"), this))
 {
-    const WindowActions& actions = window_.actions();
     next_->setShortcuts({QKeySequence(Qt::Key_PageDown)});
     back_->setShortcuts({QKeySequence(Qt::Key_PageUp)});
     next_->setToolTip(tr("The next step of the lesson or the demonstrations (Page Down)"));
@@ -69,11 +71,13 @@ Presenter::Presenter(MainWindow& window, WindowPages& pages)
         action->setEnabled(false);
         window_.addAction(action);
     }
-    connect(leave_, &QAction::triggered, this, [this] { window_.actions().presenter->setChecked(false); });
-    connect(next_, &QAction::triggered, this, [this] { window_.guides().go(1); });
-    connect(back_, &QAction::triggered, this, [this] { window_.guides().go(-1); });
+    connect(leave_, &QAction::triggered, this, [this] { actions_.presenter->setChecked(false); });
+    connect(next_, &QAction::triggered, this, [this] { guides_.go(1); });
+    connect(back_, &QAction::triggered, this, [this] { guides_.go(-1); });
     window_.installEventFilter(this);
 }
+
+RunView& Presenter::view() const { return *bench_.runWindow().view(); }
 
 void Presenter::set(bool on)
 {
@@ -87,8 +91,8 @@ void Presenter::begin()
     state_ = window_.windowState();
     geometry_ = window_.geometry();
     panes_ = window_.saveState();
-    parts_ = window_.runView().splitter()->saveState();
-    staged_ = window_.runView().stage().has_value();
+    parts_ = view().splitter()->saveState();
+    staged_ = view().stage().has_value();
     on_ = true;
     const QScreen* screen = window_.screen();
     const double pixels = screen->geometry().height() / linesOnScreen;
@@ -97,13 +101,13 @@ void Presenter::begin()
     pages_.hidePanes();
     window_.menuBar()->hide();
     window_.statusBar()->hide();
-    window_.actions().toolBar->hide();
+    actions_.toolBar->hide();
     const int icon = static_cast<int>(std::lround(iconLines * pixels));
     bar_->setIconSize({icon, icon});
     bar_->show();
     for (QAction* action : {next_, back_, leave_}) action->setEnabled(true);
-    window_.actions().findParameter->setEnabled(false); // its pane is hidden
-    window_.guides().present(true);
+    actions_.findParameter->setEnabled(false); // its pane is hidden
+    guides_.present(true);
     emit changed();
     showCaption();
     window_.showFullScreen();
@@ -113,12 +117,12 @@ void Presenter::end()
 {
     on_ = false;
     for (QAction* action : {next_, back_, leave_}) action->setEnabled(false);
-    window_.actions().findParameter->setEnabled(true);
+    actions_.findParameter->setEnabled(true);
     bar_->hide();
-    window_.guides().present(false);
+    guides_.present(false);
     emit changed();
     QCoreApplication::sendPostedEvents(); // the parts have their former font, and need no more room than before
-    window_.actions().toolBar->show();
+    actions_.toolBar->show();
     window_.menuBar()->show();
     window_.statusBar()->show();
     arranging_ = true;
@@ -133,15 +137,14 @@ void Presenter::end()
 void Presenter::arrange()
 {
     pages_.bringPanesBack(panes_);
-    if (window_.runView().stage().has_value() == staged_) window_.runView().splitter()->restoreState(parts_);
+    if (view().stage().has_value() == staged_) view().splitter()->restoreState(parts_);
     arranging_ = window_.size() != geometry_.size();
 }
 
 void Presenter::showCaption()
 {
-    const LessonPane* guide = window_.guides().shown();
-    const QString title =
-        guide ? QString::fromStdString(guide->shown().title) : readable(window_.edits().value().title);
+    const LessonPane* guide = guides_.shown();
+    const QString title = guide ? QString::fromStdString(guide->shown().title) : readable(bench_.edits().value().title);
     caption_->setText(QStringLiteral("<b>%1</b>").arg(escaped(title)));
     for (QAction* action : {next_, back_}) action->setVisible(guide != nullptr);
 }

@@ -7,20 +7,24 @@
 #include <QAction>
 #include <QByteArray>
 #include <QLabel>
-#include <QObject>
+#include <QMainWindow>
 #include <QRect>
 #include <QToolBar>
 
 namespace touchdown {
 
-class MainWindow;
+class Guides;
+class RunView;
+class WindowActions;
 class WindowPages;
+class Workbench;
 
 class Presenter : public QObject {
     Q_OBJECT
 
 public:
-    Presenter(MainWindow& window, WindowPages& pages);
+    /// All must outlive this.
+    Presenter(QMainWindow& window, Workbench& bench, WindowActions& actions, WindowPages& pages, Guides& guides);
 
     void set(bool on);
     bool on() const { return on_; }
@@ -45,8 +49,13 @@ private:
     void end();
     void arrange();
 
-    MainWindow& window_;
+    RunView& view() const;
+
+    QMainWindow& window_;
+    Workbench& bench_;
+    WindowActions& actions_;
     WindowPages& pages_;
+    Guides& guides_;
     QToolBar* bar_;
     QLabel* caption_;
     QAction *next_, *back_, *leave_;

@@ -48,9 +48,6 @@ StartCard::StartCard(QWidget* parent)
     close->setAccessibleName(tr("Close the first steps"));
     close->setToolTip(tr("Close this; Help, First steps brings it back"));
     connect(close, &QToolButton::clicked, this, &StartCard::close);
-    connect(lesson_, &QPushButton::clicked, this, &StartCard::lessonRequested);
-    connect(figure_, &QPushButton::clicked, this, &StartCard::demonstrationsRequested);
-    connect(open_, &QPushButton::clicked, this, &StartCard::fileRequested);
 
     auto* head = new QHBoxLayout;
     head->addWidget(title_, 1);

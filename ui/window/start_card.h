@@ -29,9 +29,6 @@ public:
     QString text() const;
 
 signals:
-    void lessonRequested();
-    void demonstrationsRequested();
-    void fileRequested();
     void closed();
 
 protected:

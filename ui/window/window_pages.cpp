@@ -245,8 +245,9 @@ void WindowPages::openGuide(const Guide& guide)
     QDockWidget*& dock = guides_[guide.widget];
     if (dock == nullptr) {
         dock = addPane(guide.name, guide.title, guide.widget, Qt::RightDockWidgetArea);
-        connect(dock->toggleViewAction(), &QAction::toggled, this,
-                [this, widget = guide.widget](bool open) { emit guideToggled(widget, open); });
+        connect(dock->toggleViewAction(), &QAction::toggled, this, [this, widget = guide.widget](bool open) {
+            if (!panesHidden_) emit guideToggled(widget, open);
+        });
     }
     if (guide.isNew) {
         parts_.window.tabifyDockWidget(about_, dock);

@@ -16,16 +16,13 @@
 #include <vector>
 
 #include "core/case/case.h"
+#include "ui/workbench/workbench.h"
 
 namespace touchdown {
 
 class AboutCasePane;
 class CasePanel;
-class FilmWindow;
-class MessageStrip;
-class RunWindow;
 class StartCard;
-class StudyWindow;
 class WindowActions;
 
 class WindowPages : public QObject {
@@ -47,7 +44,7 @@ public:
     /// Builds centre, panes and foot of the window.
     explicit WindowPages(const Parts& parts);
 
-    enum class Page { StaticState, Run, Studies };
+    using Page = Workbench::Page;
     /// Only the model film has the page of the static state; other cases show the run in time instead.
     void setPage(Page page);
     Page page() const { return static_cast<Page>(tabs_->currentIndex()); }
@@ -62,7 +59,6 @@ public:
     /// For a lecture: all panes are hidden, and come back, arranged as the window had saved it.
     void hidePanes();
     void bringPanesBack(const QByteArray& arrangement);
-    bool panesHidden() const { return panesHidden_; }
     /// The page has the whole window, until the panes come back as they were.
     void showAlone(bool on);
     /// Below the page, which makes room for it.
@@ -86,7 +82,7 @@ public:
 signals:
     /// Another model or another page may be shown.
     void shown();
-    /// The pane of a guide was opened or closed.
+    /// The pane of a guide was opened or closed; not while all are hidden.
     void guideToggled(QWidget* guide, bool open);
 
 protected:

@@ -32,9 +32,9 @@
 #include "ui/runs/run_view.h"
 #include "ui/runs/run_window.h"
 #include "ui/runs/runs_model.h"
+#include "ui/sessions/session.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
-#include "ui/window/session.h"
 
 using namespace touchdown;
 

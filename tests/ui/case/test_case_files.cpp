@@ -162,6 +162,7 @@ void TestCaseFiles::knowsWhatCanBeDropped_data()
     QTest::addColumn<QString>("name");
     QTest::addColumn<bool>("accepted");
     QTest::newRow("case file") << "a.toml" << true;
+    QTest::newRow("results") << "run.h5" << true;
     QTest::newRow("archive") << "slider.cml" << true;
     QTest::newRow("folder with a rail.dat") << "slider" << true;
     QTest::newRow("the rails") << "slider/rail.dat" << true;
@@ -174,7 +175,7 @@ void TestCaseFiles::knowsWhatCanBeDropped()
     QFETCH(const QString, name);
     QFETCH(const bool, accepted);
     files_->exportTo(path(QStringLiteral("slider")));
-    QCOMPARE(CaseFiles::isCaseFile(QDir::cleanPath(path(name))), accepted);
+    QCOMPARE(CaseFiles::canOpen(QDir::cleanPath(path(name))), accepted);
 }
 
 // The person's answer holds until the program ends; no is the default.

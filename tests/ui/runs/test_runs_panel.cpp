@@ -15,13 +15,13 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "ui/case/parameter_text.h"
+#include "ui/guides/lesson_stages.h"
 #include "ui/lists/record_delegate.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/quantity_format.h"
-#include "ui/window/lesson_stages.h"
 
 using namespace touchdown;
 

@@ -22,6 +22,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "tests/ui/sample_study.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -100,14 +101,8 @@ StudyCatalogue madeUp()
             planned};
 }
 
-struct Fixture {
-    Fixture()
-    {
-        window.resize(1400, 900);
-        window.show();
-        window.files().openNow(QStringLiteral("fig10a"));
-        window.setPage(Page::Studies);
-    }
+struct Fixture : test::WindowFixture {
+    Fixture() : WindowFixture("fig10a", madeUp()) { window.setPage(Page::Studies); }
     StudyEditor& editor() { return *window.studies().editor(); }
     StudyResults& results() { return *window.studies().results(); }
     QString findings() { return results().findChild<QTextBrowser*>()->toPlainText(); }
@@ -115,14 +110,11 @@ struct Fixture {
     qsizetype charts() { return results().findChildren<StudyChartView*>().size(); }
     void perform()
     {
-        const QSignalSpy ended(&window, &MainWindow::calculationEnded);
-        window.performStudy();
-        if (question(window, "unsavedReport")) answer(window, "unsavedReport", QStringLiteral("Replace"));
-        if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 30'000)) qFatal("the study does not end");
+        toEnd([this] {
+            window.performStudy();
+            if (question(window, "unsavedReport")) answer(window, "unsavedReport", QStringLiteral("Replace"));
+        });
     }
-    QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
-
-    MainWindow window{madeUp()};
 };
 
 class TestStudyPage : public QObject {

@@ -18,6 +18,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "tests/ui/sample_slider.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/runs/run_controller.h"
@@ -44,15 +45,13 @@ Case shortCase()
     return c;
 }
 
-struct Fixture {
+struct Fixture : test::WindowFixture {
     Fixture()
     {
         CaseDocument document;
         document.text = "# notes\n" + formatCase(shortCase());
         document.value = parseCase(document.text, "").value;
-        window.resize(1200, 800);
-        window.show();
-        window.openCase(document, folder.filePath(QStringLiteral("mine.toml")));
+        window.files().take(document, folder.filePath(QStringLiteral("mine.toml")));
     }
     void apply(const Change& change)
     {
@@ -65,16 +64,7 @@ struct Fixture {
         for (QAbstractButton* button : box->buttons())
             if (box->buttonRole(button) == QMessageBox::AcceptRole) return button->click();
     }
-    const RunRecord& runToEnd()
-    {
-        const QSignalSpy finished(&window.controller(), &RunController::finished);
-        window.startRun();
-        if (!QTest::qWaitFor([&] { return finished.count() == 1; }, 60'000)) qFatal("the run does not end");
-        return window.runs().record(window.runs().count() - 1);
-    }
-
     QTemporaryDir folder;
-    MainWindow window;
 };
 
 class TestCaseChanges : public QObject {

@@ -27,7 +27,7 @@
 #include "tests/ui/question.h"
 #include "tests/ui/sample_slider.h"
 #include "tests/ui/sample_study.h"
-#include "tests/ui/window/window_session.h"
+#include "tests/ui/sessions/window_session.h"
 #include "ui/case/case_edits.h"
 #include "ui/film/film_window.h"
 #include "ui/film/solutions_model.h"
@@ -207,7 +207,7 @@ void TestForeignFiles::casesWithProblems()
                                          many};
     for (const std::string& text : texts) {
         const int before = shown_;
-        window_->openFile(write(foreignName + ".toml", text));
+        window_->files().open(write(foreignName + ".toml", text));
         look();
         QVERIFY2(shown_ > before, text.c_str());
     }
@@ -229,7 +229,7 @@ void TestForeignFiles::aStudyWithProblems_data()
 void TestForeignFiles::aStudyWithProblems()
 {
     QFETCH(std::string, text);
-    window_->openFile(write(foreignName + ".toml", "kind = \"hysteresis\"\n" + text));
+    window_->files().open(write(foreignName + ".toml", "kind = \"hysteresis\"\n" + text));
     LOOK();
 }
 
@@ -254,7 +254,7 @@ void TestForeignFiles::aCmlCaseWithProblems()
     for (const QString& ending : {QString(), QStringLiteral(".cml")}) {
         const QString file = path(foreignName + ending);
         QCOMPARE(writeCmlCase(file.toStdString(), output.members), std::string());
-        window_->openFile(file);
+        window_->files().open(file);
     }
     QCOMPARE(window_->findChildren<QMessageBox*>(QStringLiteral("problems")).size(), 2);
     LOOK();
@@ -291,7 +291,7 @@ void TestForeignFiles::aSurface()
     } else {
         write(name, text);
     }
-    window_->openFile(
+    window_->files().open(
         write(QStringLiteral("case.toml"),
               "title = \"stranger\"\n[disk.surface]\nkind = \"file\"\nfile = \"" + name.toStdString() + "\"\n"));
     LOOK();
@@ -304,7 +304,7 @@ void TestForeignFiles::aCase()
     const QString file = write(foreignName + u'/' + foreignName + ".toml",
                                "title = \"" + foreign + "\"\n[about]\nwatch = \"\"\"" + foreign + "\n" + foreign +
                                    "\"\"\"\n[run]\nduration = \"20 us\"\n");
-    window_->openFile(file);
+    window_->files().open(file);
     QCOMPARE(window_->edits().value().title, foreign);
     run();
     LOOK();
@@ -353,7 +353,7 @@ void TestForeignFiles::aRun()
     QCOMPARE(writer.open(file.toStdString(), c, formatCase(c), quantities), std::string());
     QCOMPARE(writer.append(batch), std::string());
     QCOMPARE(writer.finish(summary), std::string());
-    window_->openResults(file);
+    window_->files().open(file);
     QCOMPARE(window_->runs().count(), 1);
     QVERIFY(window_->runs().setData(window_->runs().index(0), QString::fromStdString(foreign), RecordList::NoteRole));
     LOOK();
@@ -370,7 +370,7 @@ void TestForeignFiles::aStaticState()
     QCOMPARE(writer.open(file.toStdString(), c, formatCase(c)), std::string());
     QCOMPARE(writer.add({c.disk.radius, c.disk.skew, c.disk.speed, {}}, result), std::string());
     QCOMPARE(writer.finish(result.status, foreign), std::string());
-    window_->openResults(file);
+    window_->files().open(file);
     SolutionsModel& solutions = window_->film().solutions();
     QCOMPARE(solutions.count(), 1);
     QVERIFY(solutions.setData(solutions.index(0), QString::fromStdString(foreign), RecordList::NoteRole));
@@ -407,13 +407,13 @@ void TestForeignFiles::theReportOfAStudy()
     const QString file = path(foreignName + ".h5");
     QCOMPARE(writeStudy(file.toStdString(), report, c, formatCase(c), "kind = \"work-precision\"\n# " + foreign),
              std::string());
-    window_->openResults(file);
+    window_->files().open(file);
     LOOK();
 }
 
 void TestForeignFiles::aSession()
 {
-    window_->openFile(write(foreignName + ".toml", "title = \"" + foreign + "\"\n[run]\nduration = \"20 us\"\n"));
+    window_->files().open(write(foreignName + ".toml", "title = \"" + foreign + "\"\n[run]\nduration = \"20 us\"\n"));
     run();
     QVERIFY(window_->runs().setData(window_->runs().index(0), QString::fromStdString(foreign), RecordList::NoteRole));
     window_->edits().enter(*findParameter("run.duration"), QString::fromStdString(foreign));

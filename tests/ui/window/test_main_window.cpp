@@ -11,7 +11,7 @@
 
 #include "core/case_files/case_file.h"
 #include "tests/support/test_program.h"
-#include "tests/ui/window/sample_window.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
@@ -33,8 +33,8 @@ using namespace touchdown;
 
 namespace test_main_window {
 
-struct Fixture : test::SampleWindow {
-    using SampleWindow::SampleWindow;
+struct Fixture : test::WindowFixture {
+    using WindowFixture::WindowFixture;
     QLineEdit* line(const char* key) { return qobject_cast<QLineEdit*>(window.casePanel().editor(key)->input()); }
     QMessageBox* box(const char* name) { return window.findChild<QMessageBox*>(QString::fromLatin1(name)); }
 };
@@ -110,7 +110,7 @@ void TestMainWindow::takesWhatWasTypedWhenSavingAndClosing()
     const QString file = folder.filePath(QStringLiteral("mine.toml"));
     QCOMPARE(writeCaseFile(file.toStdString(), "title = \"mine\"\n"), std::string());
     Fixture f;
-    f.window.openFile(file);
+    f.window.files().open(file);
     QApplication::setActiveWindow(&f.window);
     const auto type = [&f](const char* text) {
         QLineEdit* line = f.line("springs.flying_height");

@@ -10,6 +10,7 @@
 #include "core/case_files/case_file.h"
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -41,29 +42,15 @@ using namespace touchdown;
 namespace test_main_window_contact {
 
 /// A window on the sphere of Hertz with a coarse patch.
-struct Fixture {
-    Fixture()
+struct Fixture : test::WindowFixture {
+    Fixture() : WindowFixture("contact_hertz")
     {
-        window.resize(1400, 900);
-        window.show();
-        window.files().openNow(QStringLiteral("contact_hertz"));
         edit("elastic.cell", QStringLiteral("0.5 um"));
         edit("run.sample_interval", QStringLiteral("20 us"));
         edit("run.field_snapshots", QStringLiteral("11"));
     }
 
-    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
-    const RunRecord& run()
-    {
-        const QSignalSpy ended(&window, &MainWindow::calculationEnded);
-        window.startRun();
-        if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 60'000)) qFatal("the run does not end");
-        return window.runs().record(window.runs().count() - 1);
-    }
-    QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
     bool offered(RunView::Page page) { return window.runView().tabs()->isTabVisible(static_cast<int>(page)); }
-
-    MainWindow window;
 };
 
 class TestMainWindowContact : public QObject {
@@ -114,7 +101,7 @@ void TestMainWindowContact::runsTheSampleCases()
         f.edit("elastic.cell", QStringLiteral("0.25 um"));
     f.edit("run.sample_interval", QString::number(f.window.edits().value().run.duration / 20.0) + QStringLiteral(" s"));
     QCOMPARE(f.window.edits().reasonNotToRun(), QString());
-    const RunRecord& run = f.run();
+    const RunRecord& run = f.runToEnd();
     QCOMPARE(run.summary->status, RunStatus::Completed);
     QCOMPARE(run.fields.size(), recordedFields(run.value).size());
     for (const FieldHistory& history : run.fields) QVERIFY(!history.snapshots.empty());
@@ -157,11 +144,11 @@ void TestMainWindowContact::mapsFollowTheChosenRun()
 {
     Fixture f;
     f.window.runView().setPage(RunView::Page::Maps);
-    f.run();
+    f.runToEnd();
     RunMaps& maps = *f.window.runView().maps();
     QCOMPARE(maps.shownRun(), 1);
     QVERIFY(!maps.empty());
-    f.run();
+    f.runToEnd();
     QCOMPARE(maps.shownRun(), 2);
     f.window.runWindow().panel()->list()->setCurrentIndex(f.window.runs().index(0));
     QCOMPARE(maps.shownRun(), 1);
@@ -171,7 +158,7 @@ void TestMainWindowContact::goingThroughMapsMovesTheCursor()
 {
     Fixture f;
     f.window.runView().setPage(RunView::Page::Maps);
-    const RunRecord& run = f.run();
+    const RunRecord& run = f.runToEnd();
     f.window.runView().maps()->time()->setValue(2);
     QCOMPARE(*f.window.runView().plots()->group()->cursor(0), run.fields.front().snapshots[2].time);
 }
@@ -179,10 +166,10 @@ void TestMainWindowContact::goingThroughMapsMovesTheCursor()
 void TestMainWindowContact::runsOfAnotherModelLeaveThePlots()
 {
     Fixture f;
-    f.run();
+    f.runToEnd();
     f.window.edits().undoStack().setClean();
     f.window.files().openNow(QStringLiteral("fig10a"));
-    QVERIFY(f.run().shown);
+    QVERIFY(f.runToEnd().shown);
     QVERIFY(!f.window.runs().record(0).shown);
     QVERIFY(!f.window.runView().plots()->plot(QStringLiteral("pressure"))->isVisible());
     QVERIFY(f.window.runView().plots()->plot(QStringLiteral("pitch"))->isVisible());
@@ -225,10 +212,10 @@ void TestMainWindowContact::keepsMapsInAFile()
     const QTemporaryDir folder;
     Fixture f;
     f.window.runView().setPage(RunView::Page::Maps);
-    const RunRecord& run = f.run();
+    const RunRecord& run = f.runToEnd();
     const QString file = folder.filePath(QStringLiteral("run.h5"));
     QCOMPARE(saveHdf5(run, file), QString());
-    f.window.openResults(file);
+    f.window.files().open(file);
     const RunRecord& read = f.window.runs().record(1);
     QCOMPARE(read.fields.size(), std::size_t{1});
     const FieldHistory& kept = read.fields.front();
@@ -247,7 +234,7 @@ void TestMainWindowContact::exportsEachPage()
 {
     const QTemporaryDir folder;
     Fixture f;
-    f.run();
+    f.runToEnd();
     f.edit("disk.surface.kind", QStringLiteral("rough"));
     f.edit("disk.surface.track", QStringLiteral("100 um"));
     for (const RunView::Page page : {RunView::Page::Plots, RunView::Page::Maps, RunView::Page::Disk}) {
@@ -266,7 +253,7 @@ void TestMainWindowContact::exportsEachPage()
 void TestMainWindowContact::fitsASmallScreen()
 {
     Fixture f;
-    f.run();
+    f.runToEnd();
     for (const RunView::Page page : {RunView::Page::Plots, RunView::Page::Maps, RunView::Page::Disk}) {
         f.window.runView().setPage(page);
         const QSize least = f.window.minimumSizeHint();
@@ -286,7 +273,7 @@ void TestMainWindowContact::helpTellsOfContact()
 void TestMainWindowContact::namesEveryControl()
 {
     Fixture f;
-    f.run();
+    f.runToEnd();
     for (const RunView::Page page : {RunView::Page::Plots, RunView::Page::Maps, RunView::Page::Disk}) {
         f.window.runView().setPage(page);
         for (const QWidget* widget : f.window.findChildren<QWidget*>()) {

@@ -16,6 +16,7 @@
 #include "core/simulation/static_state/contact_rest.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/question.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -51,21 +52,15 @@ namespace test_main_window_film {
 using State = SteadyController::State;
 
 /// A window on a film case with a coarse grid.
-struct Fixture {
-    explicit Fixture(const char* sample = "film_pico")
+struct Fixture : test::WindowFixture {
+    explicit Fixture(const char* sample = "film_pico") : WindowFixture(sample)
     {
-        window.resize(1400, 900);
-        window.show();
-        window.files().openNow(QString::fromLatin1(sample));
         edit("film.nodes", QStringLiteral("33, 33"));
     }
 
-    void edit(const char* key, const QString& text) { window.edits().enter(*findParameter(key), text); }
     const SteadyResult& solve()
     {
-        const QSignalSpy ended(&window, &MainWindow::calculationEnded);
-        window.solveStaticState();
-        if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 60'000)) qFatal("the solution does not end");
+        toEnd([this] { window.solveStaticState(); });
         return *window.film().result();
     }
     /// 40 us from 2 nm above the static state on a coarse grid, a sample each 0.5 us and three snapshots.
@@ -78,16 +73,6 @@ struct Fixture {
         edit("initial.height_offset", QStringLiteral("2 nm"));
         if (!window.edits().reasonNotToRun().isEmpty()) qFatal("%s", qPrintable(window.edits().reasonNotToRun()));
     }
-    const RunRecord& run()
-    {
-        const QSignalSpy ended(&window, &MainWindow::calculationEnded);
-        window.startRun();
-        if (!QTest::qWaitFor([&] { return ended.count() == 1; }, 60'000)) qFatal("the run does not end");
-        return window.runs().record(window.runs().count() - 1);
-    }
-    QDockWidget* dock(const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
-
-    MainWindow window;
 };
 
 class TestMainWindowFilm : public QObject {
@@ -217,7 +202,7 @@ void TestMainWindowFilm::runsInTime()
 {
     Fixture f;
     f.editToRun();
-    const RunRecord& run = f.run();
+    const RunRecord& run = f.runToEnd();
     QVERIFY2(run.summary->status == RunStatus::Completed, run.summary->message.c_str());
     QVERIFY(f.window.runView().isVisible());
     QCOMPARE(run.sampleCount(), std::size_t(81));
@@ -246,7 +231,7 @@ void TestMainWindowFilm::showsAndKeepsTheMapsOfARun()
     const QTemporaryDir folder;
     Fixture f;
     f.editToRun();
-    const RunRecord& run = f.run();
+    const RunRecord& run = f.runToEnd();
     QCOMPARE(run.fields.size(), std::size_t(1)); // the air alone: nothing touches
     QVERIFY(run.fields.front().snapshots.size() >= 3);
     f.window.runView().setPage(RunView::Page::Maps);
@@ -260,7 +245,7 @@ void TestMainWindowFilm::showsAndKeepsTheMapsOfARun()
     const QString file = folder.filePath(QStringLiteral("run.h5"));
     QCOMPARE(saveHdf5(run, file), QString());
     f.window.setPage(MainWindow::Page::StaticState);
-    f.window.openResults(file); // what was read is there to be seen
+    f.window.files().open(file); // what was read is there to be seen
     QVERIFY(f.window.runView().isVisible());
     const RunRecord& read = f.window.runs().record(1);
     QCOMPARE(read.fields.front().snapshots.size(), run.fields.front().snapshots.size());

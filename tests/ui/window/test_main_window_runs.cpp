@@ -8,7 +8,7 @@
 #include "core/simulation/run.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/named_widget.h"
-#include "tests/ui/window/sample_window.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -32,7 +32,7 @@ namespace test_main_window_runs {
 
 using State = RunController::State;
 
-using Fixture = test::SampleWindow;
+using Fixture = test::WindowFixture;
 
 class TestMainWindowRuns : public QObject {
     Q_OBJECT

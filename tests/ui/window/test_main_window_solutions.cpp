@@ -420,7 +420,7 @@ private slots:
         QCOMPARE(saveSolution(f.solutions().record(0), file), QString());
         MainWindow window;
         window.files().openNow(QStringLiteral("fig10a"));
-        window.openResults(file);
+        window.files().open(file);
         QCOMPARE(window.film().solutions().count(), 1);
         QCOMPARE(window.film().result()->pressure, f.window.film().result()->pressure);
         QCOMPARE(static_cast<QStackedWidget*>(window.page())->currentWidget(), window.film().view());
@@ -451,7 +451,7 @@ private slots:
         window.show();
         window.files().openNow(mine);
         if (edited) window.edits().enter(*findParameter("springs.flying_height"), QStringLiteral("4"));
-        window.openResults(file);
+        window.files().open(file);
         QCOMPARE(window.film().solutions().count(), 1);
         QCOMPARE(question(window, "unsavedChanges") != nullptr, edited);
         QCOMPARE(window.edits().value().model, edited ? ModelKind::Springs : ModelKind::Film);

@@ -49,13 +49,13 @@ private slots:
     void cleanup() { window_.reset(); }
     void aCaseThatIsNone()
     {
-        window_->openFile(QStringLiteral("nonsuch"));
+        window_->files().open(QStringLiteral("nonsuch"));
         QVERIFY(question(*window_, "problems") != nullptr);
         QVERIFY(window_->edits().value().title.starts_with("Fig. 10 (a)"));
     }
     void aResultsFileThatIsNone()
     {
-        window_->openResults(folder_.filePath(QStringLiteral("missing.h5")));
+        window_->files().open(folder_.filePath(QStringLiteral("missing.h5")));
         QCOMPARE(window_->messages().kind(), MessageStrip::Kind::Failure);
         QVERIFY(window_->messages().text().contains(QStringLiteral("missing.h5")));
     }
@@ -73,7 +73,7 @@ private slots:
         QVERIFY(text.open(QIODevice::WriteOnly));
         text.write("kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 3\n");
         text.close();
-        asCase ? window_->files().open(file) : window_->openFile(file);
+        asCase ? window_->files().open(file) : window_->files().open(file);
         QCOMPARE(page(), static_cast<int>(MainWindow::Page::Studies));
         QCOMPARE(window_->studies().editor()->kind(), QStringLiteral("hysteresis"));
         QVERIFY(window_->studies().editor()->toText().contains(QStringLiteral("steps = 3")));
@@ -89,7 +89,7 @@ private slots:
         const StudyReport unsaved = sampleReport();
         window_->studies().restore({unsaved, "", "", ""});
         const auto title = [this, &report] { return window_->studies().outcome(report.kind)->report->title; };
-        window_->openResults(file);
+        window_->files().open(file);
         auto* box = question(*window_, "unsavedReport");
         QVERIFY(box != nullptr);
         QCOMPARE(title(), sampleReport().title);
@@ -104,7 +104,7 @@ private slots:
         report.kind = "work-precision";
         const CaseDocument c = openCase("fig10a");
         QCOMPARE(writeStudy(file.toStdString(), report, c.value, c.text, "kind = \"work-precision\"\n"), std::string());
-        window_->openResults(file);
+        window_->files().open(file);
         QCOMPARE(page(), static_cast<int>(MainWindow::Page::Studies));
         QVERIFY2(window_->studies().results()->report().has_value(), qPrintable(window_->messages().text()));
         QCOMPARE(window_->studies().results()->report()->title, report.title);

@@ -2,12 +2,14 @@
 #include "ui/window/presenter.h"
 
 #include <map>
+#include <utility>
 #include <vector>
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QPointer>
 #include <QScreen>
 #include <QSettings>
 #include <QSignalSpy>
@@ -16,12 +18,12 @@
 
 #include "tests/support/test_program.h"
 #include "ui/case/case_files.h"
-#include "ui/lesson/lesson_pane.h"
+#include "ui/guides/guides.h"
+#include "ui/guides/lesson_pane.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_view.h"
 #include "ui/runs/runs_model.h"
 #include "ui/style/theme.h"
-#include "ui/window/guides.h"
 #include "ui/window/main_window.h"
 #include "ui/window/window_actions.h"
 
@@ -111,6 +113,26 @@ private slots:
         if (!leavesPage) QTRY_VERIFY2(places() == before, qPrintable(difference(before, places())));
         QVERIFY(window_->menuBar()->isVisible() && !window_->presenter().bar()->isVisible());
         QVERIFY(window_->guides().staged() == lesson);
+    }
+
+    /// Every widget has its font again, and each that is shown its place.
+    void givesEveryWidgetBack_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("large screen") << QSize(1600, 1000);
+        QTest::newRow("small screen") << QSize(1280, 720);
+    }
+    void givesEveryWidgetBack()
+    {
+        QFETCH(const QSize, size);
+        window_->resize(size);
+        for (int i = 0; i < 5; ++i) QCoreApplication::processEvents(); // what follows a new size
+        const Looks before = looks();
+        QVERIFY(before.size() > 300);
+        present(true);
+        QVERIFY(!changes(before).isEmpty());
+        present(false);
+        QTRY_VERIFY2(changes(before).isEmpty(), qPrintable(changes(before)));
     }
 
     /// With the largest text, too, the window asks for no more width than the screen has.
@@ -318,6 +340,31 @@ private:
             if (dock->isVisible() && !dock->visibleRegion().isEmpty()) all[dock->objectName()] = dock->geometry();
         all["page"] = window_->centralWidget()->geometry();
         return all;
+    }
+    /// The font of a widget and, if it is shown, its place.
+    static QString look(const QWidget& widget)
+    {
+        QString text;
+        QDebug debug(&text);
+        debug << widget.metaObject()->className() << widget.accessibleName() << widget.font().toString();
+        if (widget.isVisible()) debug << widget.geometry();
+        return text;
+    }
+    using Looks = std::vector<std::pair<QPointer<QWidget>, QString>>;
+    Looks looks()
+    {
+        Looks all;
+        for (QWidget* widget : window_->findChildren<QWidget*>()) all.emplace_back(widget, look(*widget));
+        return all;
+    }
+    /// Since then. A hidden helper of Qt may have gone.
+    static QString changes(const Looks& before)
+    {
+        QStringList lines;
+        for (const auto& [widget, then] : before)
+            if (widget ? look(*widget) != then : then.contains(QLatin1String("QRect")))
+                lines << then + QStringLiteral(" -> ") + (widget ? look(*widget) : QString());
+        return lines.join(u'\n');
     }
     static QString difference(const std::map<QString, QRect>& before, const std::map<QString, QRect>& after)
     {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Runs the case again while the reader moves one of its values.
+//
+// Springs run at each movement, beside the window, in milliseconds: one run of the list is made anew again and again,
+// with the newest value whenever the last run is there, as far as the plots show it. When the reader lets go, it is a
+// whole run. A case that takes longer runs when the reader lets go; a film first on a coarse grid, then
+// on its own.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <QObject>
+
+#include "core/case/case.h"
+#include "core/studies/lesson/lesson.h"
+#include "ui/calculation/task_queue.h"
+
+namespace touchdown {
+
+class RunView;
+class Workbench;
+struct RunRecord;
+struct Summary;
+
+/// A film's grid with half the intervals along and across, its elastic contact with cells of twice the side. Nothing is
+/// coarser where that gives no case that can run.
+Case coarser(const Case& c);
+
+/// Until when a run is wanted for what the view shows [s]: to the end of the time axis, where that is not the end of
+/// the run and nothing else needs the rest.
+double neededUntil(const RunView& view, const Case& c);
+
+class LiveRuns : public QObject {
+    Q_OBJECT
+
+public:
+    LiveRuns(Workbench& bench, QObject* parent);
+    ~LiveRuns() override; // the list of runs may be gone
+
+    /// The parameters get this value, as a case file has it.
+    void move(const LiveValue& value, const std::string& text);
+    /// The movement has ended.
+    void settle();
+    /// Nothing more is run or shown of it: another case is open, or the user stopped it.
+    void leave();
+    bool busy() const { return movement_ && movement_->busy; }
+
+signals:
+    /// A run of a movement is in the list.
+    void shown(int number);
+
+private:
+    /// From the first change of a value until the reader lets go.
+    struct Movement {
+        int merge = 0;        // of its edits, which are one for undo
+        int number = -1;      // of its run in the list
+        Case value;           // the newest
+        std::string text;     // of the case; empty until the reader lets go
+        bool settled = false; // the reader let go
+        bool part = false;    // the last run ends where the plots end
+        bool busy = false;    // a run is under way beside the window
+        bool slow = false;    // a run takes too long for that
+        std::atomic<bool> left = false;
+    };
+    struct TwoGrids {
+        Case own;
+        std::string text;           // of it
+        int coarse = -1, fine = -1; // numbers of the runs
+    };
+
+    void runOnce(const std::shared_ptr<Movement>& movement);
+    void show(const std::shared_ptr<Movement>& movement, std::unique_ptr<RunRecord> record);
+    void finish(Movement& movement);
+    void forgetPart(Movement& movement);
+    void runFilm();
+    void onEnded(int number, const Summary& summary);
+
+    Workbench& bench_;
+    int movements_ = 0; // so far
+    std::shared_ptr<Movement> movement_;
+    std::optional<TwoGrids> grids_;
+    TaskQueue queue_; // last: its tasks use what stands above
+};
+
+} // namespace touchdown
