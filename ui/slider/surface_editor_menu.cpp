@@ -7,7 +7,7 @@
 #include <QMenu>
 
 #include "core/physics/slider/surface_symmetry.h"
-#include "ui/plot/picture_menu.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/surface_editor.h"
 #include "ui/slider/wall_menu.h"

@@ -13,6 +13,7 @@
 #include "core/studies/study/study_file.h"
 #include "core/studies/study/study_verdict.h"
 #include "ui/calculation/result_page.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
 #include "ui/style/foreign_text.h"
@@ -256,8 +257,8 @@ void StudyResults::fillSaveMenu()
     menu->clear();
     if (!charts_.empty()) {
         StudyChartView* chart = charts_[static_cast<std::size_t>(chartTabs_->currentIndex())];
-        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copy);
-        menu->addAction(tr("Save &chart…"), chart, &StudyChartView::chooseSave);
+        menu->addAction(tr("&Copy chart"), chart, [chart] { copyPicture(*chart); });
+        menu->addAction(tr("Save &chart…"), chart, [chart] { chooseSavePicture(*chart); });
         menu->addSeparator();
     }
     menu->addAction(tr("Save &table as CSV…"), this, &StudyResults::chooseSaveTable)->setEnabled(!tables_.empty());
