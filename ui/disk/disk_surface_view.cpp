@@ -6,8 +6,8 @@
 #include <cmath>
 #include <exception>
 
-#include <QEvent>
 #include <QHBoxLayout>
+#include <QHeaderView>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -18,7 +18,6 @@
 #include "ui/maps/fields_view.h"
 #include "ui/plot/plot_group.h"
 #include "ui/style/quantity_format.h"
-#include "ui/style/theme.h"
 
 namespace touchdown {
 
@@ -97,7 +96,7 @@ DiskSurfaceView::DiskSurfaceView(QWidget* parent, DiskSurfaceController::Maker m
       placeText_(new QLabel(this)),
       spectrum_(new PlotWidget(this)),
       spectrumGroup_(new PlotGroup(this)),
-      statistics_(new QTableWidget(this))
+      statistics_(new ResultTable(tr("Statistics of the surface"), this))
 {
     build();
     connect(&controller_, &DiskSurfaceController::made, this, &DiskSurfaceView::onMade);
@@ -116,8 +115,6 @@ void DiskSurfaceView::build()
     spectrum_->setXLabel({tr("Wave number"), tr("rad/µm"), 1e6, AxisScale::Logarithmic});
     spectrum_->setYLabel({tr("Density"), QStringLiteral("nm²·µm"), 1e-24, AxisScale::Logarithmic});
 
-    statistics_->setAccessibleName(tr("Statistics of the surface"));
-    makePlainTable(statistics_, {tr("Quantity"), tr("Surface"), tr("Asked for")});
     statistics_->setMinimumWidth(270);
 
     place_->setAccessibleName(tr("Place along the track"));
@@ -276,28 +273,18 @@ void DiskSurfaceView::showSpectrum()
 
 void DiskSurfaceView::showStatistics()
 {
-    const std::vector<QStringList> rows = diskStatistics(preview_);
-    statistics_->setRowCount(static_cast<int>(rows.size()));
-    for (int row = 0; row < statistics_->rowCount(); ++row) {
-        for (int column = 0; column < 3; ++column) {
-            auto* item = new QTableWidgetItem(rows[static_cast<std::size_t>(row)].value(column));
-            if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            statistics_->setItem(row, column, item);
-        }
-    }
-    statistics_->resizeRowsToContents();
+    std::vector<TableRow> rows;
+    for (const QStringList& row : diskStatistics(preview_))
+        rows.push_back({{row.value(0)}, numberCell(row.value(1)), numberCell(row.value(2))});
+    statistics_->setRows({{tr("Quantity")}, {tr("Surface")}, {tr("Asked for")}}, rows);
+    statistics_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    statistics_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
 }
 
 void DiskSurfaceView::fit()
 {
     view_->fit();
     spectrumGroup_->fit();
-}
-
-void DiskSurfaceView::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::FontChange) statistics_->resizeRowsToContents();
 }
 
 } // namespace touchdown

@@ -11,11 +11,11 @@
 #include <QLabel>
 #include <QSlider>
 #include <QStackedWidget>
-#include <QTableWidget>
 
 #include "ui/calculation/calculation_controller.h"
 #include "ui/disk/disk_surface_preview.h"
 #include "ui/plot/min_max_pyramid.h"
+#include "ui/style/result_table.h"
 
 namespace touchdown {
 
@@ -76,14 +76,13 @@ public:
     DiskSurfaceController& controller() { return controller_; }
     FieldsView* view() const { return view_; }
     PlotWidget* spectrum() const { return spectrum_; }
-    QTableWidget* statistics() const { return statistics_; }
+    ResultTable* statistics() const { return statistics_; }
     QSlider* place() const { return place_; }
     bool empty() const { return pages_->currentWidget() == text_; }
     QString text() const { return text_->text(); }
 
 protected:
     void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
 private:
     void build();
@@ -106,7 +105,7 @@ private:
     PlotWidget* spectrum_;
     PlotGroup* spectrumGroup_;
     std::vector<MinMaxPyramid> curves_; // of the spectrum
-    QTableWidget* statistics_;
+    ResultTable* statistics_;
 };
 
 } // namespace touchdown

@@ -5,14 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <QEvent>
 #include <QKeyEvent>
-#include <QMenu>
 
 #include "ui/film/mode_motion.h"
-#include "ui/plot/laid_out_as.h"
-#include "ui/plot/picture_menu.h"
-#include "ui/plot/plot_frame.h"
 
 namespace touchdown {
 
@@ -30,11 +25,10 @@ double highestCorner(const Attitude& a, const SliderCase& slider)
 {
     return a.height + std::max(0.0, a.pitch * slider.length) + 0.5 * std::abs(a.roll) * slider.width;
 }
-constexpr double modeOnPaper = 520.0; // width in which the texts have room [px]
 
 } // namespace
 
-ModePicture::ModePicture(QWidget* parent) : QWidget(parent)
+ModePicture::ModePicture(QWidget* parent) : PictureWidget(parent, 520.0, 0.55)
 {
     setAccessibleName(tr("Picture of the mode"));
     setFocusPolicy(Qt::StrongFocus);
@@ -120,36 +114,7 @@ ProfileDrawing ModePicture::drawing(double left, double size) const
 ProfileDrawing ModePicture::side() const { return drawing(0.0, slider_.length); }
 ProfileDrawing ModePicture::rear() const { return drawing(slider_.length, slider_.width); }
 
-void ModePicture::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
-{
-    painter.save();
-    painter.translate(target.topLeft());
-    painter.scale(target.width() / width(), target.height() / height());
-    painter.setFont(plotTextFont(font()));
-    paint(painter, theme);
-    painter.restore();
-}
-
-void ModePicture::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
-{
-    const double wider = widening(size.width(), modeOnPaper);
-    const LaidOutAs laidOut(*this, wider * size, font);
-    painter.save();
-    painter.scale(1.0 / wider, 1.0 / wider);
-    painter.setFont(font);
-    paint(painter, paperTheme(colours));
-    painter.restore();
-}
-
-double ModePicture::heightOnPaper(double width, const QFont& /*font*/) const { return 0.55 * width; }
-
-void ModePicture::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    paint(painter, plotTheme(palette()));
-}
-
-void ModePicture::paint(QPainter& painter, const PlotTheme& theme) const
+void ModePicture::paint(QPainter& painter, const PlotTheme& theme)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), theme.background);
@@ -225,20 +190,6 @@ void ModePicture::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     updateTimer();
-}
-
-void ModePicture::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) update();
-}
-
-void ModePicture::contextMenuEvent(QContextMenuEvent* event)
-{
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    addPictureActions(*menu, *this);
-    menu->popup(event->globalPos());
 }
 
 void ModePicture::keyPressEvent(QKeyEvent* event)

@@ -12,16 +12,15 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
-#include <QWidget>
 
 #include "core/simulation/static_state/steady.h"
-#include "ui/plot/plot_export.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/slider/profile_drawing.h"
 #include "ui/slider/slider_profile.h"
 
 namespace touchdown {
 
-class ModePicture : public QWidget, public PagePart {
+class ModePicture : public PictureWidget {
     Q_OBJECT
 
 public:
@@ -49,9 +48,6 @@ public:
     ProfileDrawing rear() const;
 
     QString title() const override { return title_; }
-    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
-    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
-    double heightOnPaper(double width, const QFont& font) const override;
 
     QSize sizeHint() const override { return {640, 300}; }
     QSize minimumSizeHint() const override { return {240, 160}; }
@@ -60,18 +56,15 @@ signals:
     void playingChanged(bool playing);
 
 protected:
-    void paintEvent(QPaintEvent* event) override;
+    void paint(QPainter& painter, const PlotTheme& theme) override;
     void showEvent(QShowEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void advance();
     void updateTimer();
     ProfileDrawing drawing(double left, double size) const;
-    void paint(QPainter& painter, const PlotTheme& theme) const;
     void paintStill(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawn,
                     const std::vector<double>& heights) const;
     void paintLeastMotion(QPainter& painter, const PlotTheme& theme) const;

@@ -5,24 +5,17 @@
 
 #include <optional>
 
-#include <QLabel>
-#include <QPushButton>
 #include <QSlider>
-#include <QSplitter>
-#include <QStackedWidget>
-#include <QTableWidget>
-#include <QToolButton>
 
+#include "ui/calculation/result_page.h"
 #include "ui/film/modes_controller.h"
 #include "ui/film/modes_text.h"
-#include "ui/style/whole_file.h"
 
 namespace touchdown {
 
 class ModePicture;
-class ProgressStrip;
 
-class ModesPage : public QWidget {
+class ModesPage : public ResultPage {
     Q_OBJECT
 
 public:
@@ -35,56 +28,43 @@ public:
 
     ModesController& controller() { return controller_; }
     ModePicture* picture() const { return picture_; }
-    QTableWidget* table() const { return table_; }
-    bool stale() const;
+    bool stale() const override;
     /// The modes that are known; nothing where there are none.
     std::optional<FoundModes> known() const;
     /// Modes of another window.
     void restore(const FoundModes& modes);
     /// Whether there are modes that no file has.
-    bool unsaved() const { return known().has_value() && !saved_.holds(); }
-    /// Writes the table as comma-separated values. "" or the problem in a sentence.
-    QString save(const QString& path);
+    bool unsaved() const { return known().has_value() && !saved(); }
+    QByteArray csv() const override { return csvOf(*result_); }
 
 signals:
-    /// Other modes are known, or none any more.
-    void changed();
     /// Modes were found, or none, for this case.
     void found(const touchdown::Case& solved, const touchdown::ModesResult& result);
 
 public slots:
-    /// Finds the modes of the case, or stops that.
-    void startOrStop();
-    /// The table, tab-separated, on the clipboard.
-    void copy() const;
+    void startOrStop() override;
 
 protected:
+    Notes notes() const override;
     void changeEvent(QEvent* event) override;
 
 private:
-    QWidget* buildHead();
     QWidget* buildPicture();
-    QWidget* buildTable();
     void onFinished(const ModesResult& result);
     void take(const Case& c, const ModesResult& result);
-    void fillTable();
+    TableRow rowOf(std::size_t mode) const;
     void showMode(int row);
     void showSpeed();
-    void showNotes();
+    void showPlaying();
 
     ModesController controller_;
-    QPushButton* start_;
-    ProgressStrip* progress_;
-    QLabel *stale_, *remarks_, *empty_, *cycle_;
-    QStackedWidget* pages_;
     ModePicture* picture_;
-    QToolButton *play_, *copy_;
+    QToolButton* play_;
     QSlider* speed_;
-    QTableWidget* table_;
+    QLabel* cycle_;
     Case case_, asked_, solved_;
     QString refusal_; // why the last search did not start
     std::optional<ModesResult> result_;
-    SavedFile saved_; // with what the table shows
 };
 
 } // namespace touchdown

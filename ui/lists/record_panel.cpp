@@ -11,6 +11,7 @@
 #include "ui/lists/record_list.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/loss_question.h"
+#include "ui/style/result_table.h"
 
 namespace touchdown {
 
@@ -74,12 +75,7 @@ RecordPanel::RecordPanel(RecordList& model, const Words& words, QWidget* parent)
     connect(list_, &QAbstractItemView::viewportEntered, this, [this] { emit recordHovered(-1); });
 
     const auto button = [this](const QString& text, const QString& tip, auto action) {
-        auto* made = new QToolButton(this);
-        made->setText(text);
-        made->setToolTip(plainTip(tip));
-        made->setAccessibleName(text);
-        made->setAutoRaise(true);
-        made->setFocusPolicy(Qt::TabFocus);
+        QToolButton* made = quietButton(text, tip, text, this);
         connect(made, &QToolButton::clicked, this, action);
         return made;
     };
@@ -177,11 +173,8 @@ void RecordPanel::offer(const QString& text, const QString& tip, const std::func
     auto* action = new QAction(text, this);
     action->setToolTip(plainTip(tip));
     connect(action, &QAction::triggered, this, [this, perform] { perform(chosen()); });
-    auto* made = new QToolButton(this);
+    QToolButton* made = quietButton(text, tip, text, this);
     made->setDefaultAction(action);
-    made->setAccessibleName(text);
-    made->setAutoRaise(true);
-    made->setFocusPolicy(Qt::TabFocus);
     top_->insertWidget(top_->count() - 2, made); // before the stretch
     actions_.push_back(action);
     updateButtons();

@@ -4,24 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeyEvent>
 
 #include "core/formats/units.h"
 #include "ui/maps/field_map.h"
 #include "ui/maps/field_sections.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
-#include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
 
-enum CursorColumn { cursorColumn, xColumn, yColumn, distanceColumn, valueColumn };
+constexpr int distanceColumn = 3;
 
 QString titled(const QString& name, const QString& unit) { return QStringLiteral("%1 [%2]").arg(name, unit); }
 
@@ -46,29 +42,22 @@ std::optional<double> difference(std::optional<double> from, std::optional<doubl
 } // namespace
 
 FieldCursorTable::FieldCursorTable(QWidget* parent)
-    : QWidget(parent), table_(new QTableWidget(this)), copy_(new QToolButton(this))
+    : QWidget(parent), table_(new ResultTable(tr("Values at the cursors of the map"), this))
 {
-    table_->setAccessibleName(tr("Values at the cursors of the map"));
-    makePlainTable(table_, {tr("Cursor")}); // the other columns come with a field
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->setToolTip(plainTip(tr(
         "Click on the map sets cursor 1, Shift + click cursor 2; Shift + arrows move 1, Ctrl + Shift + arrows move 2; "
         "Escape takes cursor 2 away")));
     table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
     table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->installEventFilter(this);
-    copy_->setText(tr("Copy table"));
-    copy_->setToolTip(
-        plainTip(tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)")));
-    copy_->setAccessibleName(tr("Copy the table of the values at the cursors of the map"));
-    copy_->setAutoRaise(true);
-    copy_->setFocusPolicy(Qt::TabFocus);
+    auto* copy = quietButton(
+        tr("Copy table"), tr("Copy the table for a spreadsheet: tab separated, with the units in the heads (Ctrl+C)"),
+        tr("Copy the table of the values at the cursors of the map"), this);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 4, 0);
     row->addWidget(table_, 1);
-    row->addWidget(copy_, 0, Qt::AlignTop);
-    connect(copy_, &QToolButton::clicked, this, &FieldCursorTable::copy);
+    row->addWidget(copy, 0, Qt::AlignTop);
+    connect(copy, &QToolButton::clicked, table_, &ResultTable::copy);
     hide();
 }
 
@@ -77,10 +66,12 @@ void FieldCursorTable::show(const FieldMap& map, const FieldCursors& cursors, co
 {
     const FieldLook& look = map.look();
     const QString length = unitText(map.lengthUnit());
-    QStringList heads{tr("Cursor"), titled(QStringLiteral("x"), length), titled(QStringLiteral("y"), length),
-                      titled(tr("Distance"), length),
-                      titled(others.empty() ? look.title : tr("%1, %2").arg(look.title, name), look.unit)};
-    for (const OtherField& other : others) heads += titled(other.name, look.unit);
+    TableRow heads{{tr("Cursor")},
+                   {titled(QStringLiteral("x"), length)},
+                   {titled(QStringLiteral("y"), length)},
+                   {titled(tr("Distance"), length)},
+                   {titled(others.empty() ? look.title : tr("%1, %2").arg(look.title, name), look.unit)}};
+    for (const OtherField& other : others) heads.push_back({titled(other.name, look.unit)});
 
     // The values at each cursor, in the order of the columns.
     std::array<std::optional<SurfacePoint>, 2> seen;
@@ -95,34 +86,22 @@ void FieldCursorTable::show(const FieldMap& map, const FieldCursors& cursors, co
     setVisible(seen[0].has_value());
     if (!seen[0]) return;
 
-    table_->setColumnCount(static_cast<int>(heads.size()));
-    table_->setHorizontalHeaderLabels(heads);
-    table_->setColumnHidden(distanceColumn, !seen[1]);
-    table_->setRowCount(seen[1] ? 3 : 1);
-    const auto put = [this](int row, int column, const QString& text) {
-        auto* item = new QTableWidgetItem(text);
-        if (column != cursorColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        table_->setItem(row, column, item);
+    std::vector<TableRow> rows;
+    const auto add = [&](const QString& head, double x, double y, const QString& distance, const auto& numbers) {
+        TableRow row{{head}, numberCell(placeNumber(map, x)), numberCell(placeNumber(map, y)), numberCell(distance)};
+        for (const auto& number : numbers) row.push_back(numberCell(number ? fieldNumber(*number, look) : QString()));
+        rows.push_back(std::move(row));
     };
-    const auto putRow = [&](int row, const QString& head, double x, double y, const auto& numbers) {
-        put(row, cursorColumn, head);
-        put(row, xColumn, placeNumber(map, x));
-        put(row, yColumn, placeNumber(map, y));
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            put(row, valueColumn + static_cast<int>(k), numbers[k] ? fieldNumber(*numbers[k], look) : QString());
-    };
-    putRow(0, QStringLiteral("1"), seen[0]->x, seen[0]->y, values[0]);
+    add(QStringLiteral("1"), seen[0]->x, seen[0]->y, {}, values[0]);
     if (seen[1]) {
-        putRow(1, QStringLiteral("2"), seen[1]->x, seen[1]->y, values[1]);
+        add(QStringLiteral("2"), seen[1]->x, seen[1]->y, {}, values[1]);
         std::vector<std::optional<double>> changes;
         for (std::size_t k = 0; k < values[0].size(); ++k) changes.push_back(difference(values[0][k], values[1][k]));
         const double dx = seen[1]->x - seen[0]->x, dy = seen[1]->y - seen[0]->y;
-        putRow(2, QStringLiteral("2 \u2212 1"), dx, dy, changes);
-        put(2, distanceColumn, placeNumber(map, std::hypot(dx, dy)));
+        add(QStringLiteral("2 \u2212 1"), dx, dy, placeNumber(map, std::hypot(dx, dy)), changes);
     }
-    for (int column = 0; column < table_->columnCount(); ++column)
-        table_->horizontalHeaderItem(column)->setTextAlignment(
-            (column == cursorColumn ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    table_->setRows(heads, rows);
+    table_->setColumnHidden(distanceColumn, !seen[1]);
     fitHeight();
 }
 
@@ -131,22 +110,6 @@ void FieldCursorTable::fitHeight()
 {
     const int height = table_->horizontalHeader()->sizeHint().height() + table_->verticalHeader()->length();
     table_->setFixedHeight(height + 2 * table_->frameWidth() + 2);
-}
-
-void FieldCursorTable::copy() const
-{
-    // Spreadsheets read a hyphen as the sign of a number.
-    QGuiApplication::clipboard()->setText(tableText(*table_).replace(QChar(0x2212), u'-'));
-}
-
-bool FieldCursorTable::eventFilter(QObject* watched, QEvent* event)
-{
-    if (watched == table_ && event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
-        copy();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 } // namespace touchdown

@@ -8,11 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include <QTableWidget>
-#include <QToolButton>
 #include <QWidget>
 
 #include "core/physics/slider/air_bearing_surface.h"
+#include "ui/style/result_table.h"
 
 namespace touchdown {
 
@@ -31,17 +30,12 @@ public:
     /// `name` of the field of the map, where others stand beside it. Without a cursor on the map the table is hidden.
     void show(const FieldMap& map, const FieldCursors& cursors, const QString& name,
               const std::vector<OtherField>& others);
-    QTableWidget* table() const { return table_; }
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
+    ResultTable* table() const { return table_; }
 
 private:
-    void copy() const;
     void fitHeight();
 
-    QTableWidget* table_;
-    QToolButton* copy_;
+    ResultTable* table_;
 };
 
 } // namespace touchdown

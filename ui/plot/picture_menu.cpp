@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/plot/picture_menu.h"
+//
+// The actions of every picture.
+#include "ui/plot/picture_widget.h"
 
 #include <QBuffer>
 #include <QClipboard>
@@ -12,15 +14,18 @@
 
 namespace touchdown {
 
+void chooseSavePicture(QWidget& shown)
+{
+    askAndSave(&shown, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
+               [&shown](const QString& path) { return savePicture(shown, path); });
+}
+
 void addPictureActions(QMenu& menu, QWidget& shown)
 {
     const std::function<void(QIODevice&)> writeData = dynamic_cast<PagePart&>(shown).dataWriter();
     QWidget* part = &shown;
     menu.addAction(tr("&Copy picture"), part, [part] { copyPicture(*part); });
-    menu.addAction(tr("&Save picture…"), part, [part] {
-        askAndSave(part, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
-                   [part](const QString& path) { return savePicture(*part, path); });
-    });
+    menu.addAction(tr("&Save picture…"), part, [part] { chooseSavePicture(*part); });
     if (!writeData) return;
     const auto written = [writeData] {
         QBuffer buffer;

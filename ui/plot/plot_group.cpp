@@ -5,7 +5,7 @@
 
 #include <QMenu>
 
-#include "ui/plot/picture_menu.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/plot/plot_export.h"
 
 namespace touchdown {

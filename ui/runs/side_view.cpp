@@ -4,16 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QPainter>
 #include <QTextStream>
 
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_velocity.h"
-#include "ui/plot/laid_out_as.h"
-#include "ui/plot/picture_menu.h"
-#include "ui/plot/plot_frame.h"
 #include "ui/runs/disk_profile.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
@@ -25,12 +19,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double headRoom = 1.25;     // above the highest pad
-constexpr double sideOnPaper = 480.0; // width in which the texts have room [px]
+constexpr double headRoom = 1.25; // above the highest pad
 
 } // namespace
 
-SideView::SideView(RunsModel& runs, QWidget* parent) : QWidget(parent), runs_(runs), disk_(new DiskProfile(this))
+SideView::SideView(RunsModel& runs, QWidget* parent)
+    : PictureWidget(parent, 480.0), runs_(runs), disk_(new DiskProfile(this))
 {
     setAccessibleName(tr("Side view of slider and disk"));
     height_.label = {tr("Height"), QStringLiteral("nm"), unitFactor("nm"), AxisScale::Linear};
@@ -181,14 +175,6 @@ ProfileDrawing SideView::drawing() const { return {plotArea(), first_.length, he
 
 double SideView::exaggeration() const { return drawing().exaggeration(); }
 
-void SideView::contextMenuEvent(QContextMenuEvent* event)
-{
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    addPictureActions(*menu, *this);
-    menu->popup(event->globalPos());
-}
-
 void SideView::writeProfile(QIODevice& device) const
 {
     QTextStream out(&device);
@@ -211,39 +197,10 @@ void SideView::writeProfile(QIODevice& device) const
     }
 }
 
-void SideView::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
-{
-    painter.save();
-    painter.translate(target.topLeft());
-    painter.scale(target.width() / width(), target.height() / height());
-    painter.setFont(plotTextFont(font()));
-    paint(painter, theme);
-    painter.restore();
-}
-
-void SideView::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
-{
-    const double wider = widening(size.width(), sideOnPaper);
-    const LaidOutAs laidOut(*this, wider * size, font);
-    painter.save();
-    painter.scale(1.0 / wider, 1.0 / wider);
-    painter.setFont(font);
-    paint(painter, paperTheme(colours));
-    painter.restore();
-}
-
-double SideView::heightOnPaper(double width, const QFont& /*font*/) const { return 0.6 * width; }
-
 std::function<void(QIODevice&)> SideView::dataWriter() const
 {
     if (!first_.state) return {};
     return [this](QIODevice& device) { writeProfile(device); };
-}
-
-void SideView::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    paint(painter, plotTheme(palette()));
 }
 
 void SideView::showEvent(QShowEvent* event)
@@ -256,12 +213,6 @@ void SideView::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     takeOther();
-}
-
-void SideView::changeEvent(QEvent* event)
-{
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) update();
 }
 
 } // namespace touchdown

@@ -10,14 +10,12 @@
 // without one that of the newest other run that is shown. Then a legend names both.
 #pragma once
 
+#include "ui/plot/picture_widget.h"
 #include "ui/plot/plot_axis.h"
-#include "ui/plot/plot_export.h"
-#include "ui/plot/plot_theme.h"
 #include "ui/runs/springs_drawing.h"
 #include "ui/slider/profile_drawing.h"
 
 #include <QPen>
-#include <QWidget>
 
 #include <optional>
 #include <vector>
@@ -27,7 +25,7 @@ namespace touchdown {
 class DiskProfile;
 class RunsModel;
 
-class SideView : public QWidget, public PagePart {
+class SideView : public PictureWidget {
     Q_OBJECT
 
 public:
@@ -65,19 +63,14 @@ public:
     double heightAt(double share) const { return first_.heightAt(share); }
 
     QString title() const override { return tr("Side view"); }
-    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
-    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
-    double heightOnPaper(double width, const QFont& font) const override;
     std::function<void(QIODevice&)> dataWriter() const override;
 
     QSize sizeHint() const override { return {640, 400}; }
     QSize minimumSizeHint() const override { return {240, 160}; }
 
 protected:
-    void changeEvent(QEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
     void hideEvent(QHideEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
+    void paint(QPainter& painter, const PlotTheme& theme) override;
     void showEvent(QShowEvent* event) override;
 
 private:
@@ -101,7 +94,6 @@ private:
     int wantedOther(int except) const;
     QRectF plotArea() const;
     ProfileDrawing drawing() const;
-    void paint(QPainter& painter, const PlotTheme& theme) const;
     void writeProfile(QIODevice& device) const;
     void paintAxes(QPainter& painter, const PlotTheme& theme) const;
     void paintSlider(QPainter& painter, const PlotTheme& theme) const;

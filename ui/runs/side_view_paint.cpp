@@ -16,7 +16,7 @@
 
 namespace touchdown {
 
-void SideView::paint(QPainter& painter, const PlotTheme& theme) const
+void SideView::paint(QPainter& painter, const PlotTheme& theme)
 {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), theme.background);

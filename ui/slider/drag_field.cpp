@@ -49,16 +49,17 @@ DragField::DragField(QWidget* parent) : QFrame(parent)
     hide();
 }
 
-void DragField::open(const QPoint& beside, const QStringList& names, int first, const QString& typed)
+void DragField::open(const QPoint& beside, const std::vector<DragWay>& ways, int first, const QString& typed)
 {
-    for (int i = 0; i < 2; ++i) {
-        const auto& [name, text] = entries_[static_cast<std::size_t>(i)];
-        const bool shown = i < names.size();
+    ways_ = ways;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        const auto& [name, text] = entries_[i];
+        const bool shown = i < ways.size();
         name->setVisible(shown);
         text->setVisible(shown);
-        name->setText(shown ? names[i] : QString());
+        name->setText(shown ? ways[i].name : QString());
         text->setAccessibleName(tr("Distance %1").arg(name->text()));
-        text->setText(i == first ? typed : QStringLiteral("0"));
+        text->setText(static_cast<int>(i) == first ? typed : QStringLiteral("0"));
     }
     adjustSize();
     const QPoint room(parentWidget()->width() - width(), parentWidget()->height() - height());
@@ -69,16 +70,16 @@ void DragField::open(const QPoint& beside, const QStringList& names, int first, 
     entries_[static_cast<std::size_t>(first)].text->setFocus();
 }
 
-std::optional<std::vector<double>> DragField::distances() const
+std::optional<SurfaceShift> DragField::shift() const
 {
-    std::vector<double> distances;
-    for (const Entry& entry : entries_) {
-        if (entry.text->isHidden()) continue;
-        const std::optional<double> length = lengthOf(entry.text->text());
+    SurfaceShift by;
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+        const std::optional<double> length = lengthOf(entries_[i].text->text());
         if (!length) return {};
-        distances.push_back(*length);
+        by.x += *length * ways_[i].direction.x;
+        by.y += *length * ways_[i].direction.y;
     }
-    return distances;
+    return by;
 }
 
 bool DragField::event(QEvent* event)

@@ -11,7 +11,15 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "core/physics/slider/surface_edit.h"
+
 namespace touchdown {
+
+/// A distance that is typed: its name, and its direction [-].
+struct DragWay {
+    QString name;
+    SurfaceShift direction;
+};
 
 class DragField : public QFrame {
     Q_OBJECT
@@ -19,11 +27,11 @@ class DragField : public QFrame {
 public:
     explicit DragField(QWidget* parent);
 
-    /// Shows one field or two with these names beside a place of the parent [px]; the field `first` has the text that
-    /// was typed, the other one 0.
-    void open(const QPoint& beside, const QStringList& names, int first, const QString& typed);
-    /// The distances [m]; nothing where one of the shown texts is none.
-    std::optional<std::vector<double>> distances() const;
+    /// Shows one field or two for these ways beside a place of the parent [px]; the field `first` has the text that was
+    /// typed, the other one 0.
+    void open(const QPoint& beside, const std::vector<DragWay>& ways, int first, const QString& typed);
+    /// The distances along their ways [m]; nothing where one of the shown texts is no length.
+    std::optional<SurfaceShift> shift() const;
 
 signals:
     void changed();
@@ -41,6 +49,7 @@ private:
         QLineEdit* text;
     };
     std::vector<Entry> entries_;
+    std::vector<DragWay> ways_; // of the shown entries
 };
 
 } // namespace touchdown

@@ -162,4 +162,31 @@ SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, 
     return {points[corner].x, points[corner].y};
 }
 
+std::vector<SurfacePoint> placesToMeasure(const AirBearingSurface& surface, const PartSelection& parts)
+{
+    std::vector<SurfacePoint> places;
+    for (const SurfacePart& part : parts)
+        if (part.kind == PartKind::Corner || part.kind == PartKind::Interest)
+            places.push_back(placeOf(surface, part, {}));
+    if (parts.size() == 1 && parts.begin()->kind == PartKind::Edge) {
+        const std::vector<RailPoint>& points = surface.rails[parts.begin()->item].points;
+        for (const std::size_t k : {parts.begin()->index, (parts.begin()->index + 1) % points.size()})
+            places.push_back({points[k].x, points[k].y});
+    }
+    return places;
+}
+
+SurfacePoint placeOnEdge(const AirBearingSurface& surface, const SurfacePart& edge, SurfacePoint near, double raster)
+{
+    const std::vector<RailPoint>& points = surface.rails[edge.item].points;
+    const RailPoint &a = points[edge.index], &b = points[(edge.index + 1) % points.size()];
+    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+    const double share = squared > 0.0 ? ((near.x - a.x) * dx + (near.y - a.y) * dy) / squared : 0.5;
+    const auto between = [&](double from, double to) {
+        const double place = from + std::clamp(share, 0.0, 1.0) * (to - from);
+        return from == to ? from : raster > 0.0 ? std::round(place / raster) * raster : place;
+    };
+    return {between(a.x, b.x), between(a.y, b.y)};
+}
+
 } // namespace touchdown

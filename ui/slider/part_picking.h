@@ -41,4 +41,10 @@ QString snapText(SnapTarget target, const SurfacePart& corner);
 /// The place of a corner, of an edge's first corner, or of a point of interest; of a rail the corner nearest to `near`.
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near);
 
+/// The ends of an edge that alone is selected; else the selected corners and points of interest.
+std::vector<SurfacePoint> placesToMeasure(const AirBearingSurface& surface, const PartSelection& parts);
+
+/// The place on an edge that exists nearest to `near`, rounded to the raster; 0: none [m].
+SurfacePoint placeOnEdge(const AirBearingSurface& surface, const SurfacePart& edge, SurfacePoint near, double raster);
+
 } // namespace touchdown

@@ -6,14 +6,10 @@
 #include <utility>
 
 #include <QApplication>
-#include <QContextMenuEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 
 #include "core/formats/units.h"
-#include "ui/plot/laid_out_as.h"
-#include "ui/plot/picture_menu.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/style/quantity_format.h"
@@ -31,7 +27,7 @@ constexpr double gap = PlotFrame::gap;
 
 } // namespace
 
-SliderPlan::SliderPlan(QWidget* parent) : QWidget(parent)
+SliderPlan::SliderPlan(QWidget* parent) : PictureWidget(parent)
 {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -185,9 +181,8 @@ bool SliderPlan::onSlider(const SurfacePoint& point) const
 
 void SliderPlan::changeEvent(QEvent* event)
 {
-    QWidget::changeEvent(event);
+    PictureWidget::changeEvent(event);
     if (event->type() == QEvent::FontChange && fitted_) applyFit();
-    if (event->type() == QEvent::PaletteChange) update();
 }
 
 void SliderPlan::resizeEvent(QResizeEvent*)
@@ -265,15 +260,6 @@ void SliderPlan::keyPressEvent(QKeyEvent* event)
     }
 }
 
-void SliderPlan::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
-{
-    painter.save();
-    painter.translate(target.topLeft());
-    painter.scale(target.width() / width(), target.height() / height());
-    paint(painter, theme);
-    painter.restore();
-}
-
 void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
 {
     const QSignalBlocker quiet(this); // the view on the screen stays
@@ -305,19 +291,9 @@ double SliderPlan::heightOnPaper(double width, const QFont& font) const
     return std::clamp(width - area.height() + plan, 0.4 * width, 1.4 * width);
 }
 
-void SliderPlan::contextMenuEvent(QContextMenuEvent* event)
+void SliderPlan::fillMenu(QMenu& menu)
 {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &SliderPlan::fit);
-    addPictureActions(*menu, *this);
-    menu->popup(event->globalPos());
-}
-
-void SliderPlan::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    paint(painter, plotTheme(palette()));
+    menu.addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &SliderPlan::fit);
 }
 
 } // namespace touchdown

@@ -14,19 +14,17 @@
 #include <string_view>
 
 #include <QRectF>
-#include <QWidget>
 
 #include "core/numerics/cell_grid.h"
 #include "core/physics/slider/air_bearing_surface.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/plot/plot_axis.h"
-#include "ui/plot/plot_export.h"
-#include "ui/plot/plot_theme.h"
 
 namespace touchdown {
 
 struct PlotFrame;
 
-class SliderPlan : public QWidget, public PagePart {
+class SliderPlan : public PictureWidget {
     Q_OBJECT
 
 public:
@@ -68,7 +66,6 @@ public:
     SurfacePoint toSlider(const QPointF& pixel) const;
     bool onSlider(const SurfacePoint& point) const;
 
-    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
     void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
     double heightOnPaper(double width, const QFont& font) const override;
 
@@ -95,15 +92,15 @@ protected:
     /// To be called when keyWidth() may have changed for another reason than size and font.
     void forgetLayout() { laidOutSize_ = {}; }
 
+    void fillMenu(QMenu& menu) override;
     void changeEvent(QEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
+    void paint(QPainter& painter, const PlotTheme& theme) override;
     void resizeEvent(QResizeEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
@@ -122,7 +119,6 @@ private:
     void setArea(const QRectF& area, bool slider);
     void setReading(const QString& text);
     void applyFit();
-    void paint(QPainter& painter, const PlotTheme& theme);
     void paintSurroundings(QPainter& painter, const PlotTheme& theme) const;
     void paintAirFlow(QPainter& painter, const PlotTheme& theme) const;
     void paintScales(QPainter& painter, const PlotTheme& theme) const;

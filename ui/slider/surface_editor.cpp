@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <iterator>
-#include <utility>
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMenu>
 
 #include "core/numerics/cell_grid.h"
 #include "core/physics/slider/meeting_walls.h"
 #include "core/physics/slider/short_edges.h"
-#include "core/physics/slider/surface_symmetry.h"
-#include "ui/slider/drag_field.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/wall_menu.h"
 
@@ -17,22 +19,24 @@ namespace touchdown {
 
 namespace {
 
-constexpr int previewInterval = 40;  // between two pictures of a drag [ms]
-constexpr double copyOffset = 10e-6; // [m]
+constexpr double keyStep = 1e-6; // [m]
 
 } // namespace
 
-SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), field_(new DragField(this))
+SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), gestures_(*this, selection_)
 {
-    connect(field_, &DragField::changed, this, [this] {
-        if (const auto by = typedShift()) preview(movedSelection(*by));
+    connect(&selection_, &SurfaceSelection::edited, this, &SurfaceEditor::edited);
+    connect(&selection_, &SurfaceSelection::wallWanted, this, &SurfaceEditor::wallWanted);
+    connect(&selection_, &SurfaceSelection::linksChanged, this, qOverload<>(&QWidget::update));
+    connect(&selection_, &SurfaceSelection::changed, this, [this] {
+        update();
+        emit selectionChanged();
     });
-    connect(field_, &DragField::taken, this, [this] {
-        if (const auto by = typedShift()) endMove(*by);
+    connect(&gestures_, &EditGestures::toolChanged, this, &SurfaceEditor::toolChanged);
+    connect(&gestures_, &EditGestures::previewed, this, [this](const AirBearingSurface& surface) {
+        showSurface(surface, area().width(), area().height());
+        emit previewed(surface);
     });
-    connect(field_, &DragField::givenBack, this, &SurfaceEditor::giveUp);
-    previewTimer_.setSingleShot(true);
-    connect(&previewTimer_, &QTimer::timeout, this, &SurfaceEditor::previewWaiting);
     setAccessibleDescription(
         tr("Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
            "rails, N and B the next and previous one, E and C the next edge and corner of a rail, Del removes, Ctrl+D "
@@ -43,30 +47,17 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), field_(new 
 
 void SurfaceEditor::setCase(const AirBearingSurface& surface, double length, double width)
 {
-    gesture_ = Gesture::None;
-    snap_.reset();
-    stopTyping();
-    single_ = sameRails(committed_, surface, single_);
-    committed_ = surface;
+    gestures_.end();
     showSurface(surface, length, width);
-    hovered_.reset();
-    PartSelection kept;
-    std::ranges::copy_if(selection_, std::inserter(kept, kept.end()),
-                         [&](const SurfacePart& part) { return has(surface, part); });
-    select(kept);
-    findLinks();
-    updateCursor();
+    selection_.setSurface(surface, width);
+    gestures_.updateCursor();
 }
 
 void SurfaceEditor::open()
 {
-    single_.clear();
-    measured_.clear();
-    polygon_.clear();
-    snap_.reset();
-    select({});
-    findLinks();
-    setGhost(committed_);
+    gestures_.open();
+    selection_.open();
+    setGhost(committed());
 }
 
 void SurfaceEditor::setGhost(const AirBearingSurface& surface)
@@ -76,48 +67,15 @@ void SurfaceEditor::setGhost(const AirBearingSurface& surface)
     update();
 }
 
-void SurfaceEditor::setInfluence(const std::vector<std::pair<SurfacePart, double>>& influence)
+void SurfaceEditor::setInfluence(const ShownInfluence& influence)
 {
     influence_ = influence;
     update();
 }
 
-void SurfaceEditor::select(const PartSelection& parts)
-{
-    if (parts == selection_) return;
-    selection_ = parts;
-    ++nudges_;
-    update();
-    emit selectionChanged();
-}
-
-void SurfaceEditor::setTool(Tool tool)
-{
-    if (tool == tool_) return;
-    giveUp();
-    polygon_.clear();
-    tool_ = tool;
-    if (tool == Tool::Measure) chooseMeasure();
-    updateCursor();
-    update();
-    emit toolChanged();
-}
-
-void SurfaceEditor::commit(const AirBearingSurface& surface, const QString& text, int merge)
-{
-    gesture_ = Gesture::None;
-    snap_.reset();
-    if (merge == 0) ++nudges_;
-    if (surface == committed_) {
-        preview(committed_);
-        return;
-    }
-    emit edited(surface, text, merge);
-}
-
 void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length, double width)
 {
-    setSurface(surface, length, width, gesture_ == Gesture::Move);
+    setSurface(surface, length, width, gestures_.moving());
     problems_ = surfaceProblems(surface);
     warnings_ = problems_.empty() ? findWarnings(surface) : std::vector<SurfaceProblem>{};
 }
@@ -130,138 +88,157 @@ std::vector<SurfaceProblem> SurfaceEditor::findWarnings(const AirBearingSurface&
     return found;
 }
 
-void SurfaceEditor::preview(const AirBearingSurface& surface)
+void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
 {
-    showSurface(surface, area().width(), area().height());
-    emit previewed(surface);
+    SurfaceView::paintContent(painter, theme);
+    paintEditMarks(painter, *this, {selection_, gesture(), ghost_, influence_, problems_, warnings_, ghostWarnings_},
+                   theme);
 }
 
-void SurfaceEditor::previewWaiting()
+QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
 {
-    if (gesture_ != Gesture::Move || !waiting_) return;
-    preview(movedSelection(*std::exchange(waiting_, std::nullopt)));
-    const SurfacePoint point = toSlider(pointer_);
-    emit pointed(onSlider(point) ? std::optional(point) : std::nullopt);
-    previewTimer_.start(previewInterval);
+    QStringList parts = SurfaceView::readingAt(point);
+    const auto& hovered = gesture().hovered;
+    if (hovered && hovered->kind != PartKind::Rail && !dragging()) parts << partText(*hovered);
+    return parts;
 }
 
-void SurfaceEditor::giveUp()
+bool SurfaceEditor::moveByKey(const QKeyEvent& event)
 {
-    const bool previewing = std::exchange(gesture_, Gesture::None) == Gesture::Move;
-    stopTyping();
-    snap_.reset();
-    if (previewing) preview(committed_);
-    updateCursor();
-    update();
-}
-
-void SurfaceEditor::nudge(SurfaceShift by)
-{
-    if (selection_.empty() || dragging()) return;
-    commit(movedSelection(by), tr("move %1").arg(selectionText(selection_)), nudges_ + 1);
-}
-
-void SurfaceEditor::removeSelected()
-{
-    if (selection_.empty() || dragging()) return;
-    commit(without(committed_, selection_), tr("delete %1").arg(selectionText(selection_)));
-}
-
-void SurfaceEditor::copySelected()
-{
-    const PartSelection rails = railsOf(selection_);
-    if (rails.empty() || dragging()) return;
-    const std::size_t count = committed_.rails.size();
-    commit(withCopies(committed_, rails, {copyOffset, copyOffset}), tr("copy %1").arg(selectionText(rails)));
-    PartSelection copies;
-    for (std::size_t i = count; i < committed_.rails.size(); ++i) copies.insert({PartKind::Rail, i});
-    select(copies);
-}
-
-void SurfaceEditor::mirrorSelected()
-{
-    PartSelection parts = railsOf(selection_);
-    for (const SurfacePart& part : selection_)
-        if (part.kind == PartKind::Interest) parts.insert(part);
-    if (parts.empty() || dragging()) return;
-    commit(mirrored(committed_, parts, area().height()), tr("mirror %1").arg(selectionText(parts)));
-}
-
-void SurfaceEditor::makeSymmetric()
-{
-    const PartSelection rails = railsOf(selection_);
-    if (rails.empty() || dragging()) return;
-    commit(madeSymmetric(committed_, rails, area().height(), pairReach),
-           tr("make %1 symmetric").arg(selectionText(rails)));
-}
-
-void SurfaceEditor::chooseWall(int wall)
-{
-    PartSelection parts;
-    std::ranges::copy_if(selection_, std::inserter(parts, parts.end()), [](const SurfacePart& part) {
-        return part.kind == PartKind::Edge || part.kind == PartKind::Rail;
-    });
-    if (parts.empty() || dragging()) return;
-    const bool added = wall > static_cast<int>(committed_.walls.size());
-    commit(withChosenWall(committed_, parts, wall), tr("wall of %1").arg(selectionText(parts)));
-    if (added) emit wallWanted(wall);
-}
-
-void SurfaceEditor::moveInOrder(int places)
-{
-    const PartSelection rails = railsOf(selection_);
-    if (rails.size() != 1 || dragging()) return;
-    const std::size_t rail = rails.begin()->item;
-    const auto last = static_cast<std::ptrdiff_t>(committed_.rails.size()) - 1;
-    const auto place =
-        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(rail) + places, 0, last));
-    if (place == rail) return;
-    commit(reordered(committed_, rail, place), places > 0 ? tr("move %1 forward").arg(partText(*rails.begin()))
-                                                          : tr("move %1 backward").arg(partText(*rails.begin())));
-    select({{PartKind::Rail, place}});
-}
-
-void SurfaceEditor::insertCorner(std::size_t rail, std::size_t edge, SurfacePoint at)
-{
-    if (dragging() || !has(committed_, {PartKind::Edge, rail, edge})) return;
-    commit(withCorner(committed_, rail, edge, at), tr("insert a corner into %1").arg(partText({PartKind::Rail, rail})));
-    select({{PartKind::Corner, rail, edge + 1}});
-}
-
-void SurfaceEditor::addOutline(const std::vector<SurfacePoint>& corners)
-{
-    const PartSelection rails = railsOf(selection_);
-    Rail rail;
-    rail.recess[0] = rails.empty() || rails.begin()->item >= committed_.rails.size()
-                         ? 0.0
-                         : committed_.rails[rails.begin()->item].recess[0];
-    for (const SurfacePoint& corner : corners) rail.points.push_back({corner.x, corner.y, 0});
-    AirBearingSurface surface = committed_;
-    surface.rails.push_back(std::move(rail));
-    const std::size_t added = surface.rails.size() - 1;
-    commit(surface, tr("add %1").arg(partText({PartKind::Rail, added})));
-    setTool(Tool::Select);
-    if (has(committed_, {PartKind::Rail, added})) select({{PartKind::Rail, added}});
-}
-
-void SurfaceEditor::addPolygonCorner(const SurfacePoint& at)
-{
-    constexpr double same = 8.0; // [px]
-    if (polygon_.size() > 2 && (toPixel(at) - toPixel(polygon_.front())).manhattanLength() < same) {
-        finishPolygon();
-        return;
+    if (selection().empty()) return false;
+    const double step = event.modifiers().testFlag(Qt::ShiftModifier) ? 10.0 * keyStep
+                        : event.modifiers().testFlag(Qt::AltModifier) ? 0.1 * keyStep
+                                                                      : keyStep;
+    switch (event.key()) {
+    case Qt::Key_Left: return selection_.nudge({-step, 0.0}), true;
+    case Qt::Key_Right: return selection_.nudge({step, 0.0}), true;
+    case Qt::Key_Up: return selection_.nudge({0.0, step}), true;
+    case Qt::Key_Down: return selection_.nudge({0.0, -step}), true;
+    default: return false;
     }
-    if (polygon_.empty() || polygon_.back() != at) polygon_.push_back(at);
-    update();
 }
 
-void SurfaceEditor::finishPolygon()
+bool SurfaceEditor::actByKey(const QKeyEvent& event)
 {
-    const std::vector<SurfacePoint> corners = std::exchange(polygon_, {});
-    if (corners.size() > 2)
-        addOutline(corners);
-    else
-        setTool(Tool::Select);
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (event.modifiers().testFlag(Qt::ControlModifier)) {
+        if (event.key() == Qt::Key_A) return selection_.selectAll(), true;
+        if (event.key() == Qt::Key_D) return selection_.copy(), true;
+        return false;
+    }
+    switch (event.key()) {
+    case Qt::Key_Escape:
+        if (!gestures_.stepBack()) select({});
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (tool() != Tool::Polygon) return false;
+        return gestures_.finishPolygon(), true;
+    case Qt::Key_Delete:
+    case Qt::Key_Backspace: return selection_.remove(), true;
+    case Qt::Key_PageUp: return selection_.moveInOrder(1), true;
+    case Qt::Key_PageDown: return selection_.moveInOrder(-1), true;
+    case Qt::Key_M:
+        if (shift)
+            selection_.mirror();
+        else if (tool() == Tool::Measure)
+            gestures_.measureSelection();
+        else
+            setTool(Tool::Measure);
+        return true;
+    case Qt::Key_L:
+        if (const PartSelection rails = selection_.rails(); rails.size() == 1)
+            selection_.togglePair(rails.begin()->item);
+        return true;
+    case Qt::Key_N: return selection_.selectRail(1), true;
+    case Qt::Key_B: return selection_.selectRail(-1), true;
+    case Qt::Key_E: return selection_.selectAround(PartKind::Edge, shift), true;
+    case Qt::Key_C: return selection_.selectAround(PartKind::Corner, shift), true;
+    case Qt::Key_F: return fit(), true;
+    case Qt::Key_V: return setTool(Tool::Select), true;
+    case Qt::Key_R: return setTool(Tool::Rectangle), true;
+    case Qt::Key_P: return setTool(Tool::Polygon), true;
+    default: return false;
+    }
+}
+
+bool SurfaceEditor::event(QEvent* event)
+{
+    // Keys of the editor come before actions of the window with the same key.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        const bool control = key->modifiers().testFlag(Qt::ControlModifier);
+        const bool plain = key->modifiers() == Qt::NoModifier || key->modifiers() == Qt::KeypadModifier;
+        const bool own =
+            control ? key->key() == Qt::Key_A || key->key() == Qt::Key_D
+            : key->key() == Qt::Key_M && key->modifiers() == Qt::ShiftModifier
+                ? true
+                : plain && key->key() != Qt::Key_Tab && (key->key() < Qt::Key_F1 || key->key() > Qt::Key_F35);
+        if (own) event->accept();
+    }
+    return SurfaceView::event(event);
+}
+
+void SurfaceEditor::keyPressEvent(QKeyEvent* event)
+{
+    if (!moveByKey(*event) && !actByKey(*event)) SurfaceView::keyPressEvent(event);
+}
+
+void SurfaceEditor::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (dragging() || tool() != Tool::Select) return;
+    if (event->reason() != QContextMenuEvent::Mouse) {
+        const bool some = !selection().empty() && has(committed(), *selection().begin());
+        const QPointF at = some ? toPixel(placeOf(committed(), *selection().begin(), {})) : planArea().center();
+        return popUpMenu(mapToGlobal(at.toPoint()), std::nullopt);
+    }
+    const QPointF pixel = event->pos();
+    const auto part = partAt(*this, committed(), pixel, selection());
+    if (part && !selection().contains(*part) && !selection().contains({PartKind::Rail, part->item})) select({*part});
+    popUpMenu(event->globalPos(), part && part->kind == PartKind::Edge ? std::optional(toSlider(pixel)) : std::nullopt);
+}
+
+void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<SurfacePoint>& insertAt)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const PartSelection rails = selection_.rails();
+    const bool some = !selection().empty(), one = rails.size() == 1;
+    const auto add = [&](const QString& text, const QString& keys, bool enabled, auto perform) {
+        menu->addAction(keys.isEmpty() ? text : text + QLatin1Char('\t') + keys, this, perform)->setEnabled(enabled);
+    };
+    const auto edge = selection_.oneEdge();
+    if (edge) {
+        const std::vector<RailPoint>& points = committed().rails[edge->item].points;
+        const RailPoint &a = points[edge->index], &b = points[(edge->index + 1) % points.size()];
+        const SurfacePoint at = insertAt.value_or(SurfacePoint{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+        add(insertAt ? tr("Insert a corner here") : tr("Insert a corner in the middle"), {}, true,
+            [this, edge, at] { selection_.insertCorner(edge->item, edge->index, at); });
+    }
+    if (std::ranges::any_of(selection(), [](const SurfacePart& part) {
+            return part.kind == PartKind::Edge || part.kind == PartKind::Rail;
+        })) {
+        QMenu* walls = menu->addMenu(edge ? tr("Wall of this edge") : tr("Wall of all these edges"));
+        fillWallMenu(*walls, committed(), commonWall(committed(), selection()),
+                     [this](int wall) { selection_.chooseWall(wall); });
+    }
+    add(tr("Coordinates…"), {}, some, [this] { emit coordinatesWanted(); });
+    add(tr("Recess…"), {}, one, [this] { emit recessWanted(); });
+    menu->addSeparator();
+    add(tr("Duplicate"), QStringLiteral("Ctrl+D"), !rails.empty(), [this] { selection_.copy(); });
+    add(tr("Mirror about the centre line"), QStringLiteral("Shift+M"), some, [this] { selection_.mirror(); });
+    add(tr("Make symmetric"), {}, selection_.lopsided(), [this] { selection_.makeSymmetric(); });
+    for (const PairLink& link : selection_.pairLinks())
+        if (one && link.holds(rails.begin()->item))
+            add(link.broken ? tr("Join the pair") : tr("Break the pair"), QStringLiteral("L"), true,
+                [this, rail = link.rail] { selection_.togglePair(rail); });
+    add(tr("Forward"), QStringLiteral("PgUp"), one, [this] { selection_.moveInOrder(1); });
+    add(tr("Backward"), QStringLiteral("PgDown"), one, [this] { selection_.moveInOrder(-1); });
+    menu->addSeparator();
+    add(tr("Delete"), QStringLiteral("Del"), some, [this] { selection_.remove(); });
+    menu->addSeparator();
+    addPictureActions(*menu, *this);
+    menu->popup(globalPos);
 }
 
 } // namespace touchdown

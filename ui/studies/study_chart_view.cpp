@@ -4,20 +4,14 @@
 #include <algorithm>
 #include <utility>
 
-#include <QContextMenuEvent>
 #include <QFontMetricsF>
 #include <QKeyEvent>
-#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
 
-#include "ui/plot/laid_out_as.h"
-#include "ui/plot/picture_menu.h"
-#include "ui/plot/plot_export.h"
 #include "ui/studies/study_chart_data.h"
 #include "ui/studies/study_chart_drawing.h"
-#include "ui/style/save_dialog.h"
 
 namespace touchdown {
 
@@ -38,7 +32,7 @@ constexpr double chartOnPaper = 480.0; // width in which titles and legend have 
 
 } // namespace
 
-StudyChartView::StudyChartView(QWidget* parent) : QWidget(parent)
+StudyChartView::StudyChartView(QWidget* parent) : PictureWidget(parent, chartOnPaper)
 {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -78,21 +72,9 @@ const StudyChartDrawing& StudyChartView::drawing() const
     return *drawing_;
 }
 
-void StudyChartView::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
+void StudyChartView::paint(QPainter& painter, const PlotTheme& theme)
 {
-    painter.save();
-    painter.translate(target.topLeft());
     StudyChartDrawing(chart_, theme, font(), size(), zoomed_, underWay_).paint(painter);
-    painter.restore();
-}
-
-void StudyChartView::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours)
-{
-    const double wider = widening(size.width(), chartOnPaper);
-    painter.save();
-    painter.scale(1.0 / wider, 1.0 / wider);
-    StudyChartDrawing(chart_, paperTheme(colours), font, wider * size, zoomed_, underWay_).paint(painter);
-    painter.restore();
 }
 
 double StudyChartView::heightOnPaper(double width, const QFont& font) const
@@ -116,14 +98,6 @@ QSize StudyChartView::sizeHint() const { return {700, heightForWidth(700)}; }
 int StudyChartView::heightForWidth(int width) const
 {
     return static_cast<int>(StudyChartDrawing::leastHeight(chart_, font(), width));
-}
-
-void StudyChartView::copy() { copyPicture(*this); }
-
-void StudyChartView::chooseSave()
-{
-    askAndSave(this, tr("Save picture"), pictureFilters(), QStringLiteral("pdf"),
-               [this](const QString& path) { return savePicture(*this, path); });
 }
 
 void StudyChartView::redraw()
@@ -155,7 +129,7 @@ void StudyChartView::resizeEvent(QResizeEvent* event)
 
 void StudyChartView::changeEvent(QEvent* event)
 {
-    QWidget::changeEvent(event);
+    PictureWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         updateGeometry();
         redraw();
@@ -269,14 +243,10 @@ void StudyChartView::keyPressEvent(QKeyEvent* event)
     }
 }
 
-void StudyChartView::contextMenuEvent(QContextMenuEvent* event)
+void StudyChartView::fillMenu(QMenu& menu)
 {
-    auto* menu = new QMenu(this);
-    menu->setAttribute(Qt::WA_DeleteOnClose);
-    menu->addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &StudyChartView::fit);
-    menu->addSeparator();
-    addPictureActions(*menu, *this);
-    menu->popup(event->globalPos());
+    menu.addAction(tr("&Fit all"), QKeySequence(Qt::Key_Home), this, &StudyChartView::fit);
+    menu.addSeparator();
 }
 
 } // namespace touchdown

@@ -8,17 +8,15 @@
 #include <optional>
 #include <vector>
 
-#include <QWidget>
-
 #include "core/studies/study/study.h"
-#include "ui/plot/plot_export.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/studies/study_panel.h"
 
 namespace touchdown {
 
 class StudyChartDrawing;
 
-class StudyChartView : public QWidget, public PagePart {
+class StudyChartView : public PictureWidget {
     Q_OBJECT
 
 public:
@@ -33,8 +31,6 @@ public:
     /// As it would be drawn now.
     const StudyChartDrawing& drawing() const;
     QString title() const override { return QString::fromStdString(chart_.title); }
-    void paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme) override;
-    void paintOnPaper(QPainter& painter, const QSizeF& size, const QFont& font, PaperColours colours) override;
     double heightOnPaper(double width, const QFont& font) const override;
     std::function<void(QIODevice&)> dataWriter() const override;
     /// Description of the point under the pointer or the keyboard cursor; empty for none.
@@ -44,11 +40,9 @@ public:
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
 
-public slots:
-    void copy();
-    void chooseSave();
-
 protected:
+    void fillMenu(QMenu& menu) override;
+    void paint(QPainter& painter, const PlotTheme& theme) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -58,7 +52,6 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     struct Pointed {

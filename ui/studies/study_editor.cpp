@@ -14,6 +14,7 @@
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
+#include "ui/style/result_table.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -50,9 +51,11 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
       duration_(new QLabel(this)),
       run_(new QPushButton(tr("Perform"), this)),
       stop_(new QPushButton(tr("Stop"), this)),
-      open_(new QToolButton(this)),
-      save_(new QToolButton(this)),
-      defaults_(new QToolButton(this))
+      open_(quietButton(tr("Open…"), tr("Open a study file"), tr("Open a study"), this)),
+      save_(quietButton(tr("Save…"), tr("Save this text as a study file; the command line can perform it, too"),
+                        tr("Save the study's text"), this)),
+      defaults_(quietButton(tr("Defaults"), tr("Restore the default text for this case"),
+                            tr("Use the defaults of this kind of study"), this))
 {
     for (const StudyKind& kind : catalogue_.kinds)
         kinds_->addItem(QString::fromStdString(kind.title), QString::fromStdString(kind.name));
@@ -105,19 +108,6 @@ void StudyEditor::build()
     stop_->setToolTip(tr("Stop the study; its results so far are kept (F8)"));
     stop_->setEnabled(false);
     for (QPushButton* button : {run_, stop_}) button->setAutoDefault(false);
-    open_->setText(tr("Open…"));
-    open_->setAccessibleName(tr("Open a study"));
-    open_->setToolTip(tr("Open a study file"));
-    save_->setText(tr("Save…"));
-    save_->setAccessibleName(tr("Save the study's text"));
-    save_->setToolTip(tr("Save this text as a study file; the command line can perform it, too"));
-    defaults_->setText(tr("Defaults"));
-    defaults_->setAccessibleName(tr("Use the defaults of this kind of study"));
-    defaults_->setToolTip(tr("Restore the default text for this case"));
-    for (QToolButton* button : {open_, save_, defaults_}) {
-        button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::TabFocus);
-    }
 
     subject_->setWordWrap(true);
     subject_->setAccessibleName(tr("The case that is studied"));

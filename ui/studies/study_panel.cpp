@@ -18,7 +18,6 @@ namespace touchdown {
 
 namespace {
 
-constexpr double gap = 6.0;    // between things that belong together [px]
 constexpr double reach = 20.0; // [widths of the area] lines end this far outside: painters fail at larger coordinates
 constexpr double near = 9.0;   // of a pointer to a point [px]
 
@@ -55,35 +54,29 @@ StudyPanel::StudyPanel(const ChartPanel& panel, const ChartStyles& styles, const
         xEdges_ = cellEdges(panel.map->x, panel.x.logarithmic);
         yEdges_ = cellEdges(panel.map->y, panel.y.logarithmic);
     }
-    layOut(box);
+    layOut();
 }
 
-void StudyPanel::layOut(const QRectF& box)
+void StudyPanel::layOut()
 {
     const QFontMetricsF text(textFont_), numbers(numberFont_);
     const double top = std::ceil(0.5 * numbers.height() + 2.0);
-    const double bottom = tickLength + 1.0 + numbers.height() + 2.0 + text.height();
+    const double bottom = PlotFrame::tickLength + 1.0 + numbers.height() + 2.0 + text.height();
     const double right = 1.2 * numbers.horizontalAdvance(QStringLiteral("00"));
-    const double height = std::max(20.0, box.height() - top - bottom);
-    const int mostY = std::clamp(static_cast<int>(height / (2.2 * numbers.height())), 2, 9);
-
+    area_ = {std::ceil(box_.left()), std::ceil(box_.top() + top), box_.width(),
+             std::floor(std::max(20.0, box_.height() - top - bottom))};
     const auto place = [&] {
-        yTicks_ = axes_.y.ticks(mostY);
         double widest = 0.0;
-        for (const AxisTick& tick : yTicks_) widest = std::max(widest, numbers.horizontalAdvance(tick.text));
-        const double left = std::ceil(text.height() + gap + widest + tickLength + 3.0);
-        area_ = QRectF(std::ceil(box.left() + left), std::ceil(box.top() + top),
-                       std::max(20.0, std::floor(box.width() - left - right)), std::floor(height));
+        for (const AxisTick& tick : frame().yTicks) widest = std::max(widest, numbers.horizontalAdvance(tick.text));
+        const double left = std::ceil(text.height() + PlotFrame::gap + widest + PlotFrame::tickLength + 3.0);
+        area_.setLeft(std::ceil(box_.left() + left));
+        area_.setWidth(std::max(20.0, std::floor(box_.width() - left - right)));
     };
     place();
-    if (panel_.equalScales) {
-        equaliseScales(axes_, area_.size());
-        place();
-        equaliseScales(axes_, area_.size());
-    }
-    const double number = numbers.horizontalAdvance(axes_.x.logarithmic() ? QStringLiteral("10\u2070\u2070\u2070")
-                                                                          : QStringLiteral("000.000"));
-    xTicks_ = axes_.x.ticks(std::clamp(static_cast<int>(area_.width() / (1.3 * number)), 2, 12));
+    if (!panel_.equalScales) return;
+    equaliseScales(axes_, area_.size());
+    place();
+    equaliseScales(axes_, area_.size());
 }
 
 double StudyPanel::across(double x) const

@@ -10,6 +10,7 @@
 #include <QFont>
 #include <QPainter>
 
+#include "ui/plot/plot_frame.h"
 #include "ui/studies/study_axes.h"
 #include "ui/studies/study_chart_style.h"
 
@@ -48,7 +49,7 @@ public:
     double radius() const { return radius_; }
 
 private:
-    static constexpr double tickLength = 4.0; // [px]
+    static constexpr int mostUp = 9; // numbers on the upright axis
 
     QString bandText(const ChartBand& band) const;
     double across(double x) const;
@@ -58,8 +59,9 @@ private:
     std::vector<QPolygonF> polylines(const ChartSeries& series) const;
     bool inside(const QPointF& pixel) const { return area_.adjusted(-1.0, -1.0, 1.0, 1.0).contains(pixel); }
 
-    void layOut(const QRectF& box);
-    void paintGrid(QPainter& painter) const;
+    void layOut();
+    PlotFrame frame() const { return {area_, textFont_, axes_.x, axes_.y, mostUp}; }
+    void paintGrid(QPainter& painter, const PlotFrame& frame) const;
     void paintMap(QPainter& painter) const;
     void paintBands(QPainter& painter) const;
     /// The label of a band; where the band is out of sight, with an arrow to it.
@@ -69,7 +71,7 @@ private:
     void paintErrors(QPainter& painter) const;
     void paintMarkers(QPainter& painter) const;
     void paintLabels(QPainter& painter) const;
-    void paintAxes(QPainter& painter) const;
+    void paintAxes(QPainter& painter, PlotFrame frame) const;
 
     const ChartPanel& panel_;
     const ChartStyles& styles_;
@@ -78,7 +80,6 @@ private:
     double radius_ = 4.0;
     PanelAxes axes_;
     QRectF box_, area_;
-    std::vector<AxisTick> xTicks_, yTicks_;
     std::vector<double> xEdges_, yEdges_; // of the map's cells
 };
 

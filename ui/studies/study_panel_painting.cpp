@@ -21,8 +21,6 @@ namespace {
 constexpr double halo = 3.0;            // of paper about a label [px]
 constexpr std::size_t mostLabels = 250; // more are not readable
 
-double aligned(double pixel) { return std::floor(pixel) + 0.5; } // a thin line fills one row of pixels
-
 QPen gridPen(const AxisTick& tick, const PlotTheme& theme)
 {
     QColor minor = theme.grid;
@@ -45,16 +43,6 @@ void paintHaloed(QPainter& painter, const QRectF& box, const QString& text, cons
     painter.drawText(box.adjusted(0.0, 0.0, 2.0, 0.0), Qt::AlignLeft | Qt::AlignTop, text);
 }
 
-/// The name is shortened, the unit is not.
-QString shortened(const QString& label, const QFontMetricsF& metrics, double width)
-{
-    const qsizetype unit = label.lastIndexOf(QStringLiteral(" ["));
-    const QString tail = unit < 0 ? QString() : label.mid(unit);
-    return metrics.elidedText(label.left(label.size() - tail.size()), Qt::ElideRight,
-                              width - metrics.horizontalAdvance(tail)) +
-           tail;
-}
-
 } // namespace
 
 void StudyPanel::paint(QPainter& painter) const
@@ -63,7 +51,8 @@ void StudyPanel::paint(QPainter& painter) const
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
     painter.fillRect(area_, theme_.plotArea);
-    paintGrid(painter);
+    const PlotFrame frame = this->frame();
+    paintGrid(painter, frame);
     painter.save();
     painter.setClipRect(area_, Qt::IntersectClip);
     if (panel_.map) paintMap(painter);
@@ -73,19 +62,19 @@ void StudyPanel::paint(QPainter& painter) const
     painter.restore();
     paintMarkers(painter);
     paintLabels(painter);
-    paintAxes(painter);
+    paintAxes(painter, frame);
     painter.restore();
 }
 
-void StudyPanel::paintGrid(QPainter& painter) const
+void StudyPanel::paintGrid(QPainter& painter, const PlotFrame& frame) const
 {
-    for (const AxisTick& tick : xTicks_) {
-        const double x = aligned(across(tick.value));
+    for (const AxisTick& tick : frame.xTicks) {
+        const double x = alignedPixel(across(tick.value));
         painter.setPen(gridPen(tick, theme_));
         painter.drawLine(QPointF(x, area_.top()), QPointF(x, area_.bottom()));
     }
-    for (const AxisTick& tick : yTicks_) {
-        const double y = aligned(up(tick.value));
+    for (const AxisTick& tick : frame.yTicks) {
+        const double y = alignedPixel(up(tick.value));
         painter.setPen(gridPen(tick, theme_));
         painter.drawLine(QPointF(area_.left(), y), QPointF(area_.right(), y));
     }
@@ -124,7 +113,7 @@ void StudyPanel::paintBands(QPainter& painter) const
         painter.setPen(pen);
         for (const double end : {band.lower, band.upper}) {
             if (!std::isfinite(end)) continue;
-            const double at = aligned(band.alongX ? across(end) : up(end));
+            const double at = alignedPixel(band.alongX ? across(end) : up(end));
             if (band.alongX && at > area_.left() && at < area_.right())
                 painter.drawLine(QPointF(at, area_.top()), QPointF(at, area_.bottom()));
             if (!band.alongX && at > area_.top() && at < area_.bottom())
@@ -256,48 +245,19 @@ void StudyPanel::paintLabels(QPainter& painter) const
         if (places[i]) paintHaloed(painter, *places[i], texts[i], inks[i], theme_.plotArea);
 }
 
-void StudyPanel::paintAxes(QPainter& painter) const
+void StudyPanel::paintAxes(QPainter& painter, PlotFrame frame) const
 {
     painter.setPen(QPen(theme_.axis, 1.0));
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(QRectF(QPointF(aligned(area_.left()), aligned(area_.top())),
-                            QPointF(aligned(area_.right()), aligned(area_.bottom()))));
-    painter.setFont(numberFont_);
-    const QFontMetricsF metrics(numberFont_);
-    for (const AxisTick& tick : yTicks_) {
-        if (!tick.major) continue;
-        const double y = aligned(up(tick.value));
-        painter.setPen(QPen(theme_.axis, 1.0));
-        painter.drawLine(QPointF(area_.left() - tickLength, y), QPointF(area_.left(), y));
-        painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(box_.left(), y - 0.5 * metrics.height(), area_.left() - tickLength - 3.0 - box_.left(),
-                                metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, tick.text);
-    }
-    double free = box_.left(); // no number begins left of this
-    for (const AxisTick& tick : xTicks_) {
-        if (!tick.major) continue;
-        const double x = aligned(across(tick.value)), half = 0.5 * metrics.horizontalAdvance(tick.text) + 1.0;
-        painter.setPen(QPen(theme_.axis, 1.0));
-        painter.drawLine(QPointF(x, area_.bottom()), QPointF(x, area_.bottom() + tickLength));
-        const double left = std::min(x - half, box_.right() - 2.0 * half);
-        if (left < free) continue;
-        free = left + 2.0 * half + 4.0;
-        painter.setPen(theme_.mutedText);
-        painter.drawText(QRectF(left, area_.bottom() + tickLength + 1.0, 2.0 * half, metrics.height()), Qt::AlignCenter,
-                         tick.text);
-    }
-    painter.setFont(textFont_);
-    painter.setPen(theme_.text);
-    const QFontMetricsF text(textFont_);
-    painter.drawText(QRectF(area_.left(), box_.bottom() - text.height(), area_.width(), text.height()), Qt::AlignCenter,
-                     shortened(axes_.x.text(), text, area_.width()));
-    painter.save();
-    painter.translate(box_.left(), area_.bottom());
-    painter.rotate(-90.0);
-    painter.drawText(QRectF(0.0, 0.0, area_.height(), text.height()), Qt::AlignCenter,
-                     shortened(axes_.y.text(), text, area_.height()));
-    painter.restore();
+    painter.drawRect(QRectF(QPointF(alignedPixel(area_.left()), alignedPixel(area_.top())),
+                            QPointF(alignedPixel(area_.right()), alignedPixel(area_.bottom()))));
+    // A frame begins at the left border of its picture.
+    const double left = box_.left() - PlotFrame::gap;
+    painter.translate(left, 0.0);
+    frame.area.translate(-left, 0.0);
+    frame.paintNumbers(painter, theme_, box_.right() + 2.0 - left);
+    frame.paintAxisTitles(painter, theme_);
+    painter.translate(-left, 0.0);
 }
 
 void StudyPanel::paintPointed(QPainter& painter, const PanelHit& hit) const

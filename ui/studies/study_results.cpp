@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/studies/study_results.h"
 
+#include <algorithm>
+
 #include <QDir>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -10,6 +12,8 @@
 
 #include "core/studies/study/study_file.h"
 #include "core/studies/study/study_verdict.h"
+#include "ui/calculation/result_page.h"
+#include "ui/plot/picture_widget.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
 #include "ui/style/foreign_text.h"
@@ -55,9 +59,7 @@ QTabBar* makeTabs(const QString& name, QWidget* parent)
 
 StudyResults::StudyResults(QWidget* parent)
     : QWidget(parent),
-      pages_(new QStackedWidget(this)),
-      empty_(new QLabel(this)),
-      splitter_(new QSplitter(Qt::Vertical, this)),
+      pages_(new ResultPages(this)),
       chartTabs_(makeTabs(tr("Charts of the study"), this)),
       factTabs_(makeTabs(tr("Findings and tables"), this)),
       chartPages_(new QStackedWidget(this)),
@@ -65,29 +67,23 @@ StudyResults::StudyResults(QWidget* parent)
       findings_(new OwnTextBrowser(this)),
       staleMark_(new QLabel(tr("The case or the study has changed since."), this)),
       apply_(new QPushButton(tr("Apply to the case"), this)),
-      copy_(new QToolButton(this)),
-      save_(new QToolButton(this))
+      copy_(quietButton(tr("Copy"), tr("Copy the table, or its selected rows, for a spreadsheet"), tr("Copy the table"),
+                        this)),
+      save_(quietButton(tr("Save"), tr("Save the chart, the table or the whole report"),
+                        tr("Save the results of the study"), this))
 {
     build();
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(pages_);
-    pages_->addWidget(empty_);
-    pages_->addWidget(splitter_);
-    colour();
     clear(false);
 }
 
 void StudyResults::build()
 {
     staleMark_->setObjectName(QStringLiteral("stale"));
-    empty_->setAlignment(Qt::AlignCenter);
-    empty_->setWordWrap(true);
-    empty_->setMargin(60);
-    empty_->setAutoFillBackground(true);
-    empty_->setBackgroundRole(QPalette::Base);
 
-    auto* charts = new QWidget(splitter_);
+    auto* charts = new QWidget(this);
     auto* above = new QVBoxLayout(charts);
     above->setContentsMargins(0, 0, 0, 0);
     above->setSpacing(0);
@@ -96,32 +92,21 @@ void StudyResults::build()
 
     findings_->setAccessibleName(tr("Findings"));
     findings_->setFrameShape(QFrame::NoFrame);
-    empty_->setTextFormat(Qt::RichText);
     findings_->setOpenLinks(false);
     findings_->document()->setDocumentMargin(10);
     factPages_->addWidget(findings_);
     apply_->setAutoDefault(false);
     apply_->setToolTip(tr("Copy the case that was found into the parameters; undo restores them"));
     apply_->setAccessibleName(tr("Apply the case that was found"));
-    copy_->setText(tr("Copy"));
-    copy_->setToolTip(tr("Copy the table, or its selected rows, for a spreadsheet"));
-    copy_->setAccessibleName(tr("Copy the table"));
-    save_->setText(tr("Save"));
-    save_->setToolTip(tr("Save the chart, the table or the whole report"));
-    save_->setAccessibleName(tr("Save the results of the study"));
     save_->setPopupMode(QToolButton::InstantPopup);
     save_->setMenu(new QMenu(save_));
     connect(save_->menu(), &QMenu::aboutToShow, this, &StudyResults::fillSaveMenu);
-    for (QToolButton* button : {copy_, save_}) {
-        button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::TabFocus);
-    }
     connect(apply_, &QPushButton::clicked, this, &StudyResults::applyRequested);
     connect(copy_, &QToolButton::clicked, this, [this] {
-        if (const StudyTableView* table = shownTable()) table->copy();
+        if (const ResultTable* table = shownTable()) table->copy();
     });
 
-    auto* facts = new QWidget(splitter_);
+    auto* facts = new QWidget(this);
     auto* tools = new QHBoxLayout;
     tools->setContentsMargins(0, 0, 6, 0);
     tools->addWidget(factTabs_, 1);
@@ -134,12 +119,7 @@ void StudyResults::build()
     below->setSpacing(0);
     below->addLayout(tools);
     below->addWidget(factPages_, 1);
-    splitter_->addWidget(charts);
-    splitter_->addWidget(facts);
-    splitter_->setStretchFactor(0, 5);
-    splitter_->setStretchFactor(1, 2);
-    splitter_->setSizes({520, 210});
-    splitter_->setChildrenCollapsible(false);
+    pages_->setParts(charts, facts, {520, 210}, 5, 2);
     connect(chartTabs_, &QTabBar::currentChanged, chartPages_, &QStackedWidget::setCurrentIndex);
     connect(factTabs_, &QTabBar::currentChanged, this, [this](int index) {
         factPages_->setCurrentIndex(index);
@@ -160,8 +140,8 @@ void StudyResults::clear(bool underWay)
                  "slider touches down and takes off, which model is simple and good enough, which design has a "
                  "wanted attitude, or how small the cells of a contact patch must be.<br><br>"
                  "Choose the kind of study at the right and press Perform: its form already fits the case.");
-    empty_->setText(QStringLiteral("<h2>%1</h2><p>%2</p>").arg(title, text));
-    pages_->setCurrentIndex(0);
+    pages_->introduce(title, text);
+    pages_->showResult(false);
     setStale(false);
 }
 
@@ -179,7 +159,7 @@ void StudyResults::setReport(const StudyReport& report, bool underWay)
         chartTabs_->setCurrentIndex(0);
         factTabs_->setCurrentIndex(0);
     }
-    pages_->setCurrentIndex(1);
+    pages_->showResult(true);
 }
 
 void StudyResults::showCharts()
@@ -216,19 +196,23 @@ void StudyResults::showTables()
         tables_.pop_back();
     }
     while (tables_.size() < report_->tables.size()) {
-        tables_.push_back(new StudyTableView(factPages_));
+        tables_.push_back(new ResultTable({}, factPages_));
+        tables_.back()->setSortable();
         factPages_->addWidget(tables_.back());
     }
     QStringList titles{tr("Findings")};
     for (std::size_t i = 0; i < tables_.size(); ++i) {
-        tables_[i]->setTable(report_->tables[i]);
-        titles << tableTitle(report_->tables[i].name);
+        const StudyTable& table = report_->tables[i];
+        tables_[i]->setAccessibleName(tr("Table %1").arg(QString::fromStdString(table.name)));
+        tables_[i]->setRows(headsOf(table), rowsOf(table));
+        tables_[i]->fitColumns();
+        titles << tableTitle(table.name);
     }
     setTabTexts(factTabs_, titles);
     copy_->setVisible(shownTable() != nullptr);
 }
 
-StudyTableView* StudyResults::shownTable() const { return qobject_cast<StudyTableView*>(factPages_->currentWidget()); }
+ResultTable* StudyResults::shownTable() const { return qobject_cast<ResultTable*>(factPages_->currentWidget()); }
 
 void StudyResults::writeFindings()
 {
@@ -261,7 +245,11 @@ void StudyResults::writeFindings()
     findings_->setHtml(html);
 }
 
-void StudyResults::setStale(bool stale) { staleMark_->setVisible(stale && report_.has_value()); }
+void StudyResults::setStale(bool stale)
+{
+    setTextColour(staleMark_, meaningColours(palette()).warning);
+    staleMark_->setVisible(stale && report_.has_value());
+}
 
 void StudyResults::fillSaveMenu()
 {
@@ -269,8 +257,8 @@ void StudyResults::fillSaveMenu()
     menu->clear();
     if (!charts_.empty()) {
         StudyChartView* chart = charts_[static_cast<std::size_t>(chartTabs_->currentIndex())];
-        menu->addAction(tr("&Copy chart"), chart, &StudyChartView::copy);
-        menu->addAction(tr("Save &chart…"), chart, &StudyChartView::chooseSave);
+        menu->addAction(tr("&Copy chart"), chart, [chart] { copyPicture(*chart); });
+        menu->addAction(tr("Save &chart…"), chart, [chart] { chooseSavePicture(*chart); });
         menu->addSeparator();
     }
     menu->addAction(tr("Save &table as CSV…"), this, &StudyResults::chooseSaveTable)->setEnabled(!tables_.empty());
@@ -279,8 +267,7 @@ void StudyResults::fillSaveMenu()
 
 void StudyResults::chooseSaveTable()
 {
-    const StudyTableView* shown = shownTable() ? shownTable() : tables_.front();
-    const StudyTable table = shown->content().table();
+    const StudyTable table = report_->tables[static_cast<std::size_t>(std::max(0, factTabs_->currentIndex() - 1))];
     askAndSave(this, tr("Save the table"), {tr("Comma-separated values (*.csv)")},
                QString::fromStdString(table.name) + QStringLiteral(".csv"), [this, table](const QString& file) {
                    StudyReport alone;
@@ -291,21 +278,14 @@ void StudyResults::chooseSaveTable()
                });
 }
 
-void StudyResults::colour()
-{
-    QPalette quiet;
-    quiet.setColor(QPalette::WindowText, meaningColours(palette()).muted);
-    empty_->setPalette(quiet);
-    quiet.setColor(QPalette::WindowText, meaningColours(palette()).warning);
-    staleMark_->setPalette(quiet);
-}
+bool StudyResults::isEmpty() const { return pages_->empty(); }
 
 void StudyResults::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
-    colour();
     writeFindings();
+    setStale(!staleMark_->isHidden());
 }
 
 } // namespace touchdown

@@ -9,7 +9,6 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QTextBrowser>
@@ -21,7 +20,8 @@
 namespace touchdown {
 
 class StudyChartView;
-class StudyTableView;
+class ResultPages;
+class ResultTable;
 
 class StudyResults : public QWidget {
     Q_OBJECT
@@ -37,7 +37,7 @@ public:
     void setStale(bool stale);
     const std::optional<StudyReport>& report() const { return report_; }
 
-    bool isEmpty() const { return pages_->currentIndex() == 0; }
+    bool isEmpty() const;
 
 signals:
     /// The user wants to edit the case that the study found.
@@ -56,16 +56,13 @@ private:
     void writeFindings();
     void fillSaveMenu();
     void chooseSaveTable();
-    void colour();
-    StudyTableView* shownTable() const;
+    ResultTable* shownTable() const;
 
     std::optional<StudyReport> report_;
     bool underWay_ = false;
     std::vector<StudyChartView*> charts_;
-    std::vector<StudyTableView*> tables_;
-    QStackedWidget* pages_;
-    QLabel* empty_;
-    QSplitter* splitter_;
+    std::vector<ResultTable*> tables_;
+    ResultPages* pages_;
     QTabBar *chartTabs_, *factTabs_;
     QStackedWidget *chartPages_, *factPages_;
     QTextBrowser* findings_;

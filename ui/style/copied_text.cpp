@@ -8,21 +8,19 @@
 #include <QVBoxLayout>
 
 #include "ui/style/foreign_text.h"
+#include "ui/style/result_table.h"
 
 namespace touchdown {
 
 CopiedText::CopiedText(const QString& textName, const QString& copyName, QWidget* parent)
-    : QWidget(parent), text_(new OwnTextBrowser(this)), copy_(new QToolButton(this))
+    : QWidget(parent),
+      text_(new OwnTextBrowser(this)),
+      copy_(quietButton(tr("Copy"), tr("Copy all numbers for a spreadsheet"), copyName, this))
 {
     text_->setAccessibleName(textName);
     text_->setFrameShape(QFrame::NoFrame);
     text_->setOpenLinks(false);
     text_->document()->setDocumentMargin(8);
-    copy_->setText(tr("Copy"));
-    copy_->setToolTip(tr("Copy all numbers for a spreadsheet"));
-    copy_->setAccessibleName(copyName);
-    copy_->setAutoRaise(true);
-    copy_->setFocusPolicy(Qt::TabFocus);
     connect(copy_, &QToolButton::clicked, this, &CopiedText::copy);
 
     auto* tools = new QHBoxLayout;

@@ -120,32 +120,23 @@ void setTextColour(QWidget* widget, const QColor& colour)
     if (widget->palette() != palette) widget->setPalette(palette);
 }
 
-void makePlainTable(QTableWidget* table, const QStringList& headers)
+void makePlain(QTableView& table)
 {
-    table->setColumnCount(static_cast<int>(headers.size()));
-    table->setHorizontalHeaderLabels(headers);
-    table->verticalHeader()->hide();
-    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    table->setShowGrid(false);
-    table->setAlternatingRowColors(true);
-    table->setFrameShape(QFrame::NoFrame);
-    table->setWordWrap(false);
+    table.verticalHeader()->hide();
+    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table.setShowGrid(false);
+    table.setAlternatingRowColors(true);
+    table.setFrameShape(QFrame::NoFrame);
+    table.setWordWrap(false);
 }
 
-QString tableText(const QTableWidget& table)
+void makePlainTable(QTableWidget* table, const QStringList& headers)
 {
-    QStringList lines;
-    for (int row = -1; row < table.rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < table.columnCount(); ++column) {
-            const QTableWidgetItem* item = row < 0 ? table.horizontalHeaderItem(column) : table.item(row, column);
-            cells << (item != nullptr ? item->text() : QString());
-        }
-        lines << cells.join(QLatin1Char('\t'));
-    }
-    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+    makePlain(*table);
+    table->setColumnCount(static_cast<int>(headers.size()));
+    table->setHorizontalHeaderLabels(headers);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
 }
 
 QIcon icon(const QString& name, const QPalette& palette)

@@ -39,10 +39,10 @@ bool isDark(const QPalette& palette);
 /// The text of `widget` in this colour; in that of its palette when the colour is invalid.
 void setTextColour(QWidget* widget, const QColor& colour);
 
-/// A table to read and copy from: without lines and row numbers; the first column takes the free width.
+/// A table to read and copy from: without lines and row numbers.
+void makePlain(QTableView& table);
+/// The same with heads; the first column takes the free width.
 void makePlainTable(QTableWidget* table, const QStringList& headers);
-/// Heads and rows for a spreadsheet: cells separated by tabs.
-QString tableText(const QTableWidget& table);
 
 /// resources/icons/<name>.svg, with its currentColor replaced by that of the text.
 QIcon icon(const QString& name, const QPalette& palette);

@@ -42,7 +42,7 @@ Case roughCase(RoughnessSpectrum spectrum = RoughnessSpectrum::Gaussian)
 QString cell(const DiskSurfaceView& view, const QString& row, int column)
 {
     for (int i = 0; i < view.statistics()->rowCount(); ++i)
-        if (view.statistics()->item(i, 0)->text() == row) return view.statistics()->item(i, column)->text();
+        if (view.statistics()->text(i, 0) == row) return view.statistics()->text(i, column);
     return QStringLiteral("no such row");
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 
-#include <QTableWidget>
 #include <QTest>
 
 #include "core/simulation/static_state/steady.h"
@@ -132,8 +131,8 @@ void TestFilmMaps::theLeastGapHasOneNumber()
         QVERIFY(std::hypot(at.x - state.minimumAt.x, at.y - state.minimumAt.y) < 1e-10);
         QVERIFY(std::abs(*map.valueAt(at) - state.minimumSpacing) < 1e-14);
         QCOMPARE(fieldText(*map.valueAt(at), map.look()), number);
-        const auto* table = view_->cursors()->findChild<QTableWidget*>();
-        QCOMPARE(table->item(0, 4)->text(), number.chopped(3));
+        const auto* table = view_->cursors()->table();
+        QCOMPARE(table->text(0, 4), number.chopped(3));
         QVERIFY(map.marks().contains(number));
         // The sections pass through the cells of the rail.
         QVERIFY(state.recess[*map.cellAt(at)] < 0.5e-6);
@@ -171,7 +170,7 @@ void TestFilmMaps::theLeastGapOfAnyRails()
         const FieldMap& map = *view_->map();
         const QString number = roundedToError(state.minimumSpacing, 0.0, "nm");
         QCOMPARE(map.marks().front(), number);
-        QCOMPARE(view_->cursors()->findChild<QTableWidget*>()->item(0, 4)->text(), number.chopped(3));
+        QCOMPARE(view_->cursors()->table()->text(0, 4), number.chopped(3));
         // No number under the pointer is less. Of a crowned top the minimum is found to some 0.001 nm.
         for (int i = 0; i <= 500; ++i)
             for (int j = 0; j <= 50; ++j) {
@@ -220,7 +219,7 @@ void TestFilmMaps::sectionsHaveTheNumbersOfTheTable()
     for (SolutionRecord& record : records) record.result = steady(record.value);
     film_->setResult(records[0].value, records[0].result);
     film_->compare(&records[0], {&records[0], &records[1]}, -1);
-    const auto* table = view_->cursors()->findChild<QTableWidget*>();
+    const auto* table = view_->cursors()->table();
     for (const Page page : {Page::Gap, Page::Recess})
         for (const auto& place : {std::optional<SurfacePoint>(), std::optional(SurfacePoint{0.31e-3, 0.168e-3})}) {
             film_->setPage(page);
@@ -232,7 +231,7 @@ void TestFilmMaps::sectionsHaveTheNumbersOfTheTable()
                 for (std::size_t k = 0; k < 2; ++k) { // the shown state is drawn last, and stands first in the table
                     const QString drawn =
                         fieldNumber(*plot->curves()[1 - k].data->valueAt(along), view_->map()->look());
-                    QCOMPARE(drawn, table->item(0, 4 + static_cast<int>(k))->text());
+                    QCOMPARE(drawn, table->text(0, 4 + static_cast<int>(k)));
                 }
             }
         }

@@ -43,7 +43,7 @@ private slots:
 
 private:
     QPushButton* button() const { return page_->findChild<QPushButton*>(); }
-    QString cell(int row, int column) const { return page_->table()->item(row, column)->text(); }
+    QString cell(int row, int column) const { return page_->table()->text(row, column); }
     QLabel* remarks() const { return namedWidget<QLabel>(*page_, QStringLiteral("Remarks on the modes")); }
     void find()
     {
@@ -103,7 +103,7 @@ void TestModesPage::showsTheModes()
     QCOMPARE(cell(0, 4), QStringLiteral("turns about y = 0.35 mm")); // the middle of 0.7 mm
     QCOMPARE(cell(1, 4), QStringLiteral("turns about x = 0.64 mm")); // 0.75 of 0.85 mm
     QCOMPARE(page_->picture()->mode()->kind, std::string("roll"));   // the first is selected
-    page_->table()->setCurrentCell(1, 0);
+    page_->table()->selectRow(1);
     QCOMPARE(page_->picture()->mode()->frequency, 200e3);
     page_->hide();
     QVERIFY(!page_->picture()->moving());

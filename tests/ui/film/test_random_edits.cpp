@@ -60,35 +60,35 @@ public:
         case 0:
         case 1:
             selectSome();
-            editor.nudge({(below(401) - 200) * 1e-7, (below(401) - 200) * 1e-7});
+            editor.verbs().nudge({(below(401) - 200) * 1e-7, (below(401) - 200) * 1e-7});
             break;
-        case 2: editor.removeSelected(); break;
+        case 2: editor.verbs().remove(); break;
         case 3:
             selectSome();
-            editor.copySelected();
+            editor.verbs().copy();
             break;
         case 4:
             selectSome();
-            editor.mirrorSelected();
+            editor.verbs().mirror();
             break;
         case 5:
             selectSome();
-            editor.moveInOrder(below(2) == 0 ? 1 : -1);
+            editor.verbs().moveInOrder(below(2) == 0 ? 1 : -1);
             break;
         case 6: {
             const std::size_t rail = below(surface.rails.size()), edge = below(surface.rails[rail].points.size());
             const std::vector<RailPoint>& points = surface.rails[rail].points;
             const RailPoint &a = points[edge], &b = points[(edge + 1) % points.size()];
-            editor.insertCorner(rail, edge, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
+            editor.verbs().insertCorner(rail, edge, {0.5 * (a.x + b.x), 0.5 * (a.y + b.y)});
             break;
         }
         case 7:
             selectSome();
-            editor.chooseWall(static_cast<int>(below(surface.walls.size() + 2)));
+            editor.verbs().chooseWall(static_cast<int>(below(surface.walls.size() + 2)));
             break;
         case 8:
             selectSome();
-            editor.makeSymmetric();
+            editor.verbs().makeSymmetric();
             if (surface.rails.size() < 2) addRail();
             break;
         case 9: addRail(); break;

@@ -46,8 +46,8 @@ private slots:
 
 private:
     QPushButton* button() const { return page_->findChild<QPushButton*>(); }
-    QString cell(int row, int column) const { return page_->table()->item(row, column)->text(); }
-    QString head(int column) const { return page_->table()->horizontalHeaderItem(column)->text(); }
+    QString cell(int row, int column) const { return page_->table()->text(row, column); }
+    QString head(int column) const { return page_->table()->head(column); }
     int statesDrawn() const
     {
         std::size_t dots = 0;
@@ -149,7 +149,9 @@ void TestSeriesPage::failedStatesAreNamedNotDrawn()
             said || (label->isVisible() && label->text().endsWith(QStringLiteral(": no flying attitude was found.")));
     QVERIFY(said);
     // Another theme colours them anew.
-    const auto colour = [&] { return page_->table()->item(2, 1)->foreground().color(); };
+    const auto colour = [&] {
+        return page_->table()->model()->index(2, 1).data(Qt::ForegroundRole).value<QBrush>().color();
+    };
     const QColor light = colour();
     QCOMPARE(light, meaningColours(page_->palette()).failure);
     applyTheme(Theme::Dark);
@@ -229,7 +231,7 @@ void TestSeriesPage::theKeyboardDoesAll()
     QTest::keyClick(button(), Qt::Key_Space);
     QTRY_COMPARE(finished.count(), 1);
     page_->table()->setFocus();
-    page_->table()->setCurrentCell(0, 0);
+    page_->table()->selectRow(0);
     QTest::keyClick(page_->table(), Qt::Key_Down);
     // The usual series has steps of an eighth of the radius.
     QVERIFY(std::abs(*page_->plots()->plots()[0]->plotCursor(0) - 12.5e-3) < 1e-12);

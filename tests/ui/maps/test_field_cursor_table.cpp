@@ -36,8 +36,8 @@ private slots:
     void hidesWithoutAField();
 
 private:
-    QString cell(int row, int column) const { return table()->item(row, column)->text(); }
-    QTableWidget* table() const { return view_->cursors()->table(); }
+    QString cell(int row, int column) const { return table()->text(row, column); }
+    ResultTable* table() const { return view_->cursors()->table(); }
 
     std::unique_ptr<FieldsView> view_;
     CellGrid grid_;
@@ -68,8 +68,8 @@ void TestFieldCursorTable::readsPlaceAndValue()
     QVERIFY(view_->cursors()->isVisible());
     QCOMPARE(table()->rowCount(), 1);
     view_->setSectionPoint({0.5e-3, 0.4e-3}, true);
-    QCOMPARE(table()->horizontalHeaderItem(1)->text(), QStringLiteral("x [mm]"));
-    QCOMPARE(table()->horizontalHeaderItem(4)->text(), QStringLiteral("Pressure [kPa]"));
+    QCOMPARE(table()->head(1), QStringLiteral("x [mm]"));
+    QCOMPARE(table()->head(4), QStringLiteral("Pressure [kPa]"));
     QCOMPARE(cell(0, 1), QStringLiteral("0.5000"));
     QCOMPARE(cell(0, 2), QStringLiteral("0.4000"));
     QCOMPARE(cell(0, 4), QStringLiteral("7.000"));
@@ -153,8 +153,8 @@ void TestFieldCursorTable::othersHaveAColumn()
     view_->setFields(grid_, {{1e3, 2e3, 3e3, 4e3, 5e3, 6e3, 7e3, 8e3}});
     view_->setSecondPoint(SurfacePoint{0.7e-3, 0.4e-3});
     QCOMPARE(table()->columnCount(), 6);
-    QCOMPARE(table()->horizontalHeaderItem(4)->text(), QStringLiteral("Pressure, 2 [kPa]"));
-    QCOMPARE(table()->horizontalHeaderItem(5)->text(), QStringLiteral("1 [kPa]"));
+    QCOMPARE(table()->head(4), QStringLiteral("Pressure, 2 [kPa]"));
+    QCOMPARE(table()->head(5), QStringLiteral("1 [kPa]"));
     QCOMPARE(cell(0, 5), QStringLiteral("9.000"));
     QCOMPARE(cell(2, 5), QStringLiteral("0"));
 }

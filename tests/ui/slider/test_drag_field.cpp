@@ -36,22 +36,21 @@ private slots:
         QFETCH(double, expected);
         QWidget plan;
         DragField field(&plan);
-        field.open({}, {QStringLiteral("dx"), QStringLiteral("dy")}, 1, text);
-        const auto distances = field.distances();
-        QCOMPARE(distances.has_value(), expected != -1.0);
-        if (!distances) return;
-        QCOMPARE(distances->size(), std::size_t(2));
-        QCOMPARE(distances->at(0), 0.0);
-        QVERIFY(std::abs(distances->at(1) - expected) < 1e-18);
+        field.open({}, {{QStringLiteral("dx"), {1.0, 0.0}}, {QStringLiteral("dy"), {0.0, -1.0}}}, 1, text);
+        const auto shift = field.shift();
+        QCOMPARE(shift.has_value(), expected != -1.0);
+        if (!shift) return;
+        QCOMPARE(shift->x, 0.0);
+        QVERIFY(std::abs(shift->y + expected) < 1e-18); // against its direction
     }
     void readsTheCommaOfALocale()
     {
         QLocale::setDefault(QLocale(QLocale::German));
         QWidget plan;
         DragField field(&plan);
-        field.open({}, {QStringLiteral("dx")}, 0, QStringLiteral("1,5"));
-        QVERIFY(field.distances() && std::abs(field.distances()->front() - 1.5e-6) < 1e-18);
-        QCOMPARE(field.distances()->size(), std::size_t(1)); // the second field is hidden
+        field.open({}, {{QStringLiteral("dx"), {1.0, 0.0}}}, 0, QStringLiteral("1,5"));
+        QVERIFY(field.shift() && std::abs(field.shift()->x - 1.5e-6) < 1e-18);
+        QCOMPARE(field.shift()->y, 0.0); // the second field is hidden
         QLocale::setDefault(QLocale::c());
     }
     void keysTakeAndGiveBack()
@@ -63,13 +62,15 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&plan));
         QSignalSpy changed(&field, &DragField::changed), taken(&field, &DragField::taken),
             givenBack(&field, &DragField::givenBack);
-        field.open({290, 190}, {QStringLiteral("dx"), QStringLiteral("dy")}, 0, QStringLiteral("1"));
+        field.open({290, 190}, {{QStringLiteral("dx"), {1.0, 0.0}}, {QStringLiteral("dy"), {0.0, 1.0}}}, 0,
+                   QStringLiteral("1"));
         QVERIFY(plan.rect().contains(field.geometry())); // moved into the plan
         QTest::keyClick(field.focusWidget(), '2');
         QCOMPARE(changed.count(), 1);
         QTest::keyClick(field.focusWidget(), Qt::Key_Tab);
         QTest::keyClick(field.focusWidget(), '3');
-        QCOMPARE(*field.distances(), (std::vector{12 * 1e-6, 3 * 1e-6}));
+        QCOMPARE(field.shift()->x, 12 * 1e-6);
+        QCOMPARE(field.shift()->y, 3 * 1e-6);
         QTest::keyClick(field.focusWidget(), Qt::Key_Return);
         QCOMPARE(taken.count(), 1);
         QTest::keyClick(field.focusWidget(), Qt::Key_Escape);

@@ -361,23 +361,25 @@ void TestSurfaceEditor::everythingCanBeUndone()
         editor_->select({{kind, rail, kind == PartKind::Rail ? 0 : k}});
         editor_->setPairs(below(2) == 0);
         switch (below(10)) {
-        case 0: editor_->insertCorner(rail, k, {double(below(850)) * 1e-6, double(below(700)) * 1e-6}); break;
+        case 0: editor_->verbs().insertCorner(rail, k, {double(below(850)) * 1e-6, double(below(700)) * 1e-6}); break;
         case 1:
-            if (surface.rails.size() > 2) editor_->removeSelected();
+            if (surface.rails.size() > 2) editor_->verbs().remove();
             break;
         case 2:
-            if (surface.rails.size() < 12) editor_->copySelected();
+            if (surface.rails.size() < 12) editor_->verbs().copy();
             break;
-        case 3: editor_->mirrorSelected(); break;
-        case 4: editor_->moveInOrder(below(2) == 0 ? 1 : -1); break;
+        case 3: editor_->verbs().mirror(); break;
+        case 4: editor_->verbs().moveInOrder(below(2) == 0 ? 1 : -1); break;
         case 5:
             if (surface.walls.size() > 1) edits_->setSurface(withoutWall(surface, 0), QStringLiteral("wall"));
             break;
         case 6:
-            if (surface.rails.size() < 12) editor_->makeSymmetric();
+            if (surface.rails.size() < 12) editor_->verbs().makeSymmetric();
             break;
-        case 7: editor_->chooseWall(static_cast<int>(below(std::min<std::size_t>(surface.walls.size() + 2, 6)))); break;
-        default: editor_->nudge({step(), step()}); break;
+        case 7:
+            editor_->verbs().chooseWall(static_cast<int>(below(std::min<std::size_t>(surface.walls.size() + 2, 6))));
+            break;
+        default: editor_->verbs().nudge({step(), step()}); break;
         }
         if (!surfaceProblems(edits_->value().surface).empty()) {
             if (below(3) == 0) // back to the last shape that is one

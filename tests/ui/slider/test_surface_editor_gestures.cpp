@@ -65,16 +65,16 @@ private slots:
     void saysWhatItSnapsTo()
     {
         const QPoint from = it_->pixel(it_->point(1, 0).x, it_->point(1, 0).y);
-        QVERIFY(it_->editor->snapWords().isEmpty());
+        QVERIFY(snapWords(it_->editor->gesture()).isEmpty());
         it_->drag(from, it_->pixel(50 * um, 350 * um) + QPoint(4, 4), {}, false);
-        QCOMPARE(it_->editor->snapWords(),
+        QCOMPARE(snapWords(it_->editor->gesture()),
                  (QStringList{QStringLiteral("corner 1 of rail 1"), QStringLiteral("centre line")}));
         it_->moveTo(it_->pixel(0, 200 * um) + QPoint(3, 0), Qt::LeftButton);
-        QCOMPARE(it_->editor->snapWords(), QStringList{QStringLiteral("border")});
+        QCOMPARE(snapWords(it_->editor->gesture()), QStringList{QStringLiteral("border")});
         it_->moveTo(it_->pixel(0, 200 * um) + QPoint(3, 0), Qt::LeftButton, Qt::ControlModifier);
-        QVERIFY(it_->editor->snapWords().isEmpty());
+        QVERIFY(snapWords(it_->editor->gesture()).isEmpty());
         QTest::keyClick(it_->editor.get(), Qt::Key_Escape);
-        QVERIFY(it_->editor->snapWords().isEmpty());
+        QVERIFY(snapWords(it_->editor->gesture()).isEmpty());
     }
 
     /// To the left and upwards: 12.5 um and 3 um that way.
@@ -151,31 +151,31 @@ private slots:
         const QPoint right = it_->pixel(400 * um, 200 * um);
         it_->editor->select({{PartKind::Edge, 1, 1}});
         it_->drag(right, it_->pixel(450 * um, 250 * um) + QPoint(3, 3), {}, false);
-        QCOMPARE(it_->editor->snapWords(), QStringList{QStringLiteral("corner 2 of rail 1")}); // x = 450 um
+        QCOMPARE(snapWords(it_->editor->gesture()), QStringList{QStringLiteral("corner 2 of rail 1")}); // x = 450 um
         QTest::keyClick(it_->editor.get(), Qt::Key_Escape);
         QTest::mouseRelease(it_->editor.get(), Qt::LeftButton, {}, right);
         it_->editor->select({{PartKind::Edge, 3, 3}});
         const QPoint slanted = it_->pixel(720 * um, 385 * um);
         it_->drag(slanted, slanted + QPoint(-12, 7), {}, false);
-        QVERIFY(it_->editor->snapWords().isEmpty());
+        QVERIFY(snapWords(it_->editor->gesture()).isEmpty());
     }
     void pairsHaveLinks()
     {
-        QVERIFY(it_->editor->pairLinks().empty());
+        QVERIFY(it_->editor->verbs().pairLinks().empty());
         it_->editor->setPairs(true);
-        QCOMPARE(it_->editor->pairLinks().size(), std::size_t(1));
-        const SurfaceEditor::PairLink link = it_->editor->pairLinks().front();
+        QCOMPARE(it_->editor->verbs().pairLinks().size(), std::size_t(1));
+        const PairLink link = it_->editor->verbs().pairLinks().front();
         QCOMPARE(link.rail, std::size_t(4));
         QCOMPARE(link.image, std::size_t(5));
         QVERIFY(!link.broken);
-        QVERIFY(std::abs(link.middle().y - 350 * um) < 1e-12);
+        QVERIFY(std::abs(0.5 * (link.from.y + link.to.y) - 350 * um) < 1e-12);
         it_->editor->setPairs(false);
-        QVERIFY(it_->editor->pairLinks().empty());
+        QVERIFY(it_->editor->verbs().pairLinks().empty());
     }
     void aClickBreaksAndJoinsAPair()
     {
         it_->editor->setPairs(true);
-        const QPoint at = it_->editor->symbolOf(it_->editor->pairLinks().front()).toPoint();
+        const QPoint at = linkSymbol(*it_->editor, it_->editor->verbs().pairLinks().front()).toPoint();
         const auto imageMoves = [&] {
             const double before = it_->point(5, 0).x;
             it_->editor->select({{PartKind::Rail, 4}});
@@ -186,20 +186,20 @@ private slots:
         };
         QVERIFY(imageMoves());
         it_->click(at);
-        QVERIFY(it_->editor->pairLinks().front().broken);
+        QVERIFY(it_->editor->verbs().pairLinks().front().broken);
         QVERIFY(!imageMoves());
-        QVERIFY(it_->editor->pairLinks().front().broken); // also after the way there and back
+        QVERIFY(it_->editor->verbs().pairLinks().front().broken); // also after the way there and back
         it_->click(at);
-        QVERIFY(!it_->editor->pairLinks().front().broken);
+        QVERIFY(!it_->editor->verbs().pairLinks().front().broken);
         QVERIFY(imageMoves());
         it_->editor->select({{PartKind::Rail, 5}});
         QTest::keyClick(it_->editor.get(), Qt::Key_L);
-        QVERIFY(it_->editor->pairLinks().front().broken);
+        QVERIFY(it_->editor->verbs().pairLinks().front().broken);
         // The numbers of rails change with those below; the pair stays broken.
         it_->editor->select({{PartKind::Rail, 0}});
-        it_->editor->removeSelected();
-        QCOMPARE(it_->editor->pairLinks().front().rail, std::size_t(3));
-        QVERIFY(it_->editor->pairLinks().front().broken);
+        it_->editor->verbs().remove();
+        QCOMPARE(it_->editor->verbs().pairLinks().front().rail, std::size_t(3));
+        QVERIFY(it_->editor->verbs().pairLinks().front().broken);
     }
 
     /// From the front shelf's corner (50, 60) um to the one at (450, 640) um.
@@ -207,34 +207,36 @@ private slots:
     {
         QTest::keyClick(it_->editor.get(), Qt::Key_M);
         QCOMPARE(it_->editor->tool(), SurfaceEditor::Tool::Measure);
-        QVERIFY(it_->editor->measureText().isEmpty());
+        QVERIFY(measureText(it_->editor->gesture()).isEmpty());
         it_->click(it_->pixel(50 * um, 60 * um) + QPoint(2, 1));
         it_->moveTo(it_->pixel(50 * um, 640 * um), Qt::NoButton);
-        QVERIFY(it_->editor->measureText().startsWith(QStringLiteral("580.00 µm   dx 0.00   dy 580.00   90.00°")));
+        QVERIFY(
+            measureText(it_->editor->gesture()).startsWith(QStringLiteral("580.00 µm   dx 0.00   dy 580.00   90.00°")));
         it_->click(it_->pixel(450 * um, 640 * um) + QPoint(-2, 2));
         const QString expected = QStringLiteral("704.56 µm   dx 400.00   dy 580.00   55.41°"); // atan(580/400)
-        QCOMPARE(it_->editor->measureText(), expected);
+        QCOMPARE(measureText(it_->editor->gesture()), expected);
         QTest::keyClick(it_->editor.get(), Qt::Key_V);
-        QCOMPARE(it_->editor->measureText(), expected);
+        QCOMPARE(measureText(it_->editor->gesture()), expected);
         QTest::keyClick(it_->editor.get(), Qt::Key_Escape);
-        QVERIFY(it_->editor->measureText().isEmpty());
+        QVERIFY(measureText(it_->editor->gesture()).isEmpty());
         // In one drag; a third place begins another one.
         it_->editor->setTool(SurfaceEditor::Tool::Measure);
         it_->drag(it_->pixel(50 * um, 60 * um), it_->pixel(450 * um, 60 * um));
-        QVERIFY(it_->editor->measureText().startsWith(QStringLiteral("400.00 µm")));
+        QVERIFY(measureText(it_->editor->gesture()).startsWith(QStringLiteral("400.00 µm")));
         it_->click(it_->pixel(150 * um, 100 * um));
         it_->click(it_->pixel(150 * um, 600 * um));
-        QVERIFY(it_->editor->measureText().startsWith(QStringLiteral("500.00 µm")));
+        QVERIFY(measureText(it_->editor->gesture()).startsWith(QStringLiteral("500.00 µm")));
         QVERIFY(it_->edits->undoStack().count() == 0);
     }
     void measuresWithoutAMouse()
     {
         it_->editor->select({{PartKind::Corner, 0, 0}, {PartKind::Corner, 0, 1}});
         QTest::keyClick(it_->editor.get(), Qt::Key_M);
-        QVERIFY(it_->editor->measureText().startsWith(QStringLiteral("400.00 µm   dx 400.00   dy 0.00   0.00°")));
+        QVERIFY(
+            measureText(it_->editor->gesture()).startsWith(QStringLiteral("400.00 µm   dx 400.00   dy 0.00   0.00°")));
         it_->editor->select({{PartKind::Edge, 0, 1}});
         QTest::keyClick(it_->editor.get(), Qt::Key_M);
-        QVERIFY(it_->editor->measureText().startsWith(QStringLiteral("580.00 µm")));
+        QVERIFY(measureText(it_->editor->gesture()).startsWith(QStringLiteral("580.00 µm")));
     }
 
     /// What the pointer snaps to may be gone after an undo.
@@ -245,11 +247,11 @@ private slots:
         const std::size_t rails = it_->surface().rails.size();
         it_->editor->setTool(SurfaceEditor::Tool::Measure);
         it_->moveTo(it_->editor->toPixel({0.50e-3, 0.10e-3}), Qt::NoButton);
-        QVERIFY(!it_->editor->snapWords().isEmpty());
+        QVERIFY(!snapWords(it_->editor->gesture()).isEmpty());
         it_->edits->undoStack().undo();
         QCOMPARE(it_->surface().rails.size(), rails - 1);
         it_->editor->grab();
-        QVERIFY(it_->editor->snapWords().isEmpty());
+        QVERIFY(snapWords(it_->editor->gesture()).isEmpty());
     }
 
     void anotherCaseForgetsWhatWasBegun()
@@ -257,9 +259,9 @@ private slots:
         it_->editor->setTool(SurfaceEditor::Tool::Measure);
         it_->click(it_->pixel(0.2e-3, 0.2e-3));
         it_->click(it_->pixel(0.3e-3, 0.2e-3));
-        QVERIFY(!it_->editor->measureText().isEmpty());
+        QVERIFY(!measureText(it_->editor->gesture()).isEmpty());
         it_->editor->open();
-        QVERIFY(it_->editor->measureText().isEmpty());
+        QVERIFY(measureText(it_->editor->gesture()).isEmpty());
     }
 
 private:

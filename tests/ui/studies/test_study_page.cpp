@@ -171,7 +171,7 @@ void TestStudyPage::showsAReport()
     f.perform();
     QVERIFY(!f.results().isEmpty());
     QCOMPARE(f.charts(), 3);
-    QCOMPARE(f.results().findChildren<StudyTableView*>().size(), 1);
+    QCOMPARE(f.results().findChildren<ResultTable*>().size(), 1);
     const QList<QTabBar*> tabs = f.results().findChildren<QTabBar*>();
     const auto ofFacts = std::ranges::find(tabs, QStringLiteral("Findings and tables"), &QTabBar::accessibleName);
     const auto ofCharts = std::ranges::find(tabs, QStringLiteral("Charts of the study"), &QTabBar::accessibleName);

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/studies/study_table.h"
 
-#include <QAbstractItemModelTester>
-#include <QClipboard>
-#include <QGuiApplication>
-#include <QHeaderView>
 #include <QLocale>
 #include <QTest>
 
@@ -20,37 +16,27 @@ class TestStudyTable : public QObject {
 
 private slots:
     void init() { QLocale::setDefault(QLocale::c()); }
-    void isAProperModel();
     void showsDisplayUnits();
     void showsReadableChoices();
     void writesNumbers_data();
     void writesNumbers();
     void writesADecimalComma();
-    void sortsByNumber();
-    void copiesWhatIsSelected();
 };
-
-void TestStudyTable::isAProperModel()
-{
-    StudyTableModel model;
-    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-    model.setTable(sampleReport().tables[0]);
-    QCOMPARE(model.rowCount(), 3);
-    QCOMPARE(model.columnCount(), 4);
-    model.setTable({});
-    QCOMPARE(model.rowCount(), 0);
-}
 
 void TestStudyTable::showsDisplayUnits()
 {
-    StudyTableModel model;
-    model.setTable(sampleReport().tables[0]);
-    QCOMPARE(model.headerData(1, Qt::Horizontal).toString(), QStringLiteral("Step [ns]"));
-    QCOMPARE(model.headerData(0, Qt::Horizontal).toString(), QStringLiteral("Method"));
-    QCOMPARE(model.index(0, 1).data().toString(), QStringLiteral("100"));
-    QCOMPARE(model.index(1, 2).data().toString(), QStringLiteral("0.03"));
-    QCOMPARE(model.index(2, 2).data().toString(), QStringLiteral("–"));
-    QVERIFY(!model.index(2, 2).data(StudyTableModel::SortRole).isValid());
+    const StudyTable table = sampleReport().tables[0];
+    const TableRow heads = headsOf(table);
+    const std::vector<TableRow> rows = rowsOf(table);
+    QCOMPARE(heads.size(), std::size_t{4});
+    QCOMPARE(rows.size(), std::size_t{3});
+    QCOMPARE(heads[1].text, QStringLiteral("Step [ns]"));
+    QCOMPARE(heads[0].text, QStringLiteral("Method"));
+    QCOMPARE(rows[0][1].text, QStringLiteral("100"));
+    QCOMPARE(rows[1][2].text, QStringLiteral("0.03"));
+    QCOMPARE(rows[1][2].key.toDouble(), 0.03e-9); // rows are sorted by numbers in SI
+    QCOMPARE(rows[2][2].text, QStringLiteral("–"));
+    QVERIFY(!rows[2][2].key.isValid());
 }
 
 /// Where the column says of which key its texts are values.
@@ -58,11 +44,10 @@ void TestStudyTable::showsReadableChoices()
 {
     StudyTable table{"references", {{"parameter", "", "", "contact"}, {"method", "", "", "Method"}}, {}};
     table.rows = {{"ono-yamane", "ono-yamane"}, {"1 nm", "rk4"}};
-    StudyTableModel model;
-    model.setTable(table);
-    QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("Ono & Yamane"));
-    QCOMPARE(model.index(0, 1).data().toString(), QStringLiteral("ono-yamane"));
-    QCOMPARE(model.index(1, 0).data().toString(), QStringLiteral("1 nm"));
+    const std::vector<TableRow> rows = rowsOf(table);
+    QCOMPARE(rows[0][0].text, QStringLiteral("Ono & Yamane"));
+    QCOMPARE(rows[0][1].text, QStringLiteral("ono-yamane"));
+    QCOMPARE(rows[1][0].text, QStringLiteral("1 nm"));
 }
 
 void TestStudyTable::writesNumbers_data()
@@ -81,45 +66,15 @@ void TestStudyTable::writesNumbers()
 {
     QFETCH(const double, number);
     QFETCH(const QString, text);
-    StudyTableModel model;
-    model.setTable({"t", {{"n"}}, {{number}}});
-    QCOMPARE(model.index(0, 0).data().toString(), text);
+    const std::vector<TableRow> rows = rowsOf({"t", {{"n"}}, {{number}}});
+    QCOMPARE(rows[0][0].text, text);
 }
 
 void TestStudyTable::writesADecimalComma()
 {
     QLocale::setDefault(QLocale(QLocale::German));
-    StudyTableModel model;
-    model.setTable({"t", {{"n"}}, {{1234.5}}});
-    QCOMPARE(model.index(0, 0).data().toString(), QStringLiteral("1234,5"));
-}
-
-/// 9 before 10, and what is not known last in both directions.
-void TestStudyTable::sortsByNumber()
-{
-    StudyTableView view;
-    view.setTable({"t", {{"n"}}, {{10.0}, {std::monostate{}}, {9.0}}});
-    const auto shown = [&view] {
-        QStringList list;
-        for (int row = 0; row < 3; ++row) list << view.model()->index(row, 0).data().toString();
-        return list.join(QLatin1Char(' '));
-    };
-    QCOMPARE(shown(), QStringLiteral("10 – 9")); // as the study gives them
-    view.sortByColumn(0, Qt::AscendingOrder);
-    QCOMPARE(shown(), QStringLiteral("9 10 –"));
-    view.sortByColumn(0, Qt::DescendingOrder);
-    QCOMPARE(shown(), QStringLiteral("10 9 –"));
-}
-
-void TestStudyTable::copiesWhatIsSelected()
-{
-    StudyTableView view;
-    view.setTable(sampleReport().tables[0]);
-    QCOMPARE(view.toText().count(QLatin1Char('\n')), 4);
-    view.selectRow(1);
-    view.copy();
-    QCOMPARE(QGuiApplication::clipboard()->text(),
-             QStringLiteral("Method\tStep [ns]\tLargest error [nm]\tEvaluations\nrk4\t10\t0.03\t800000\n"));
+    const std::vector<TableRow> rows = rowsOf({"t", {{"n"}}, {{1234.5}}});
+    QCOMPARE(rows[0][0].text, QStringLiteral("1234,5"));
 }
 
 TOUCHDOWN_TEST(TestStudyTable)

@@ -185,7 +185,7 @@ void TestMainWindowContact::showsTheDiskThatIsEdited()
     f.edit("disk.surface.track", QStringLiteral("100 um"));
     QTRY_VERIFY_WITH_TIMEOUT(!disk.empty(), 20'000);
     f.edit("disk.surface.rms", QStringLiteral("0.4 nm"));
-    QTRY_COMPARE_WITH_TIMEOUT(disk.statistics()->item(0, 1)->text(), readout(0.4e-9, "nm", 4), 20'000);
+    QTRY_COMPARE_WITH_TIMEOUT(disk.statistics()->text(0, 1), readout(0.4e-9, "nm", 4), 20'000);
 }
 
 void TestMainWindowContact::groupsTheParameters()
