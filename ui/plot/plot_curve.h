@@ -36,11 +36,13 @@ struct PlotCurve {
     std::optional<double> end = {}; // its data will grow up to this x: the range of x does not grow with each sample
 };
 
-/// A line across the plot: horizontal "d_s = 3 nm", or upright "contact 281.3 kHz".
+/// A line across the plot: horizontal "d_s = 3 nm", or upright "contact 281.3 kHz". Its label stands outside the area
+/// of the curves, at the right or above.
 struct ReferenceLine {
     double value = 0.0; // [unit of y], or of x where it is upright
     QString label;
     bool upright = false;
+    bool operator==(const ReferenceLine&) const = default;
 };
 
 /// Something that happened: a subtle tick at the upper edge, with its name in the tooltip.

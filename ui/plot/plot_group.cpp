@@ -71,6 +71,7 @@ void PlotGroup::add(PlotWidget* plot)
     if (std::ranges::find(plots_, plot) != plots_.end()) return;
     plots_.push_back(plot);
     connect(plot, &QObject::destroyed, this, [this, plot] { std::erase(plots_, plot); });
+    connect(plot, &PlotWidget::labelsChanged, this, &PlotGroup::shareLabelWidth);
     connect(plot, &PlotWidget::viewChanged, this,
             [this, plot](const PlotView& view, PlotWidget::Gesture gesture) { onViewChanged(plot, view, gesture); });
     connect(plot, &PlotWidget::historyRequested, this,
@@ -91,11 +92,24 @@ void PlotGroup::add(PlotWidget* plot)
         followData();
     // The present step now holds the new plot too, so that one step back also restores its height.
     history_[position_] = state();
+    shareLabelWidth();
 }
 
 void PlotGroup::remove(PlotWidget* plot)
 {
-    if (std::erase(plots_, plot) > 0) plot->disconnect(this);
+    if (std::erase(plots_, plot) == 0) return;
+    plot->disconnect(this);
+    plot->setLeastLabelWidth(0.0);
+    shareLabelWidth();
+}
+
+void PlotGroup::shareLabelWidth()
+{
+    double widest = 0.0;
+    for (const PlotWidget* plot : plots_)
+        if (!plot->isPhasePortrait() && !plot->isHidden())
+            widest = std::max(widest, plot->labelRoom(plot->font()).width);
+    for (PlotWidget* plot : plots_) plot->setLeastLabelWidth(plot->isPhasePortrait() ? 0.0 : widest);
 }
 
 void PlotGroup::dataChanged()

@@ -7,7 +7,7 @@
 // The group does not own its plots. A plot leaves the group when it is destroyed. The axes follow the curves that lead:
 // the newest run. Zooming x by hand freezes the time axis; fitting shows everything, until a new run begins. A phase
 // portrait shares cursors and history and shows the samples within the range of the time axis, but has an x axis of its
-// own.
+// own. The other shown plots leave equal room for labels of reference lines, so that their axes stay aligned.
 #pragma once
 
 #include "ui/plot/plot_widget.h"
@@ -91,6 +91,7 @@ private:
     void onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget::Gesture gesture);
     void followData();
     void showX(const PlotRange& range);
+    void shareLabelWidth();
     void changeFollow(Follow follow);
     void showEverything(bool everything);
     State state() const;

@@ -52,7 +52,8 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
       x_(plot.xAxis()),
       y_(namedAxis(plot.yAxis(), plot.title())),
       title_(plot.yAxis().label.title.isEmpty() ? QString() : plot.title()),
-      area_(PlotFrame::curveArea(sheet.size, sheet.font, true)),
+      area_(PlotFrame::curveArea(sheet.size, sheet.font, true,
+                                 {std::max(plot.labelRoom(sheet.font).width, sheet.labelWidth)})),
       frame_(area_, sheet.font, x_, y_, mostUp)
 {
     constexpr double gap = PlotFrame::gap;
@@ -60,7 +61,8 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
     const double top = gap + frame_.titleHeight(title_, area_.width()) + (plot.backdrop() ? row : 0.0);
     if (curves_.size() > 1) // one alone needs no name
         paperLegend_ = legendInRows(curves_, plot.title(), {area_.left(), top}, area_.width(), frame_.textFont);
-    area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap, area_.bottom() - 1.0));
+    const double above = plot.labelRoom(sheet.font).above ? PlotFrame::leader + frame_.numberHeight() : 0.0;
+    area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap + above, area_.bottom() - 1.0));
     frame_ = PlotFrame(area_, sheet.font, x_, y_, mostUp);
 }
 

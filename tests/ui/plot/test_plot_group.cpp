@@ -49,6 +49,7 @@ private slots:
     void phasePortraitKeepsItsAxes();
     void beginsWithAFirstRange();
     void everythingUntilANewRunBegins();
+    void labelsOfLinesKeepAxesAligned();
 
 private:
     /// Samples up to 1 ms at a time: spacing = 10 nm + t * 1 um/s, pitch = 100 urad - t * 10 mrad/s.
@@ -329,6 +330,27 @@ void TestPlotGroup::everythingUntilANewRunBegins()
     upper_->refreshNow();
     QVERIFY(upper_->yAxis().range().high < 1e-7);
     upper_->removeCurve("earlier");
+}
+
+/// Labels of one plot take their room from all plots over time, as long as it is shown.
+void TestPlotGroup::labelsOfLinesKeepAxesAligned()
+{
+    const QRectF before = lower_->plotArea();
+    upper_->setReferenceLines({{11e-9, QStringLiteral("take-off height"), false}});
+    QVERIFY(upper_->plotArea().right() < before.right() - 20.0);
+    QCOMPARE(lower_->plotArea().right(), upper_->plotArea().right());
+    PlotWidget late; // than the labels
+    late.resize(upper_->size());
+    group_->add(&late);
+    QCOMPARE(late.plotArea().right(), upper_->plotArea().right());
+    group_->remove(&late);
+    QCOMPARE(late.plotArea().right(), before.right());
+    upper_->hide();
+    QCOMPARE(lower_->plotArea(), before);
+    upper_->show();
+    QCOMPARE(lower_->plotArea().right(), upper_->plotArea().right());
+    upper_->setReferenceLines({});
+    QCOMPARE(lower_->plotArea(), before);
 }
 
 TOUCHDOWN_TEST(TestPlotGroup)

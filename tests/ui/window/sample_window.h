@@ -6,6 +6,8 @@
 #include <QtTest>
 
 #include "core/case/parameters.h"
+#include "ui/case/case_edits.h"
+#include "ui/case/case_files.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
