@@ -33,6 +33,8 @@ struct PlotCurve {
     bool pale = false;              // thin and faint, behind the curves that are not
     bool leads = true;              // the automatic ranges are those of the curves that lead
     bool still = false;             // its data do not grow any more
+    int run = 0;                    // its number in the list of runs, where others stand beside it
+    QString runName = {};           // of that run: "FH 5 nm"
     std::optional<double> end = {}; // its data will grow up to this x: the range of x does not grow with each sample
 };
 
