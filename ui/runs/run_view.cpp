@@ -17,6 +17,7 @@
 #include "ui/runs/quantity_list.h"
 #include "ui/runs/replay_bar.h"
 #include "ui/runs/run_maps.h"
+#include "ui/runs/runs_model.h"
 #include "ui/runs/side_view.h"
 #include "ui/style/foreign_text.h"
 
@@ -41,6 +42,7 @@ QWidget* withReplay(QWidget* view, QWidget* replay)
 
 RunView::RunView(RunsModel& runs, QWidget* parent)
     : QWidget(parent),
+      runs_(runs),
       plots_(new LivePlots(runs, this)),
       spectrum_(new LiveSpectrum(runs, this)),
       side_(new SideView(runs, this)),
@@ -145,6 +147,7 @@ void RunView::opened(const QString& sample, const Case& c)
 {
     const bool first = sample == QLatin1String(defaultCaseName);
     openedDuration_ = first ? c.run.duration : 0.0;
+    runs_.setOpened(c);
     showTime();
 }
 
