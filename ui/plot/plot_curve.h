@@ -73,8 +73,8 @@ struct PlotBackdrop {
     PlotRange x, y; // the automatic ranges show all of it [units of the axes]
     /// Fills `area` with what the two axes show. At each repaint: what is costly is kept between them.
     std::function<void(QPainter& painter, const QRectF& area, const PlotAxis& x, const PlotAxis& y)> paint;
-    /// Beside the title, in place of a legend, at the right of `room`; the width that it takes.
-    std::function<double(QPainter& painter, const QRectF& room, const QFont& font, const PlotTheme& theme)> paintKey;
+    /// Its colour bar, in a row of its own above the area.
+    std::function<void(QPainter& painter, const QRectF& row, const QFont& font, const PlotTheme& theme)> paintKey;
     /// Its numbers as comma-separated values.
     std::function<void(QIODevice& device)> writeData;
 };

@@ -153,7 +153,7 @@ void PlotWidget::setShadedAreas(std::vector<ShadedArea> areas)
 void PlotWidget::setBackdrop(std::optional<PlotBackdrop> backdrop)
 {
     backdrop_ = std::move(backdrop);
-    dataChanged();
+    moveArea();
 }
 
 void PlotWidget::dataChanged()

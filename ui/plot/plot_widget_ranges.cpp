@@ -157,7 +157,7 @@ std::optional<PlotRange> PlotWidget::dataRangeY() const
 
 LabelRoom PlotWidget::labelRoom(const QFont& font) const
 {
-    LabelRoom room;
+    LabelRoom room{0.0, backdrop_.has_value()};
     if (referenceLines_.empty()) return room;
     const QFontMetricsF metrics(plotNumberFont(font));
     for (const ReferenceLine& line : referenceLines_) {

@@ -108,6 +108,10 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
         for (SideView* side : sides()) side->showTime(plots_->group()->cursor(0));
         for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
     });
+    // What is shown is what is replayed.
+    connect(plots_->group(), &PlotGroup::historyChanged, side_, [this] {
+        for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
+    });
     for (const ReplayBar* replay : {replay_, replayAbove_})
         connect(replay, &ReplayBar::timeChosen, this, [this](double time) { plots_->group()->setCursor(0, time); });
     setCase({});
