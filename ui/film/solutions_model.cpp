@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/solutions_model.h"
 
+#include <algorithm>
 #include <utility>
+
+#include <QRegularExpression>
 
 #include "ui/case/parameter_text.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -17,6 +21,18 @@ std::size_t fieldSize(const SteadyResult& state)
 }
 
 constexpr qsizetype mostChanges = 3; // in a name
+
+/// "rail 2, point 2: +3.1, 0 µm" of "rail 2, point 2 moved by 3.1, 0 µm": a name that is cut loses its end first.
+QString shiftFirst(const QString& change)
+{
+    const QString verb = QStringLiteral(" moved by ");
+    const qsizetype at = change.indexOf(verb);
+    if (at < 0) return change;
+    QString shift = change.mid(at + verb.size());
+    static const QRegularExpression positive(QStringLiteral("(?:(?<=^)|(?<=[,;] ))(?=[1-9]|0[.,][0-9])"));
+    shift.replace(positive, QStringLiteral("+"));
+    return QStringLiteral("%1: %2").arg(change.left(at), shift);
+}
 
 } // namespace
 
@@ -59,7 +75,7 @@ void SolutionsModel::compareByItself(int number)
 /// By what differs from the last one; after an undo, for example, an earlier one may have fewer differences.
 QString SolutionsModel::nameOf(const Case& solved) const
 {
-    const QString title = QString::fromStdString(solved.title);
+    const QString title = readable(solved.title);
     if (count() == 0) return title;
     int from = count() - 1;
     if (listed(from).value.title != solved.title) return title;
@@ -71,6 +87,7 @@ QString SolutionsModel::nameOf(const Case& solved) const
         changes = std::move(fewer);
         from = row;
     }
+    std::ranges::transform(changes, changes.begin(), shiftFirst);
     if (changes.size() > mostChanges) {
         const qsizetype more = changes.size() - mostChanges;
         changes = changes.first(mostChanges) << tr("and %1 more").arg(more);

@@ -88,7 +88,7 @@ void RecordDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     painter->setPen(ink);
     const QString name = index.data(Qt::DisplayRole).toString();
     painter->drawText(top.adjusted(0, 0, -resultWidth - 8, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                      item.fontMetrics.elidedText(name, Qt::ElideRight, top.width() - resultWidth - 8));
+                      item.fontMetrics.elidedText(name, Qt::ElideMiddle, top.width() - resultWidth - 8));
 
     const QFont small = smaller(item.font);
     const QFontMetrics metrics(small);

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "ui/style/foreign_text.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -151,7 +152,10 @@ QString RecordList::htmlTip(int row) const
 {
     const ListedRecord& record = listed(row);
     QString text = QStringLiteral("<b>%1</b>")
-                       .arg(QStringLiteral("%1 %2: %3").arg(kind()).arg(record.number).arg(escapedForTip(record.name)));
+                       .arg(QStringLiteral("%1 %2: %3")
+                                .arg(kind())
+                                .arg(record.number)
+                                .arg(escapedForTip(readable(record.name.toStdString()))));
     const auto line = [&text](const QString& part) {
         if (!part.isEmpty()) text += QStringLiteral("<br>") + escapedForTip(part);
     };

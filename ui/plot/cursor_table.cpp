@@ -21,7 +21,7 @@ namespace touchdown {
 
 namespace {
 
-enum TableColumn { nameColumn, firstColumn, secondColumn, differenceColumn, unitColumn, ratioColumn, columnCount };
+enum TableColumn { nameColumn, firstColumn, secondColumn, differenceColumn, ratioColumn, columnCount };
 
 constexpr int lookRole = Qt::UserRole; // of the line that a row shows
 
@@ -40,7 +40,7 @@ QIcon lineSample(const CursorReading& reading, const PlotTheme& theme)
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(reading.pale ? palePen(reading.style, theme) : curvePen(reading.style, theme));
-    painter.drawLine(QPointF(1.0, 6.0), QPointF(21.0, 6.0));
+    painter.drawLine(QPointF(1.0, 6.5), QPointF(21.0, 6.5)); // fills one row of pixels
     return picture;
 }
 
@@ -118,15 +118,13 @@ CursorTable::CursorTable(PlotGroup* group, QWidget* parent)
     places_->setWordWrap(true);
     places_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     table_->setAccessibleName(tr("Values at the cursors"));
-    makePlainTable(table_, {tr("Quantity"), tr("At 1"), tr("At 2"), tr("2 \u2212 1"), tr("Unit"), tr("dB")});
+    makePlainTable(table_, {tr("Quantity"), tr("At 1"), tr("At 2"), tr("2 \u2212 1"), tr("dB")});
     table_->horizontalHeader()->setHighlightSections(false);
-    for (int column = 0; column < columnCount; ++column) {
-        const bool text = column == nameColumn || column == unitColumn;
-        table_->horizontalHeaderItem(column)->setTextAlignment((text ? Qt::AlignLeft : Qt::AlignRight) |
+    for (int column = 0; column < columnCount; ++column)
+        table_->horizontalHeaderItem(column)->setTextAlignment((column == nameColumn ? Qt::AlignLeft : Qt::AlignRight) |
                                                                Qt::AlignVCenter);
-    }
     table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-    table_->setTextElideMode(Qt::ElideLeft); // "…Air springs, run 2" says more than "Energy: …"
+    table_->setTextElideMode(Qt::ElideMiddle);
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setIconSize({22, 12});
     table_->installEventFilter(this);
@@ -199,37 +197,22 @@ void CursorTable::fill()
     if (full != groups_.end() && !hasReadings(shown_)) showGroup(*full);
     const bool frequency = overFrequency(*shown_);
     const auto readings = shown_->readings();
-    table_->setRowCount(static_cast<int>(readings.size()));
-    const PlotTheme theme = plotTheme(palette());
-    const auto put = [this](int row, int column, const QString& text) {
-        QTableWidgetItem* item = table_->item(row, column);
-        if (item == nullptr) {
-            item = new QTableWidgetItem;
-            if (column != nameColumn && column != unitColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-            table_->setItem(row, column, item);
-        }
-        if (item->text() != text) item->setText(text);
-        return item;
-    };
-    for (int row = 0; row < table_->rowCount(); ++row) {
-        const CursorReading& reading = readings[static_cast<std::size_t>(row)];
-        const PlotAxis& y = reading.plot->yAxis();
-        const auto number = [&](std::optional<double> value) {
-            return !value ? QString() : frequency ? powerText(*value, y.label) : y.reading(*value);
-        };
-        const bool both = reading.first && reading.second;
-        const auto ratio = frequency ? ratioOf(reading) : std::nullopt;
-        QTableWidgetItem* name = put(row, nameColumn, reading.name);
-        if (name->data(lookRole).toInt() != lookOf(reading)) { // drawing one costs more than all the text of a row
-            name->setData(lookRole, lookOf(reading));
-            name->setIcon(lineSample(reading, theme));
-        }
-        name->setToolTip(plainTip(reading.name));
-        put(row, firstColumn, number(reading.first));
-        put(row, secondColumn, number(reading.second));
-        put(row, differenceColumn, both ? number(*reading.second - *reading.first) : QString());
-        put(row, unitColumn, y.label.unit);
-        put(row, ratioColumn, ratio ? typesetChange(*ratio, 1) : QString());
+    QStringList headings; // of each row
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        const QString& heading = readings[i].heading;
+        if (!heading.isEmpty() && (i == 0 || readings[i - 1].heading != heading)) headings += heading;
+        headings += QString();
+    }
+    if (headings != headings_) { // other kinds of rows
+        table_->setRowCount(0);
+        table_->clearSpans();
+        table_->setRowCount(static_cast<int>(headings.size()));
+        headings_ = headings;
+    }
+    int row = 0;
+    for (const CursorReading& reading : readings) {
+        if (!headings[row].isEmpty()) fillHeading(row++, reading);
+        fillRow(row++, reading);
     }
     table_->horizontalHeaderItem(nameColumn)->setText(frequency ? tr("Run") : tr("Quantity"));
 
@@ -238,12 +221,61 @@ void CursorTable::fill()
     table_->setColumnHidden(secondColumn, !second);
     table_->setColumnHidden(differenceColumn, !second);
     table_->setColumnHidden(ratioColumn, !second || !frequency);
-    table_->setColumnHidden(unitColumn, frequency); // the same for all spectra: above the table
     copy_->setEnabled(shown_->hasCursors() && !readings.empty());
 
     places_->setAccessibleName(frequency ? tr("Frequencies of the cursors") : tr("Times of the cursors"));
     const QString places = placesText();
     places_->setText(places.isEmpty() ? tr("Move over a plot; click sets cursor 1, Shift + click cursor 2.") : places);
+}
+
+QTableWidgetItem* CursorTable::put(int row, int column, const QString& text)
+{
+    QTableWidgetItem* item = table_->item(row, column);
+    if (item == nullptr) {
+        item = new QTableWidgetItem;
+        if (column != nameColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        table_->setItem(row, column, item);
+    }
+    if (item->text() != text) item->setText(text);
+    return item;
+}
+
+/// The quantity over the whole width, with its unit.
+void CursorTable::fillHeading(int row, const CursorReading& reading)
+{
+    QTableWidgetItem* item = put(row, nameColumn, withUnit(reading.heading, reading.plot->yAxis().label.unit));
+    if (table_->columnSpan(row, nameColumn) == columnCount) return;
+    table_->setSpan(row, nameColumn, 1, columnCount);
+    QFont bold = table_->font();
+    bold.setBold(true);
+    item->setFont(bold);
+    item->setFlags(Qt::ItemIsEnabled);
+}
+
+void CursorTable::fillRow(int row, const CursorReading& reading)
+{
+    const bool frequency = overFrequency(*shown_);
+    const PlotAxis& y = reading.plot->yAxis();
+    const auto number = [&](std::optional<double> value) {
+        return !value ? QString() : frequency ? powerText(*value, y.label) : y.reading(*value);
+    };
+    // The number in front tells runs apart however their names are cut.
+    QString text = reading.entry;
+    if (reading.run > 0) text = QStringLiteral("%1  %2").arg(QString::number(reading.run), reading.entry);
+    // The unit stands in the heading, of spectra above the table.
+    if (reading.heading.isEmpty() && !frequency) text = withUnit(text, y.label.unit);
+    QTableWidgetItem* item = put(row, nameColumn, text);
+    if (item->data(lookRole).toInt() != lookOf(reading)) { // drawing one costs more than all the text of a row
+        item->setData(lookRole, lookOf(reading));
+        item->setIcon(lineSample(reading, plotTheme(palette())));
+    }
+    item->setToolTip(plainTip(reading.name));
+    const bool both = reading.first && reading.second;
+    const auto ratio = frequency ? ratioOf(reading) : std::nullopt;
+    put(row, firstColumn, number(reading.first));
+    put(row, secondColumn, number(reading.second));
+    put(row, differenceColumn, both ? number(*reading.second - *reading.first) : QString());
+    put(row, ratioColumn, ratio ? typesetChange(*ratio, 1) : QString());
 }
 
 QString CursorTable::placesText() const
@@ -333,8 +365,8 @@ bool CursorTable::eventFilter(QObject* watched, QEvent* event)
 void CursorTable::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        table_->setRowCount(0); // the lines have other colours
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        headings_.clear(); // the lines have other colours, the headings another font
         scheduleUpdate();
     }
     if (event->type() == QEvent::FontChange)

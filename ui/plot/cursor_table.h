@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The values of all curves at the two cursors, their differences, and 1/dt in Hz; of spectra also the ratio of the
-// powers in dB, 10 log10(P2/P1), and which cursor is at a peak of the newest run. With several groups of plots, tabs
-// show whose cursors are read: those that moved last. Ctrl+C or the button copies all of it.
+// The values of all curves at the two cursors, their differences, and 1/dt in Hz: the quantity as a heading, its runs
+// below it, the newest first. Of spectra also the ratio of the powers in dB, 10 log10(P2/P1), and which cursor is at a
+// peak of the newest run. With several groups of plots, tabs show whose cursors are read: those that moved last. Ctrl+C
+// or the button copies all of it.
 #pragma once
 
 #include <vector>
@@ -43,6 +44,9 @@ private:
     void cursorMoved(PlotGroup* group);
     void showGroup(PlotGroup* group);
     void fill();
+    void fillHeading(int row, const CursorReading& reading);
+    void fillRow(int row, const CursorReading& reading);
+    QTableWidgetItem* put(int row, int column, const QString& text);
     QString placesText() const;
     void copy() const;
 
@@ -52,6 +56,7 @@ private:
     QToolButton* copy_;
     QLabel* places_; // of the cursors, their difference and its inverse
     QTableWidget* table_;
+    QStringList headings_; // of the rows that are there: empty where a row has values
     QTimer timer_;
     bool stale_ = true;
 };

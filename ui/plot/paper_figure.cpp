@@ -68,6 +68,18 @@ PaperFigure::PaperFigure(const std::vector<QWidget*>& panels, const FigureFormat
             paperCurves(plot->curves(), format_.colours, styles_);
 }
 
+/// Panels over one quantity leave labels of reference lines the same room: below each other they stay aligned.
+PaperSheet PaperFigure::sheetOf(const Cell& cell) const
+{
+    double labels = 0.0;
+    const auto* plot = qobject_cast<const PlotWidget*>(cell.panel);
+    for (const Cell& other : cells_)
+        if (const auto* beside = qobject_cast<const PlotWidget*>(other.panel);
+            plot && beside && beside->xAxis().label == plot->xAxis().label)
+            labels = std::max(labels, beside->labelRoom(font_).width);
+    return {cell.box.size(), font_, format_.colours, styles_, labels};
+}
+
 QSizeF PaperFigure::size() const { return size_ * millimetresPerInch / pixelsPerInch_; }
 
 QString PaperFigure::letter(std::size_t cell) const
@@ -82,7 +94,7 @@ QString PaperFigure::problem() const
         const auto* plot = qobject_cast<const PlotWidget*>(cells_[i].panel);
         if (plot == nullptr) continue;
         const PlotTheme theme = paperTheme(format_.colours);
-        const PlotPainter painter(*plot, theme, {cells_[i].box.size(), font_, format_.colours, styles_});
+        const PlotPainter painter(*plot, theme, sheetOf(cells_[i]));
         if (painter.area().width() < leastAcross)
             return tr("%1 is too narrow for its axes: make the figure wider, its font smaller or its columns fewer.")
                 .arg(name);
@@ -116,7 +128,7 @@ void PaperFigure::paint(QPainter& painter) const
         painter.translate(box.topLeft());
         auto* plot = qobject_cast<PlotWidget*>(panel);
         if (plot != nullptr)
-            plot->paintOnSheet(painter, {box.size(), font_, format_.colours, styles_});
+            plot->paintOnSheet(painter, sheetOf(cells_[i]));
         else
             partOf(panel).paintOnPaper(painter, box.size(), font_, format_.colours);
         if (const QString name = letter(i); !name.isEmpty() && format_.letters) {

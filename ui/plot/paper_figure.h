@@ -24,6 +24,8 @@ struct FigureFormat {
     bool operator==(const FigureFormat&) const = default;
 };
 
+struct PaperSheet;
+
 class PaperFigure {
 public:
     /// The PageParts `panels`, row by row; they must outlive this.
@@ -49,6 +51,7 @@ private:
     };
     void paint(QPainter& painter) const;
     QString letter(std::size_t cell) const;
+    PaperSheet sheetOf(const Cell& cell) const;
 
     FigureFormat format_;
     QFont font_;

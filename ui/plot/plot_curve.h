@@ -33,14 +33,18 @@ struct PlotCurve {
     bool pale = false;              // thin and faint, behind the curves that are not
     bool leads = true;              // the automatic ranges are those of the curves that lead
     bool still = false;             // its data do not grow any more
+    int run = 0;                    // its number in the list of runs, where others stand beside it
+    QString runName = {};           // of that run: "FH 5 nm"
     std::optional<double> end = {}; // its data will grow up to this x: the range of x does not grow with each sample
 };
 
-/// A line across the plot: horizontal "d_s = 3 nm", or upright "contact 281.3 kHz".
+/// A line across the plot: horizontal "d_s = 3 nm", or upright "contact 281.3 kHz". Its label stands outside the area
+/// of the curves, at the right or above.
 struct ReferenceLine {
     double value = 0.0; // [unit of y], or of x where it is upright
     QString label;
     bool upright = false;
+    bool operator==(const ReferenceLine&) const = default;
 };
 
 /// Something that happened: a subtle tick at the upper edge, with its name in the tooltip.
@@ -69,8 +73,8 @@ struct PlotBackdrop {
     PlotRange x, y; // the automatic ranges show all of it [units of the axes]
     /// Fills `area` with what the two axes show. At each repaint: what is costly is kept between them.
     std::function<void(QPainter& painter, const QRectF& area, const PlotAxis& x, const PlotAxis& y)> paint;
-    /// Beside the title, in place of a legend, at the right of `room`; the width that it takes.
-    std::function<double(QPainter& painter, const QRectF& room, const QFont& font, const PlotTheme& theme)> paintKey;
+    /// Its colour bar, in a row of its own above the area.
+    std::function<void(QPainter& painter, const QRectF& row, const QFont& font, const PlotTheme& theme)> paintKey;
     /// Its numbers as comma-separated values.
     std::function<void(QIODevice& device)> writeData;
 };

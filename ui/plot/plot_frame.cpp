@@ -58,10 +58,14 @@ QRectF PlotFrame::areaWithin(const QSizeF& size, const QFont& font, const QStrin
             std::max(20.0, std::floor(size.height() - top - bottom))};
 }
 
-QRectF PlotFrame::curveArea(const QSizeF& size, const QFont& font, bool xNumbers)
+QRectF PlotFrame::curveArea(const QSizeF& size, const QFont& font, bool xNumbers, const LabelRoom& labels)
 {
-    const double lastNumber = QFontMetricsF(plotNumberFont(font)).horizontalAdvance(QStringLiteral("00.0"));
-    return areaWithin(size, font, QStringLiteral("\u2212000.000"), lastNumber / 2.0 + gap, xNumbers);
+    const QFontMetricsF numbers(plotNumberFont(font));
+    double right = numbers.horizontalAdvance(QStringLiteral("00.0")) / 2.0 + gap;
+    if (labels.width > 0.0) right = std::max(right, std::min(leader + labels.width + 2.0, mostLabels * size.width()));
+    QRectF area = areaWithin(size, font, QStringLiteral("\u2212000.000"), right, xNumbers);
+    if (labels.above) area.setTop(std::min(area.top() + std::ceil(numbers.height() + leader), area.bottom() - 20.0));
+    return area;
 }
 
 PlotFrame::PlotFrame(const QRectF& plotArea, const QFont& font, const PlotAxis& xAxis, const PlotAxis& yAxis,
@@ -141,6 +145,8 @@ double PlotFrame::titleHeight(const QString& title, double width) const
 }
 
 double PlotFrame::lineHeight() const { return QFontMetricsF(textFont).height(); }
+
+double PlotFrame::numberHeight() const { return QFontMetricsF(numberFont).height(); }
 
 double PlotFrame::titleWidth(const QString& title, double width) const
 {

@@ -21,18 +21,26 @@ QFont plotNumberFont(const QFont& font);
 /// A thin line at this pixel fills one row of pixels.
 double alignedPixel(double pixel);
 
+/// What labels of reference lines, or a colour bar, need beside the area of the curves.
+struct LabelRoom {
+    double width = 0.0; // of the widest at the right [px]
+    bool above = false; // a row of them
+};
+
 struct PlotFrame {
-    static constexpr double gap = 6.0;        // between things that belong together [px]
-    static constexpr double tickLength = 4.0; // [px]
-    static constexpr double leastTitle = 0.7; // size of an axis title where it has no room, of its usual one
+    static constexpr double gap = 6.0;         // between things that belong together [px]
+    static constexpr double tickLength = 4.0;  // [px]
+    static constexpr double leastTitle = 0.7;  // size of an axis title where it has no room, of its usual one
+    static constexpr double leader = 7.0;      // from a reference line to its label [px]
+    static constexpr double mostLabels = 0.18; // of the width is for labels at the right
 
     /// The area within `size`, with room for `widestNumber` at its left and `right` pixels at its right. It depends on
     /// size and font only, so that stacked plots agree and a live plot does not move.
     static QRectF areaWithin(const QSizeF& size, const QFont& font, const QString& widestNumber, double right,
                              bool xNumbers = true);
 
-    /// The same for curves.
-    static QRectF curveArea(const QSizeF& size, const QFont& font, bool xNumbers);
+    /// The same for curves, with room for labels of reference lines.
+    static QRectF curveArea(const QSizeF& size, const QFont& font, bool xNumbers, const LabelRoom& labels);
 
     /// The axes must outlive the frame; at most `mostUp` numbers on the y axis.
     PlotFrame(const QRectF& plotArea, const QFont& font, const PlotAxis& xAxis, const PlotAxis& yAxis, int mostUp);
@@ -48,6 +56,7 @@ struct PlotFrame {
                     bool lines = false) const;
     double titleHeight(const QString& title, double width) const; // in lines
     double lineHeight() const;                                    // of a text [px]
+    double numberHeight() const;                                  // of a number [px]
     double titleWidth(const QString& title, double width) const;
 
     QRectF area;

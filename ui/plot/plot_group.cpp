@@ -71,6 +71,7 @@ void PlotGroup::add(PlotWidget* plot)
     if (std::ranges::find(plots_, plot) != plots_.end()) return;
     plots_.push_back(plot);
     connect(plot, &QObject::destroyed, this, [this, plot] { std::erase(plots_, plot); });
+    connect(plot, &PlotWidget::labelsChanged, this, &PlotGroup::shareLabelWidth);
     connect(plot, &PlotWidget::viewChanged, this,
             [this, plot](const PlotView& view, PlotWidget::Gesture gesture) { onViewChanged(plot, view, gesture); });
     connect(plot, &PlotWidget::historyRequested, this,
@@ -91,11 +92,24 @@ void PlotGroup::add(PlotWidget* plot)
         followData();
     // The present step now holds the new plot too, so that one step back also restores its height.
     history_[position_] = state();
+    shareLabelWidth();
 }
 
 void PlotGroup::remove(PlotWidget* plot)
 {
-    if (std::erase(plots_, plot) > 0) plot->disconnect(this);
+    if (std::erase(plots_, plot) == 0) return;
+    plot->disconnect(this);
+    plot->setLeastLabelWidth(0.0);
+    shareLabelWidth();
+}
+
+void PlotGroup::shareLabelWidth()
+{
+    double widest = 0.0;
+    for (const PlotWidget* plot : plots_)
+        if (!plot->isPhasePortrait() && !plot->isHidden())
+            widest = std::max(widest, plot->labelRoom(plot->font()).width);
+    for (PlotWidget* plot : plots_) plot->setLeastLabelWidth(plot->isPhasePortrait() ? 0.0 : widest);
 }
 
 void PlotGroup::dataChanged()
@@ -293,14 +307,30 @@ std::vector<CursorReading> PlotGroup::readings() const
     std::vector<CursorReading> readings;
     for (const PlotWidget* plot : plots_) {
         if (plot->isPhasePortrait()) continue;
+        std::vector<CursorReading> own;
         for (const PlotCurve& curve : plot->curves()) {
             if (!curve.visible || curve.data == nullptr) continue;
-            const bool same = curve.name.isEmpty() || curve.name == plot->title();
-            const bool alone = plot->title().isEmpty() || across_ == Across::Frequency;
-            const QString name = same    ? plot->title()
-                                 : alone ? curve.name
-                                         : tr("%1: %2").arg(plot->title(), curve.name);
-            readings.push_back({plot, curve.id, name, curve.style, curve.pale, valueAt(curve, 0), valueAt(curve, 1)});
+            CursorReading& reading = own.emplace_back();
+            reading = {
+                plot, curve.id, {}, {}, {}, curve.run, curve.style, curve.pale, valueAt(curve, 0), valueAt(curve, 1)};
+            const QString& title = plot->title();
+            const bool same = curve.name.isEmpty() || curve.name == title;
+            const bool alone = title.isEmpty() || across_ == Across::Frequency;
+            reading.name = same ? title : alone ? curve.name : tr("%1: %2").arg(title, curve.name);
+            reading.entry = same ? title : curve.run > 0 ? curve.runName : curve.name;
+            if (!same && !alone)
+                reading.heading =
+                    curve.run == 0 || curve.legend.isEmpty() ? title : tr("%1: %2").arg(title, curve.legend);
+        }
+        // The headings in the order of their first curves.
+        while (!own.empty()) {
+            const QString heading = own.front().heading;
+            const auto rest = std::stable_partition(
+                own.begin(), own.end(), [&heading](const CursorReading& each) { return each.heading == heading; });
+            std::stable_sort(own.begin(), rest,
+                             [](const CursorReading& a, const CursorReading& b) { return a.run > b.run; });
+            readings.insert(readings.end(), own.begin(), rest);
+            own.erase(own.begin(), rest);
         }
     }
     return readings;

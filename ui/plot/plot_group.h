@@ -7,7 +7,7 @@
 // The group does not own its plots. A plot leaves the group when it is destroyed. The axes follow the curves that lead:
 // the newest run. Zooming x by hand freezes the time axis; fitting shows everything, until a new run begins. A phase
 // portrait shares cursors and history and shows the samples within the range of the time axis, but has an x axis of its
-// own.
+// own. The other shown plots leave equal room for labels of reference lines, so that their axes stay aligned.
 #pragma once
 
 #include "ui/plot/plot_widget.h"
@@ -22,9 +22,12 @@ namespace touchdown {
 /// A curve at the cursors, for tables. Numbers in SI.
 struct CursorReading {
     const PlotWidget* plot = nullptr;
-    QString curve; // id
-    QString name;  // "Energy: kinetic"; the title of the plot alone where the curve has no other name; of a spectrum
-                   // the name of the run
+    QString curve;   // id
+    QString name;    // "Energy: kinetic, FH 5 nm"; the title of the plot alone where the curve has no other name; of a
+                     // spectrum the name of the run
+    QString heading; // what several rows share: "Energy: kinetic" of runs, "Energy" of curves; empty: nothing
+    QString entry;   // the rest: "FH 5 nm", or the name where there is no heading
+    int run = 0;     // number of its run, where others stand beside it
     CurveStyle style;
     bool pale = false;
     std::optional<double> first;  // at cursor 1
@@ -69,7 +72,8 @@ public:
     void setCursor(int which, std::optional<double> at); // time [s] or frequency [Hz]
     std::optional<double> cursor(int which) const { return cursors_[static_cast<std::size_t>(which)]; }
     bool hasCursors() const { return cursors_[0] || cursors_[1]; }
-    /// Values of all visible curves of all plots that are not phase portraits.
+    /// Values of all visible curves of all plots that are not phase portraits. Those with one heading are neighbours,
+    /// the newest run first.
     std::vector<CursorReading> readings() const;
 
 signals:
@@ -91,6 +95,7 @@ private:
     void onViewChanged(PlotWidget* plot, const PlotView& view, PlotWidget::Gesture gesture);
     void followData();
     void showX(const PlotRange& range);
+    void shareLabelWidth();
     void changeFollow(Follow follow);
     void showEverything(bool everything);
     State state() const;

@@ -13,6 +13,7 @@ namespace touchdown {
 namespace {
 
 constexpr double leastText = 11.0; // of an entry in a row, before another has no room [heights of the text]
+constexpr double leastAlone = 3.0; // of the only entry [heights of the text]
 
 QString legendText(const PlotCurve& curve) { return curve.legend.isEmpty() ? curve.name : curve.legend; }
 
@@ -66,9 +67,13 @@ Legend legendInRow(const std::vector<PlotCurve>& curves, const QString& title, c
     const double longest = std::max(longestText(lengths, room), leastText * metrics.height());
     double used = 0.0;
     for (std::size_t i = 0; i < named.size(); ++i) {
-        const QString text = metrics.elidedText(legendText(*named[i]), Qt::ElideRight, longest);
+        const double more = i + 1 < named.size() ? moreWidth : 0.0;
+        // One entry says more than the number of those without room.
+        const double alone = std::max(row.width() - around - more, leastAlone * metrics.height());
+        const QString text =
+            metrics.elidedText(legendText(*named[i]), Qt::ElideRight, i == 0 ? std::min(longest, alone) : longest);
         const double width = around + metrics.horizontalAdvance(text);
-        if (used + width + (i + 1 < named.size() ? moreWidth : 0.0) > row.width()) break;
+        if (used + width + more > row.width()) break;
         legend.entries.push_back({named[i], text, QRectF(used, row.top(), width, row.height())});
         used += width;
     }

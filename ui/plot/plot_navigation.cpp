@@ -11,6 +11,7 @@
 #include <QWheelEvent>
 
 #include "ui/plot/cursor_place.h"
+#include "ui/plot/plot_painter.h"
 #include "ui/style/foreign_text.h"
 
 namespace touchdown {
@@ -258,6 +259,20 @@ void PlotNavigation::leave()
     plot_.userCursor(0, std::nullopt);
 }
 
+/// The labels of the reference lines there: one may be cut or have no room.
+QStringList PlotNavigation::linesAt(const QPointF& at) const
+{
+    QStringList lines;
+    for (const PlotLabel& label : PlotPainter(plot_, plot_.theme()).labels())
+        if (label.box.contains(at) && !label.line.isEmpty()) lines += label.line;
+    for (const ReferenceLine& line : plot_.referenceLines()) {
+        const QPointF pixel = plot_.toPixel(line.value, line.value);
+        const double distance = std::abs(line.upright ? pixel.x() - at.x() : pixel.y() - at.y());
+        if (distance <= 3.0 && plot_.plotArea().contains(at) && !line.label.isEmpty()) lines += line.label;
+    }
+    return lines;
+}
+
 void PlotNavigation::showToolTip(const QHelpEvent& event) const
 {
     const QPoint at = event.pos();
@@ -271,6 +286,7 @@ void PlotNavigation::showToolTip(const QHelpEvent& event) const
         }
         lines += tr("%1 at %2 %3").arg(mark.label, plot_.xAxis().number(mark.time), plot_.xAxis().label.unit);
     }
+    for (const QString& label : linesAt(at)) lines += label;
     if (lines.isEmpty() && !plot_.toolTip().isEmpty()) lines += plot_.toolTip();
     if (lines.isEmpty())
         QToolTip::hideText();

@@ -32,6 +32,7 @@ private:
     bool key(const QKeyEvent& event);
     void leave();
     void showToolTip(const QHelpEvent& event) const;
+    QStringList linesAt(const QPointF& at) const;
 
     QPointF inArea(const QPointF& pixel) const; // 0 to 1, y upwards
     std::optional<int> cursorNear(const QPointF& pixel) const;

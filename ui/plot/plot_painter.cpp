@@ -27,6 +27,23 @@ std::vector<PlotCurve> printedOn(const PaperSheet& sheet, const std::vector<Plot
     return paperCurves(curves, sheet.colours, styles);
 }
 
+/// On the screen beside the title, which is cut to `most`.
+Legend legendBeside(const std::vector<PlotCurve>& curves, const QString& title, const PlotFrame& frame, double most)
+{
+    constexpr double gap = PlotFrame::gap;
+    const double used = frame.titleWidth(title, most) + 3.0 * gap;
+    const QRectF row(frame.area.left() + used, gap, frame.area.width() - used, frame.lineHeight());
+    return legendInRow(curves, title, row, frame.textFont);
+}
+
+/// The title may take the whole width, unless the legend could then name no curve.
+double roomForTitle(const std::vector<PlotCurve>& curves, const QString& title, const PlotFrame& frame)
+{
+    const double width = frame.area.width();
+    const Legend legend = legendBeside(curves, title, frame, width);
+    return legend.entries.empty() && legend.more > 0 ? 0.6 * width : width;
+}
+
 } // namespace
 
 PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme)
@@ -52,15 +69,17 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
       x_(plot.xAxis()),
       y_(namedAxis(plot.yAxis(), plot.title())),
       title_(plot.yAxis().label.title.isEmpty() ? QString() : plot.title()),
-      area_(PlotFrame::curveArea(sheet.size, sheet.font, true)),
+      area_(PlotFrame::curveArea(sheet.size, sheet.font, true,
+                                 {std::max(plot.labelRoom(sheet.font).width, sheet.labelWidth)})),
       frame_(area_, sheet.font, x_, y_, mostUp)
 {
     constexpr double gap = PlotFrame::gap;
     const double row = frame_.lineHeight();
-    const double top = gap + frame_.titleHeight(title_, area_.width()) + (plot.backdrop() ? row : 0.0);
+    const double top = gap + frame_.titleHeight(title_, area_.width());
     if (curves_.size() > 1) // one alone needs no name
         paperLegend_ = legendInRows(curves_, plot.title(), {area_.left(), top}, area_.width(), frame_.textFont);
-    area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap, area_.bottom() - 1.0));
+    const double above = plot.labelRoom(sheet.font).above ? PlotFrame::leader + frame_.numberHeight() : 0.0;
+    area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap + above, area_.bottom() - 1.0));
     frame_ = PlotFrame(area_, sheet.font, x_, y_, mostUp);
 }
 
@@ -123,30 +142,27 @@ void PlotPainter::paintAbove(QPainter& painter) const
 Legend PlotPainter::legend() const
 {
     if (paper_) return paperLegend_;
-    constexpr double gap = PlotFrame::gap;
-    const double used = frame_.titleWidth(title_, area_.width()) + 3.0 * gap;
-    return legendInRow(curves_, title_, {area_.left() + used, gap, area_.width() - used, frame_.lineHeight()},
-                       frame_.textFont);
+    return legendBeside(curves_, title_, frame_, roomForTitle(curves_, title_, frame_));
 }
 
 void PlotPainter::paintHeader(QPainter& painter) const
 {
     constexpr double gap = PlotFrame::gap;
     if (plot_.backdrop()) {
-        // On paper its scale has a row of its own below the title.
-        const double title = paper_ ? frame_.titleHeight(title_, area_.width()) : 0.0;
-        const QRectF key(area_.left(), gap + title, area_.width(), frame_.lineHeight());
-        const double used = plot_.backdrop()->paintKey(painter, key, frame_.numberFont, theme_);
-        frame_.paintTitle(painter, theme_, title_, area_.width() - (paper_ ? 0.0 : used), paper_);
+        const double height = frame_.numberHeight();
+        plot_.backdrop()->paintKey(painter, {area_.left(), area_.top() - gap - height, area_.width(), height},
+                                   frame_.numberFont, theme_);
+        frame_.paintTitle(painter, theme_, title_, width_ - area_.left() - gap, paper_);
         return;
     }
     const Legend legend = this->legend();
-    frame_.paintTitle(painter, theme_, title_, area_.width(), paper_);
+    const double room = paper_ ? area_.width() : roomForTitle(curves_, title_, frame_);
+    frame_.paintTitle(painter, theme_, title_, room, paper_);
     painter.setFont(frame_.textFont);
     const double line = frame_.lineHeight();
     const bool wide = !paper_ && plot_.hasPaleCurves();
     for (const auto& [curve, text, box] : legend.entries) {
-        const double y = box.top() + 0.5 * line;
+        const double y = alignedPixel(box.top() + 0.5 * line); // a pale line of one pixel keeps its colour
         painter.setPen(pathPen(*curve, {}, area_.size(), theme_, wide));
         painter.drawLine(QPointF(box.left(), y), QPointF(box.left() + Legend::sample, y));
         painter.setPen(curve->pale || !wide ? theme_.mutedText : theme_.text);

@@ -19,6 +19,7 @@ struct PaperSheet {
     QFont font;  // its size in pixels
     PaperColours colours = PaperColours::Coloured;
     std::vector<PaperStyle> styles = {}; // of the figure
+    double labelWidth = 0.0;             // that labels of reference lines have at least, as in other panels [px]
 };
 
 /// Words in a shaded area, beside a reference line or a point mark, where they are drawn.
@@ -27,7 +28,20 @@ struct PlotLabel {
     QString text;
     QColor colour;
     bool behind = false; // the curves
+    QFont font = {};
+    QString line = {};  // the whole label of a reference line, which stands outside the area
+    QLineF leader = {}; // to its line, where it had to move
 };
+
+struct WantedPlace {
+    double at = 0.0;   // the centre [px]
+    double size = 0.0; // along the row [px]
+};
+/// Labels in a row beside what they name: the centre of each, in the order of `wanted`, which rises, without an
+/// overlap, within [low, high], each as near to its place as the others let it: the sum of the squared shifts is least
+/// ("pool adjacent violators": Ayer et al., 1955). Where not all have room, the label with the nearest neighbour is
+/// left out, one after another: it gets nothing.
+std::vector<std::optional<double>> labelPlaces(const std::vector<WantedPlace>& wanted, double low, double high);
 
 class PlotPainter {
 public:
@@ -47,8 +61,11 @@ public:
     void paintSelection(QPainter& painter, const QRectF& box) const;
     /// On the screen beside the title.
     Legend legend() const;
-    /// Inside the area, none over another nor over the pointer of a mark. A label without such a place is left out.
+    /// None over another nor over the pointer of a mark. A label without such a place is left out. Those of reference
+    /// lines stand outside the area in the order of the lines, smaller where they have no room, at last cut in the
+    /// middle; the others inside.
     std::vector<PlotLabel> labels() const;
+    static constexpr double aroundLabel = 4.0; // wider than its text is a label [px]
     /// The triangles that point at marks.
     std::vector<QRectF> pointers() const;
     /// Where the curves are [px].
@@ -67,8 +84,7 @@ private:
     void paintShadedAreas(QPainter& painter) const;
     bool isSeen(const ReferenceLine& line) const;
     void paintReferenceLines(QPainter& painter) const;
-    std::optional<QRectF> placeOfLabel(const QSizeF& size, double y, const std::vector<QRectF>& taken) const;
-    bool isCrossed(const QRectF& box) const;
+    std::vector<PlotLabel> labelsOfLines(bool upright) const;
     void paintEventMarks(QPainter& painter) const;
     void paintArrows(QPainter& painter) const;
     void paintDots(QPainter& painter) const;

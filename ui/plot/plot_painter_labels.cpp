@@ -5,14 +5,67 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include <QFontMetricsF>
 
-#include "ui/plot/plot_path.h"
-
 namespace touchdown {
+
+namespace {
+
+/// Labels that touch each other.
+struct Block {
+    double sum = 0.0; // of their wanted places, each as if it were the first label of the row
+    std::size_t count = 0;
+    double mean() const { return sum / static_cast<double>(count); }
+};
+
+/// Those that have room together, by their numbers.
+std::vector<std::size_t> withRoom(const std::vector<WantedPlace>& wanted, double room)
+{
+    std::vector<std::size_t> kept(wanted.size());
+    for (std::size_t i = 0; i < kept.size(); ++i) kept[i] = i;
+    double used = 0.0;
+    for (const WantedPlace& each : wanted) used += each.size;
+    while (used > room && !kept.empty()) {
+        std::size_t nearest = kept.size() - 1; // to the one before it
+        for (std::size_t k = 1; k < kept.size(); ++k) {
+            const auto distance = [&](std::size_t i) { return wanted[kept[i]].at - wanted[kept[i - 1]].at; };
+            if (nearest == 0 || distance(k) < distance(nearest)) nearest = k;
+        }
+        used -= wanted[kept[nearest]].size;
+        kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(nearest));
+    }
+    return kept;
+}
+
+} // namespace
+
+std::vector<std::optional<double>> labelPlaces(const std::vector<WantedPlace>& wanted, double low, double high)
+{
+    const std::vector<std::size_t> kept = withRoom(wanted, high - low);
+    std::vector<double> before; // from the beginning of the row to the centre of a label, if all touch each other
+    double used = 0.0;
+    std::vector<Block> blocks;
+    for (const std::size_t i : kept) {
+        before.push_back(used + wanted[i].size / 2.0);
+        used += wanted[i].size;
+        blocks.push_back({wanted[i].at - before.back(), 1});
+        while (blocks.size() > 1 && blocks[blocks.size() - 2].mean() > blocks.back().mean()) {
+            blocks[blocks.size() - 2].sum += blocks.back().sum;
+            blocks[blocks.size() - 2].count += blocks.back().count;
+            blocks.pop_back();
+        }
+    }
+    std::vector<std::optional<double>> places(wanted.size());
+    std::size_t k = 0;
+    for (const Block& block : blocks)
+        for (std::size_t each = 0; each < block.count; ++each, ++k)
+            places[kept[k]] = before[k] + std::clamp(block.mean(), low, std::max(low, high - used));
+    return places;
+}
 
 bool PlotPainter::isSeen(const ReferenceLine& line) const
 {
@@ -35,35 +88,55 @@ void PlotPainter::paintReferenceLines(QPainter& painter) const
     }
 }
 
-/// At the right end of a level line at `y`, above it if there is room. On paper, where nobody can look below a label,
-/// it is the first place from the right that no curve crosses, if there is one.
-std::optional<QRectF> PlotPainter::placeOfLabel(const QSizeF& size, double y, const std::vector<QRectF>& taken) const
+/// Level lines have them at the right from top to bottom, upright ones above from left to right.
+std::vector<PlotLabel> PlotPainter::labelsOfLines(bool upright) const
 {
-    std::optional<QRectF> first;
-    QRectF box(QPointF(), size);
-    for (double right = area_.right() - 4.0; right - size.width() >= area_.left(); right -= size.width()) {
-        for (const double top : {y - 1.0 - size.height(), y + 2.0}) {
-            box.moveTopRight({right, top});
-            const auto meets = [&box](const QRectF& other) { return other.intersects(box); };
-            if (!area_.contains(box) || std::ranges::any_of(taken, meets)) continue;
-            if (!first) first = box;
-            if (!paper_ || !isCrossed(box)) return box;
-        }
-    }
-    return first;
-}
+    struct Labelled {
+        double at; // [px]
+        const ReferenceLine* line;
+    };
+    std::vector<Labelled> lines;
+    for (const ReferenceLine& line : plot_.referenceLines())
+        if (line.upright == upright && !line.label.isEmpty() && isSeen(line))
+            lines.push_back(
+                {upright ? frame_.across(x_.position(line.value)) : frame_.up(y_.position(line.value)), &line});
+    std::ranges::stable_sort(lines, {}, &Labelled::at);
 
-/// Whether a curve passes through a box [px].
-bool PlotPainter::isCrossed(const QRectF& box) const
-{
-    return std::ranges::any_of(curves_, [&](const PlotCurve& curve) {
-        std::vector<QPointF> path = pathOf(curve);
-        for (QPointF& point : path) {
-            point = {frame_.across(point.x()), frame_.up(point.y())};
-            point = {(point.x() - box.left()) / box.width(), (point.y() - box.top()) / box.height()};
-        }
-        return !insideArea(path).empty();
-    });
+    const double room = upright ? width_ - PlotFrame::gap : width_ - area_.right() - PlotFrame::leader - 2.0;
+    const QFontMetricsF usual(frame_.numberFont);
+    double needed = 0.0; // of the widest at the right, of all above
+    for (const auto& [at, line] : lines) {
+        const double width = usual.horizontalAdvance(line->label) + aroundLabel;
+        needed = upright ? needed + width + PlotFrame::gap : std::max(needed, width);
+    }
+    QFont font = frame_.numberFont;
+    if (needed > room)
+        font.setPixelSize(static_cast<int>(font.pixelSize() * std::max(PlotFrame::leastTitle, room / needed)));
+    const QFontMetricsF metrics(font);
+    const double height = metrics.height();
+    std::vector<PlotLabel> labels;
+    std::vector<WantedPlace> wanted;
+    for (const auto& [at, line] : lines) {
+        const QString text = metrics.elidedText(line->label, Qt::ElideMiddle, room - aroundLabel);
+        const QRectF box(0.0, 0.0, metrics.horizontalAdvance(text) + aroundLabel, height);
+        labels.push_back({box, text, theme_.mutedText, false, font, line->label});
+        wanted.push_back({at, upright ? box.width() + PlotFrame::gap : height});
+    }
+    const auto places =
+        upright ? labelPlaces(wanted, PlotFrame::gap, width_) : labelPlaces(wanted, area_.top(), area_.bottom());
+    std::vector<PlotLabel> placed;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        if (!places[i]) continue;
+        PlotLabel& label = placed.emplace_back(labels[i]);
+        if (upright)
+            label.box.moveCenter({*places[i], area_.top() - PlotFrame::leader - height / 2.0});
+        else
+            label.box.moveTopLeft({area_.right() + PlotFrame::leader, *places[i] - height / 2.0});
+        if (std::abs(*places[i] - wanted[i].at) <= 1.0) continue;
+        label.leader = upright ? QLineF(wanted[i].at, area_.top(), *places[i], label.box.bottom())
+                               : QLineF(area_.right(), wanted[i].at, label.box.left(), *places[i]);
+    }
+    return placed;
 }
 
 /// The marks whose point is inside the area; QRectF contains what is not finite, too.
@@ -91,17 +164,16 @@ std::vector<PlotLabel> PlotPainter::labels() const
     std::vector<QRectF> taken = pointers();
     const QFontMetricsF metrics(frame_.numberFont);
     const auto sizeOf = [&](const QString& text) {
-        return QSizeF(metrics.horizontalAdvance(text) + 4.0, metrics.height());
+        return QSizeF(metrics.horizontalAdvance(text) + aroundLabel, metrics.height());
     };
     const auto meets = [&taken](const QRectF& box) {
         return std::ranges::find_if(taken, [&box](const QRectF& other) { return other.intersects(box); });
     };
     const auto add = [&](const QRectF& box, const QString& text, const QColor& colour, bool behind = false) {
         taken.push_back(box);
-        labels.push_back({box, text, colour, behind});
+        labels.push_back({box, text, colour, behind, frame_.numberFont});
     };
 
-    // The fewer places a label has, the sooner it chooses: areas and words at points three, lines many.
     for (const ShadedArea& shaded : plot_.shadedAreas()) {
         if (shaded.label.isEmpty()) continue;
         QRectF box(QPointF(), sizeOf(shaded.label));
@@ -127,23 +199,8 @@ std::vector<PlotLabel> PlotPainter::labels() const
             break; // without room anywhere the marker stands alone
         }
     }
-    for (const ReferenceLine& line : plot_.referenceLines()) {
-        if (line.label.isEmpty() || !isSeen(line)) continue;
-        QRectF box(QPointF(), sizeOf(line.label));
-        if (line.upright) {
-            // Beside its line at the bottom, where no peak has its label, above the labels of its neighbours.
-            const double x = frame_.across(x_.position(line.value));
-            box.moveBottomLeft({x + 3.0, area_.bottom() - 2.0});
-            if (box.right() > area_.right()) box.moveRight(x - 3.0);
-            for (auto other = meets(box); other != taken.end(); other = meets(box)) box.moveBottom(other->top() - 1.0);
-            if (box.top() < area_.top()) continue;
-        } else {
-            const std::optional<QRectF> free = placeOfLabel(box.size(), frame_.up(y_.position(line.value)), taken);
-            if (!free) continue;
-            box = *free;
-        }
-        add(box, line.label, theme_.mutedText);
-    }
+    for (const bool upright : {false, true})
+        for (const PlotLabel& label : labelsOfLines(upright)) labels.push_back(label);
     return labels;
 }
 
@@ -159,12 +216,14 @@ void PlotPainter::paintPointers(QPainter& painter) const
 
 void PlotPainter::paintLabels(QPainter& painter, bool behind) const
 {
-    painter.setFont(frame_.numberFont);
     QColor paper = theme_.plotArea;
     paper.setAlphaF(0.75F);
-    for (const auto& [box, text, colour, isBehind] : labels()) {
+    for (const auto& [box, text, colour, isBehind, font, line, leader] : labels()) {
         if (isBehind != behind) continue;
-        painter.fillRect(box, paper);
+        if (line.isEmpty()) painter.fillRect(box, paper);
+        painter.setPen(QPen(theme_.referenceLine, 1.0));
+        if (!leader.isNull()) painter.drawLine(leader);
+        painter.setFont(font);
         painter.setPen(colour);
         painter.drawText(box, Qt::AlignCenter, text);
     }

@@ -41,7 +41,12 @@ PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highli
 
 } // namespace
 
-QColor PlotTheme::paleColour(const CurveStyle& style) const { return mixed(plotArea, colour(style), 0.42); }
+QColor PlotTheme::paleColour(const CurveStyle& style) const
+{
+    for (double part = 0.42; part < 1.0; part += 0.02)
+        if (const QColor pale = mixed(plotArea, colour(style), part); contrast(pale, plotArea) >= 3.0) return pale;
+    return colour(style);
+}
 
 PlotTheme lightPlotTheme() { return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0")); }
 

@@ -3,7 +3,8 @@
 // Colours and dashes of plots, light and dark.
 //
 // The curve colours are those of Okabe and Ito (2008), which the colour-blind can tell apart, darkened or lightened to
-// a contrast of at least 3:1 against the background (WCAG 2.1, 1.4.11). Pale curves have less: they stand back.
+// a contrast of at least 3:1 against the background (WCAG 2.1, 1.4.11). Pale curves have no more than that and are
+// thin: they stand back.
 #pragma once
 
 #include <QColor>

@@ -73,8 +73,7 @@ void PlotWidget::setYScale(AxisScale scale)
 void PlotWidget::setXNumbersVisible(bool visible)
 {
     xNumbersVisible_ = visible;
-    canvas_->setPlotArea(plotArea());
-    dataChanged();
+    moveArea();
 }
 
 void PlotWidget::addCurve(const PlotCurve& curve)
@@ -127,8 +126,10 @@ void PlotWidget::setCurveVisible(const QString& id, bool visible)
 
 void PlotWidget::setReferenceLines(std::vector<ReferenceLine> lines)
 {
+    if (lines == referenceLines_) return;
     referenceLines_ = std::move(lines);
-    canvas_->repaintAll();
+    moveArea();
+    emit labelsChanged();
 }
 
 void PlotWidget::setEventMarks(std::vector<EventMark> marks)
@@ -152,7 +153,7 @@ void PlotWidget::setShadedAreas(std::vector<ShadedArea> areas)
 void PlotWidget::setBackdrop(std::optional<PlotBackdrop> backdrop)
 {
     backdrop_ = std::move(backdrop);
-    dataChanged();
+    moveArea();
 }
 
 void PlotWidget::dataChanged()
@@ -297,14 +298,6 @@ void PlotWidget::userPin(bool pinned)
 
 void PlotWidget::showSelection(std::optional<QRectF> box) { canvas_->setSelection(box); }
 
-QRectF PlotWidget::plotArea() const { return PlotFrame::curveArea(size(), font(), xNumbersVisible_); }
-
-QPointF PlotWidget::toPixel(double x, double y) const
-{
-    const QRectF area = plotArea();
-    return {area.left() + x_.position(x) * area.width(), area.bottom() - y_.position(y) * area.height()};
-}
-
 void PlotWidget::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)
 {
     if (stale_) refreshNow();
@@ -347,13 +340,19 @@ void PlotWidget::paintOnSheet(QPainter& painter, const PaperSheet& sheet)
     plot.paintAbove(painter);
 }
 
+bool PlotWidget::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShowToParent || event->type() == QEvent::HideToParent) emit labelsChanged();
+    return QWidget::event(event);
+}
+
 void PlotWidget::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         theme_ = plotTheme(palette());
-        canvas_->setPlotArea(plotArea());
-        dataChanged();
+        moveArea();
+        emit labelsChanged();
     }
 }
 
@@ -361,8 +360,7 @@ void PlotWidget::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
     canvas_->setGeometry(rect());
-    canvas_->setPlotArea(plotArea());
-    dataChanged();
+    moveArea();
 }
 
 void PlotWidget::showEvent(QShowEvent* event)

@@ -4,8 +4,8 @@
 // sees.
 //
 // Call dataChanged() after the pyramids have grown: the picture follows at most 60 times a second, less often when a
-// refresh takes long, and not at all while the plot is hidden. The plot area depends on size and font only: plots of
-// equal width under each other have equal time axes.
+// refresh takes long, and not at all while the plot is hidden. The plot area depends on size, font and labels of
+// reference lines only: plots of equal width under each other have equal time axes.
 //
 // Mouse: wheel zooms x about the pointer, Ctrl + wheel (or over the numbers of y) zooms y, Shift + wheel zooms both;
 // a phase portrait always zooms both. Left drag zooms to the box, a flat box in one direction only. Middle or right
@@ -23,6 +23,7 @@
 #include "ui/plot/plot_axis.h"
 #include "ui/plot/plot_curve.h"
 #include "ui/plot/plot_export.h"
+#include "ui/plot/plot_frame.h"
 
 #include <array>
 #include <functional>
@@ -79,6 +80,11 @@ public:
     void setPointMarks(std::vector<PointMark> marks);
     void setShadedAreas(std::vector<ShadedArea> areas);
     const std::vector<ReferenceLine>& referenceLines() const { return referenceLines_; }
+    /// What their labels and the colour bar of a backdrop need in the font of the window or of paper, whether or not
+    /// the axes show the lines.
+    LabelRoom labelRoom(const QFont& font) const;
+    /// Plots with one axis of time leave as much room at the right as the plot with the widest labels [px].
+    void setLeastLabelWidth(double width);
     const std::vector<EventMark>& eventMarks() const { return eventMarks_; }
     const std::vector<PointMark>& pointMarks() const { return pointMarks_; }
     const std::vector<ShadedArea>& shadedAreas() const { return shadedAreas_; }
@@ -160,10 +166,13 @@ signals:
     void cursorPinnedChanged(bool pinned);
     /// The pointer came to the entry of this curve in the legend, or left it: empty.
     void legendHovered(const QString& curve);
+    /// Other labels of reference lines, or the plot is shown or hidden with them.
+    void labelsChanged();
     /// Right click at this place of the screen.
     void menuRequested(const QPoint& at);
 
 protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -171,6 +180,7 @@ protected:
 private:
     friend class PlotNavigation;
 
+    void moveArea();
     void refreshWithin(int milliseconds);
     void refreshLines();
     void refreshRanges();
@@ -197,6 +207,7 @@ private:
     PhasePicture phasePicture_;
     QString hovered_; // id of the curve whose entry of the legend is under the pointer
     std::vector<ReferenceLine> referenceLines_;
+    double leastLabelWidth_ = 0.0;
     std::vector<EventMark> eventMarks_;
     std::vector<PointMark> pointMarks_;
     std::vector<ShadedArea> shadedAreas_;

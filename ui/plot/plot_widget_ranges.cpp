@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The ranges of a plot's axes: the view of the user, or automatic ones.
+// The ranges of a plot's axes: the view of the user, or automatic ones; and the area in which they are shown.
 #include "ui/plot/plot_widget.h"
 
 #include <algorithm>
 #include <cmath>
+
+#include <QFontMetricsF>
+
+#include "ui/plot/plot_canvas.h"
+#include "ui/plot/plot_painter.h"
 
 namespace touchdown {
 
@@ -148,6 +153,48 @@ std::optional<PlotRange> PlotWidget::dataRangeY() const
         range = united(range, seen);
     }
     return range;
+}
+
+LabelRoom PlotWidget::labelRoom(const QFont& font) const
+{
+    LabelRoom room{0.0, backdrop_.has_value()};
+    if (referenceLines_.empty()) return room;
+    const QFontMetricsF metrics(plotNumberFont(font));
+    for (const ReferenceLine& line : referenceLines_) {
+        if (line.label.isEmpty()) continue;
+        if (line.upright)
+            room.above = true;
+        else
+            room.width =
+                std::max(room.width, std::ceil(metrics.horizontalAdvance(line.label)) + PlotPainter::aroundLabel);
+    }
+    return room;
+}
+
+void PlotWidget::setLeastLabelWidth(double width)
+{
+    if (width == leastLabelWidth_) return;
+    leastLabelWidth_ = width;
+    moveArea();
+}
+
+void PlotWidget::moveArea()
+{
+    canvas_->setPlotArea(plotArea());
+    dataChanged();
+}
+
+QRectF PlotWidget::plotArea() const
+{
+    LabelRoom labels = labelRoom(font());
+    labels.width = std::max(labels.width, leastLabelWidth_);
+    return PlotFrame::curveArea(size(), font(), xNumbersVisible_, labels);
+}
+
+QPointF PlotWidget::toPixel(double x, double y) const
+{
+    const QRectF area = plotArea();
+    return {area.left() + x_.position(x) * area.width(), area.bottom() - y_.position(y) * area.height()};
 }
 
 } // namespace touchdown

@@ -296,6 +296,8 @@ PlotCurve LivePlots::curveOf(const RunRecord& run, std::size_t spec, std::size_t
     curve.name = name;
     if (runs_.count() > 1) curve.name = single ? run.label : tr("%1, %2").arg(name, run.label);
     if (!single) curve.legend = name;
+    if (runs_.count() > 1) curve.run = run.number;
+    curve.runName = run.label;
     curve.pale = run.number != speaker_;
     curve.leads = run.number == leader_;
     curve.still = run.finished();

@@ -28,7 +28,8 @@ constexpr double megahertz = 1e6;        // [Hz]
 constexpr double finestPixels = 3.0;     // of a picture for a pixel of the screen
 constexpr int refreshEach = 250;         // [ms] while a run goes
 constexpr double standsOut = 60.0;       // below the largest density [dB]
-constexpr double keyLength = 90.0;       // of the colour bar [px]
+constexpr double keyLength = 160.0;      // of the colour bar [px]
+constexpr double leastKey = 24.0;        // [px]
 constexpr std::size_t windowsOfRun = 32; // of the default length, without their overlap
 constexpr qint64 restShare = 4;          // rest this many times as long as the last computation took
 constexpr std::size_t leastSamples = 8;
@@ -133,27 +134,26 @@ void drawImage(LiveSpectrogram::Shown& shown, const QSize& pixels, const PlotAxi
     }
 }
 
-/// None where the title has no room beside it.
-double paintKeyOf(const LiveSpectrogram::Shown& shown, QPainter& painter, const QRectF& room, const QFont& font,
-                  const PlotTheme& theme)
+/// From the left; as long as its numbers leave it room.
+void paintKeyOf(const LiveSpectrogram::Shown& shown, QPainter& painter, const QRectF& row, const QFont& font,
+                const PlotTheme& theme)
 {
     const QFontMetricsF metrics(font);
     const QString low = typeset(shown.scale.low(), 0), high = typeset(shown.scale.high(), 0);
     const QString after = high + QChar(0x2002) + shown.unit;
     const double gap = 6.0;
-    const double width = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(after) + keyLength + 2.0 * gap;
-    if (width > 0.6 * room.width()) return 0.0;
+    const double numbers = metrics.horizontalAdvance(low) + metrics.horizontalAdvance(after) + 2.0 * gap;
+    const double length = std::clamp(row.width() - numbers, leastKey, keyLength);
     painter.setFont(font);
     painter.setPen(theme.mutedText);
-    QRectF box(room.right() - width, room.top(), metrics.horizontalAdvance(low), room.height());
+    const QRectF box(row.left(), row.top(), metrics.horizontalAdvance(low), row.height());
     painter.drawText(box, Qt::AlignCenter, low);
-    const QRectF bar(box.right() + gap, room.center().y() - 4.0, keyLength, 8.0);
-    for (int k = 0; k < static_cast<int>(keyLength); ++k)
+    const QRectF bar(box.right() + gap, row.center().y() - 4.0, length, 8.0);
+    for (int k = 0; k < static_cast<int>(length); ++k)
         painter.fillRect(QRectF(bar.left() + k, bar.top(), 1.5, bar.height()),
-                         QColor::fromRgb(shown.scale.colourAt(k / keyLength)));
-    painter.drawText(QRectF(bar.right() + gap, room.top(), room.right() - bar.right() - gap, room.height()),
-                     Qt::AlignLeft | Qt::AlignVCenter, after);
-    return width + 2.0 * gap;
+                         QColor::fromRgb(shown.scale.colourAt(k / length)));
+    painter.drawText(QPointF(bar.right() + gap, row.center().y() + (metrics.ascent() - metrics.descent()) / 2.0),
+                     after);
 }
 
 void writeDensities(const LiveSpectrogram::Shown& shown, QIODevice& device)
@@ -278,7 +278,7 @@ void LiveSpectrogram::setTitle(const QString& remark)
     const QString name =
         index < 0 ? QString() : QString::fromStdString(run->quantities[static_cast<std::size_t>(index)].longName);
     plot_.setTitle(name.isEmpty() ? tr("Spectrogram")
-                                  : tr("%1 of run %2: spectrogram%3").arg(name).arg(source_.run).arg(remark));
+                                  : tr("Spectrogram of run %1: %2%3").arg(QString::number(source_.run), name, remark));
 }
 
 void LiveSpectrogram::compute(const MinMaxPyramid& column, std::size_t length)
@@ -334,8 +334,8 @@ void LiveSpectrogram::show(const std::shared_ptr<Shown>& picture, const Quantity
             drawImage(*picture, pixels, x, y);
         painter.drawImage(area, picture->image);
     };
-    backdrop.paintKey = [picture](QPainter& painter, const QRectF& room, const QFont& font, const PlotTheme& theme) {
-        return paintKeyOf(*picture, painter, room, font, theme);
+    backdrop.paintKey = [picture](QPainter& painter, const QRectF& row, const QFont& font, const PlotTheme& theme) {
+        paintKeyOf(*picture, painter, row, font, theme);
     };
     backdrop.writeData = [picture](QIODevice& device) { writeDensities(*picture, device); };
     plot_.setBackdrop(std::move(backdrop));

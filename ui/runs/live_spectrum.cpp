@@ -229,7 +229,8 @@ void LiveSpectrum::restyle()
         const int number = numberOf(curve.id);
         const RunRecord* run = runs_.find(number);
         if (!run) return;
-        curve.name = run->label;
+        curve.name = curve.runName = run->label;
+        curve.run = number;
         curve.visible = run->shown;
         curve.pale = number != speaker;
         curve.leads = number == leader;

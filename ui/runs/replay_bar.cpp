@@ -25,7 +25,8 @@ ReplayBar::ReplayBar(std::function<std::optional<PlotRange>()> span, QWidget* pa
       span_(std::move(span)),
       button_(new QToolButton(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
-      time_(new QLabel(this))
+      time_(new QLabel(this)),
+      speed_(new QLabel(this))
 {
     timer_.setInterval(replayFrame);
     button_->setAutoRaise(true);
@@ -41,6 +42,7 @@ ReplayBar::ReplayBar(std::function<std::optional<PlotRange>()> span, QWidget* pa
     layout->addWidget(button_);
     layout->addWidget(slider_, 1);
     layout->addWidget(time_);
+    layout->addWidget(speed_);
     connect(button_, &QToolButton::clicked, this, [this] { setPlaying(!playing()); });
     connect(slider_, &QSlider::valueChanged, this, [this](int value) {
         setPlaying(false);
@@ -80,6 +82,7 @@ void ReplayBar::choose(double share)
 void ReplayBar::showTime(const std::optional<double>& time)
 {
     const auto span = span_();
+    speed_->setText(span ? tr("%1 per second").arg(timeText(span->width() / passSeconds)) : QString());
     if (!span) return time_->clear();
     const double at = std::clamp(time.value_or(span->high), span->low, span->high);
     // A pass continues from its own place: the pictures may stand at a sample beside it.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Plays and scrubs through what the plots show of a run. One pass takes ten seconds, whatever time it spans.
+// Plays and scrubs through what the plots show of a run. One pass takes ten seconds, whatever time it spans: the time
+// that passes in a second stands beside it.
 #pragma once
 
 #include <functional>
@@ -53,7 +54,7 @@ private:
     QElapsedTimer clock_;
     QToolButton* button_;
     QSlider* slider_;
-    QLabel* time_;
+    QLabel *time_, *speed_;
     double share_ = 1.0; // of the span
 };
 

@@ -17,6 +17,7 @@
 #include "ui/runs/quantity_list.h"
 #include "ui/runs/replay_bar.h"
 #include "ui/runs/run_maps.h"
+#include "ui/runs/runs_model.h"
 #include "ui/runs/side_view.h"
 #include "ui/style/foreign_text.h"
 
@@ -41,6 +42,7 @@ QWidget* withReplay(QWidget* view, QWidget* replay)
 
 RunView::RunView(RunsModel& runs, QWidget* parent)
     : QWidget(parent),
+      runs_(runs),
       plots_(new LivePlots(runs, this)),
       spectrum_(new LiveSpectrum(runs, this)),
       side_(new SideView(runs, this)),
@@ -107,6 +109,10 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
         for (SideView* side : sides()) side->showTime(plots_->group()->cursor(0));
         for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
     });
+    // What is shown is what is replayed.
+    connect(plots_->group(), &PlotGroup::historyChanged, side_, [this] {
+        for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
+    });
     for (const ReplayBar* replay : {replay_, replayAbove_})
         connect(replay, &ReplayBar::timeChosen, this, [this](double time) { plots_->group()->setCursor(0, time); });
     setCase({});
@@ -146,6 +152,7 @@ void RunView::opened(const QString& sample, const Case& c)
 {
     const bool first = sample == QLatin1String(defaultCaseName);
     openedDuration_ = first ? c.run.duration : 0.0;
+    runs_.setOpened(c);
     showTime();
 }
 

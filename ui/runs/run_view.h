@@ -94,6 +94,7 @@ private:
     void showTime();
     std::optional<PlotRange> replayed() const;
 
+    RunsModel& runs_;
     ModelKind model_ = ModelKind::Springs;
     double openedDuration_ = 0.0; // of the default case, while its first part is shown [s]
     LivePlots* plots_;

@@ -9,23 +9,13 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "ui/case/parameter_text.h"
+#include "ui/runs/run_names.h"
 #include "ui/runs/run_record.h"
 #include "ui/style/quantity_format.h"
-#include "ui/style/readable.h"
 
 namespace touchdown {
 
 namespace {
-
-constexpr qsizetype mostInLabel = 2; // changes
-
-/// "Fig. 10 (a)" of "Fig. 10 (a): a 7 nm slider dropped from 250 nm".
-QString headOf(const std::string& title)
-{
-    const QString text = QString::fromStdString(title);
-    const qsizetype colon = text.indexOf(QLatin1String(": "));
-    return colon > 0 ? text.left(colon) : text;
-}
 
 /// The sample case with a title, if there is one. A film takes some milliseconds to read: each is read once.
 const Case* sampleOf(const std::string& title)
@@ -38,13 +28,6 @@ const Case* sampleOf(const std::string& title)
             if (Case c = parseCase(sample.text, sample.name).value; c.title == title) entry->second = std::move(c);
         }
     return entry->second ? &*entry->second : nullptr;
-}
-
-QString firstOf(const QStringList& changes)
-{
-    const QString more =
-        changes.size() > mostInLabel ? QStringLiteral(" +%1").arg(changes.size() - mostInLabel) : QString();
-    return changes.first(std::min(mostInLabel, changes.size())).join(QStringLiteral(", ")) + more;
 }
 
 } // namespace
@@ -60,9 +43,13 @@ RunsModel::RunsModel(QObject* parent) : RecordList(parent)
 
 RunRecord& RunsModel::add(std::unique_ptr<RunRecord> record)
 {
-    record->label = labelOf(*record);
-    return static_cast<RunRecord&>(addRecord(std::move(record)));
+    const bool others = nameAll(record.get());
+    auto& added = static_cast<RunRecord&>(addRecord(std::move(record)));
+    if (others) tellNames();
+    return added;
 }
+
+void RunsModel::setOpened(const Case& c) { opened_[c.title] = c; }
 
 bool RunsModel::isUnsaved(int row) const
 {
@@ -70,36 +57,47 @@ bool RunsModel::isUnsaved(int row) const
     return RecordList::isUnsaved(row) && run.sampleCount() > 0 && (!run.ofGuide || !run.note.isEmpty());
 }
 
-QString RunsModel::labelOf(const RunRecord& run) const
+/// From which the case of a run was changed: as it was opened, the sample or the first run of its title.
+const Case* RunsModel::beforeOf(const RunRecord& run) const
 {
-    const RunRecord* base = nullptr;
-    for (int row = 0; row < count() && !base; ++row)
-        if (record(row).value.title == run.value.title) base = &record(row);
-    if (const RunRecord* chosen = find(baseline()); chosen && chosen->value.title == run.value.title) base = chosen;
-    QString own = run.value.title.empty() ? tr("Run %1").arg(run.number) : headOf(run.value.title);
-    // The figures of the paper have several cases each.
+    const std::string& title = run.value.title;
+    if (const auto opened = opened_.find(title); opened != opened_.end()) return &opened->second;
+    if (const Case* sample = sampleOf(title)) return sample;
     for (int row = 0; row < count(); ++row)
-        if (const std::string& other = record(row).value.title;
-            record(row).number < run.number && other != run.value.title && headOf(other) == own)
-            own = readable(run.value.title);
-    if (!base || base->number == run.number) {
-        // A figure of the paper that was changed is that figure no more.
-        const Case* sample = sampleOf(run.value.title);
-        const QStringList changes = sample ? shortDifference(*sample, run.value) : QStringList();
-        return changes.isEmpty() ? own : readable(tr("%1, %2").arg(own, firstOf(changes)).toStdString());
+        if (record(row).value.title == title) return &record(row).value;
+    return &run.value;
+}
+
+/// Also of a run that is to come; whether a run of the list has another name now.
+bool RunsModel::nameAll(RunRecord* next)
+{
+    std::vector<RunRecord*> all;
+    for (int row = 0; row < count(); ++row) all.push_back(static_cast<RunRecord*>(&changeable(row)));
+    if (next) all.push_back(next);
+    std::vector<RunToName> runs;
+    const RunRecord* base = find(baseline());
+    for (const RunRecord* run : all) {
+        const bool based = base && base->value.title == run->value.title;
+        runs.push_back({run->number, &run->value, based ? &base->value : beforeOf(*run)});
     }
-    const QStringList changes = shortDifference(base->value, run.value);
-    if (changes.isEmpty())
-        return run.value.title.empty() ? own : tr("%1, run %2").arg(own, QString::number(run.number));
-    return readable(firstOf(changes).toStdString());
+    const QStringList names = runNames(runs);
+    bool changed = false;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const QString& name = names[static_cast<qsizetype>(i)];
+        changed = changed || (all[i] != next && all[i]->label != name);
+        all[i]->label = name;
+    }
+    return changed;
 }
 
 void RunsModel::relabel()
 {
-    for (int row = 0; row < count(); ++row) {
-        auto& run = static_cast<RunRecord&>(changeable(row));
-        run.label = labelOf(run);
-    }
+    nameAll();
+    tellNames();
+}
+
+void RunsModel::tellNames()
+{
     if (count() > 0) emit dataChanged(index(0), index(count() - 1), {Qt::DisplayRole, ChangesRole});
     emit namesChanged();
 }
@@ -172,8 +170,9 @@ RunRecord* RunsModel::find(int number)
 
 QString RunsModel::changes(int row) const
 {
-    if (row == 0) return tr("first run");
-    const QStringList list = caseDifference(record(row - 1).value, record(row).value);
+    const QStringList list =
+        caseDifference(row > 0 ? record(row - 1).value : *beforeOf(record(row)), record(row).value);
+    if (row == 0 && list.isEmpty()) return tr("first run");
     if (list.isEmpty()) return tr("same parameters as run %1").arg(record(row - 1).number);
     return list.join(QStringLiteral(", "));
 }
@@ -202,9 +201,8 @@ QStringList RunsModel::details(int row) const
 {
     const RunRecord& run = record(row);
     QStringList lines;
-    if (const std::optional<EndHeight> end = endHeight(run); end && run.summary)
-        lines << tr("%1 at the end: %2")
-                     .arg(QString::fromStdString(end->quantity->longName), readout(end->value, *end->quantity));
+    if (const QString end = run.summary ? endText(run) : QString(); !end.isEmpty())
+        lines << sentence(end.toStdString());
     lines << tr("Samples: %L1").arg(run.sampleCount());
     if (run.summary) lines << QString::fromStdString(run.summary->message);
     return lines;

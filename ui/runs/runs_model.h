@@ -2,9 +2,12 @@
 //
 // The runs of this session: newest last, each with what changed since the run before it.
 //
-// A run has a short name by what it changes in the baseline, or else in the first run of the same case: "FH(0) 20 nm".
-// The newest run that is shown, or the run that is raised, is wide; the other runs are pale.
+// A run is named by what tells it from the others (ui/runs/run_names.h): "FH(0) 20 nm". The newest run that is shown,
+// or the run that is raised, is wide; the other runs are pale.
 #pragma once
+
+#include <map>
+#include <string>
 
 #include "ui/lists/record_list.h"
 
@@ -34,6 +37,8 @@ public:
     RunRecord* find(int number);
     const RunRecord* find(int number) const;
 
+    /// The case with this title as it was opened: names say what was changed in it.
+    void setOpened(const Case& c);
     /// Another name of a run, until names are made anew.
     void rename(int number, const QString& name);
 
@@ -64,9 +69,12 @@ protected:
     bool speaks(int row) const override;
 
 private:
-    QString labelOf(const RunRecord& run) const;
+    const Case* beforeOf(const RunRecord& run) const;
+    bool nameAll(RunRecord* next = nullptr);
     void relabel();
+    void tellNames();
 
+    std::map<std::string, Case> opened_; // by title
     int raised_ = -1;
 };
 

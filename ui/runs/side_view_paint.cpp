@@ -95,7 +95,7 @@ void SideView::paintLegend(QPainter& painter, const PlotTheme& theme) const
         const RunRecord* run = runs_.find(seen->number);
         const QString spacing = readout(seen->state->spacing, "nm", 3);
         const QString text =
-            painter.fontMetrics().elidedText(tr("%1: minimum spacing %2").arg(run->label, spacing), Qt::ElideLeft,
+            painter.fontMetrics().elidedText(tr("%1: minimum spacing %2").arg(run->label, spacing), Qt::ElideMiddle,
                                              static_cast<int>(plotArea().width() - sample - 4.0 * gap));
         row.setWidth(sample + 2.0 * gap + painter.fontMetrics().horizontalAdvance(text));
         QColor paper = theme.plotArea;

@@ -108,7 +108,7 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
         level(characteristic_->touchDown, room ? down : QStringLiteral("dₛ"));
         level(characteristic_->takeOff, room ? up : QStringLiteral("dₑ"));
     }
-    QColor body = pressed ? theme.curves[1] : theme.curves[0];
+    QColor body = theme.mutedText; // of no run
     painter.setPen(QPen(body, 1.5));
     body.setAlphaF(0.4F);
     painter.setBrush(body);
@@ -122,7 +122,7 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
     painter.drawRect(frame);
     painter.setPen(theme.text);
     painter.drawText(frame.adjusted(6.0, 0.2 * line, -6.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
-                     tr("Pad at %1").arg(lengthText(separation, 4)) +
+                     (pressed ? tr("Pad in contact at %1") : tr("Pad at %1")).arg(lengthText(separation, 4)) +
                          (separation > reach_ ? QStringLiteral(" ↑") : QString()));
 }
 

@@ -21,9 +21,10 @@ QString raised(QString digits)
 
 QString lowered(QString letters)
 {
-    static const QString plain = QStringLiteral("0123456789aehijklmnoprstuvx");
+    // Not r, though there is one: what is in front has the index f, which has none, and both are written alike.
+    static const QString plain = QStringLiteral("0123456789aehijklmnopstuvx");
     static const QString low = QStringLiteral("₀₁₂₃₄₅₆₇₈₉"
-                                              "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ");
+                                              "ₐₑₕᵢⱼₖₗₘₙₒₚₛₜᵤᵥₓ");
     for (QChar& letter : letters) {
         const qsizetype found = plain.indexOf(letter);
         if (found < 0) return {};

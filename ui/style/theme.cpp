@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/style/theme.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <QApplication>
 #include <QFile>
 #include <QFont>
 #include <QHeaderView>
 #include <QPainter>
-#include <QStyleFactory>
+#include <QProxyStyle>
 #include <QSvgRenderer>
 
 namespace touchdown {
@@ -58,6 +61,27 @@ QPalette paletteOf(const Tones& tones)
     return palette;
 }
 
+/// Fusion with a border around boxes and round buttons that nobody ticked: its own vanishes in the dark.
+class BorderedStyle : public QProxyStyle {
+public:
+    BorderedStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override
+    {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        const bool round = element == PE_IndicatorRadioButton;
+        if (!(element == PE_IndicatorCheckBox || round) || !option->state.testFlag(State_Enabled)) return;
+        painter->save();
+        painter->setPen(meaningColours(option->palette).muted);
+        painter->setBrush(Qt::NoBrush);
+        painter->setRenderHint(QPainter::Antialiasing, round);
+        const QRectF border = QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5);
+        round ? painter->drawEllipse(border) : painter->drawRect(border);
+        painter->restore();
+    }
+};
+
 QByteArray svgOf(const QString& name)
 {
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
@@ -87,10 +111,9 @@ Theme themeFromName(const QString& name)
 void applyTheme(Theme theme, int pointSize)
 {
     const SystemLook& system = systemLook();
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QApplication::setStyle(new BorderedStyle);
     const bool dark = theme == Theme::Dark || (theme == Theme::System && system.dark);
-    // Fusion draws no lighter frame around a text box or a check box: the dark window is clearly lighter than their
-    // base.
+    // Fusion draws no lighter frame around a text box: the dark window is clearly lighter than its base.
     QApplication::setPalette(dark ? paletteOf({"#2d3238", "#1a1d21", "#22262b", "#3b424a", "#e4e8ec", "#a0a8b1",
                                                "#2f7fc4", "#ffffff", "#6db3ee", "#2f353c", "#545c66"})
                                   : paletteOf({"#f3f4f6", "#ffffff", "#f0f2f5", "#fbfbfc", "#1b1f24", "#7b838c",
@@ -106,6 +129,16 @@ MeaningColours meaningColours(const QPalette& palette)
 {
     if (isDark(palette)) return {"#ff8a80", "#f0b860", "#7fcf8f", "#6db3ee", "#9aa3ad"};
     return {"#b3261e", "#8a5300", "#1c7434", "#155d9c", "#626b75"};
+}
+
+double contrast(const QColor& a, const QColor& b)
+{
+    const auto luminance = [](const QColor& colour) {
+        const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
+    };
+    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
+    return (high + 0.05) / (low + 0.05);
 }
 
 bool isDark(const QPalette& palette)

@@ -36,6 +36,9 @@ MeaningColours meaningColours(const QPalette& palette);
 
 bool isDark(const QPalette& palette);
 
+/// The contrast of two colours, 1 to 21 (WCAG 2.1): 3 lets a line be seen, 4.5 a text be read.
+double contrast(const QColor& a, const QColor& b);
+
 /// The text of `widget` in this colour; in that of its palette when the colour is invalid.
 void setTextColour(QWidget* widget, const QColor& colour);
 

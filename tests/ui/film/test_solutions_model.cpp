@@ -42,14 +42,14 @@ private slots:
         };
         QCOMPARE(name(), QStringLiteral("A slider of our own"));
         for (RailPoint& point : c.surface.rails[1].points) point.x += 2e-6;
-        QCOMPARE(name(), QStringLiteral("rail 2 moved by 2, 0\u00a0µm"));
+        QCOMPARE(name(), QStringLiteral("rail 2: +2, 0\u00a0µm"));
         QCOMPARE(name(), QStringLiteral("as solution 2"));
         c.disk.speed *= 2.0;
         QVERIFY(name().startsWith(QStringLiteral("disk speed")));
         c.title = "Another one";
         QCOMPARE(name(), QStringLiteral("Another one"));
         model.remove(0);
-        QCOMPARE(model.record(0).name, QStringLiteral("rail 2 moved by 2, 0\u00a0µm")); // it keeps its name
+        QCOMPARE(model.record(0).name, QStringLiteral("rail 2: +2, 0\u00a0µm")); // it keeps its name
         QCOMPARE(model.index(0).data(RecordList::ResultRole).toString(), QStringLiteral("12.00\u00a0nm"));
     }
 
@@ -64,9 +64,9 @@ private slots:
             return model.record(model.rowOf(model.add(c, sampleResult(c)))).name;
         };
         name(0, 0.0);
-        QCOMPARE(name(0, 4e-6), QStringLiteral("rail 1 moved by 4, 0\u00a0µm"));
-        QCOMPARE(name(1, 1e-6), QStringLiteral("rail 2 moved by 1, 0\u00a0µm, from solution 1"));
-        QCOMPARE(name(1, 3e-6), QStringLiteral("rail 2 moved by 2, 0\u00a0µm")); // from the last one
+        QCOMPARE(name(0, 4e-6), QStringLiteral("rail 1: +4, 0\u00a0µm"));
+        QCOMPARE(name(1, 1e-6), QStringLiteral("rail 2: +1, 0\u00a0µm, from solution 1"));
+        QCOMPARE(name(1, 3e-6), QStringLiteral("rail 2: +2, 0\u00a0µm")); // from the last one
         QCOMPARE(name(0, 0.0), QStringLiteral("as solution 1"));
     }
 
@@ -220,7 +220,7 @@ private slots:
         Case c = sampleFilmCase();
         model.add(c, sampleResult(c));
         for (std::size_t i = 0; i < 5; ++i) c.surface.rails[3].points[i].x += 1e-6 * double(i + 1);
-        QCOMPARE(model.record(model.rowOf(model.add(c, sampleResult(c)))).name.count(QStringLiteral("moved by")), 3);
+        QCOMPARE(model.record(model.rowOf(model.add(c, sampleResult(c)))).name.count(QStringLiteral(": +")), 3);
         QVERIFY(model.record(1).name.endsWith(QStringLiteral("and 2 more")));
     }
 

@@ -46,6 +46,8 @@ private slots:
     void copiesFrequenciesAsATable();
     void copiesTimesAsATable();
     void theButtonNeedsACursor();
+    void runsStandBelowTheirQuantity();
+    void runsCanBeToldApartInANarrowTable();
 
 private:
     QString cell(int row, int column) const { return table_->table()->item(row, column)->text(); }
@@ -96,7 +98,8 @@ void TestCursorTable::showsTheGroupWhoseCursorMoved()
     QTRY_COMPARE(table_->table()->rowCount(), 2);
     time_->setCursor(1, 0.5e-3);
     QCOMPARE(table_->shown(), time_.get());
-    QTRY_COMPARE(table_->table()->rowCount(), 1);
+    QTRY_COMPARE(table_->table()->rowCount(), 2); // the quantity, its run
+    QCOMPARE(cell(0, 0), QStringLiteral("Spacing [nm]"));
     // The cursor follows the pointer through the spectrum and leaves with it: the pinned one over time is read again.
     view_->group()->setCursor(0, 50e3);
     QCOMPARE(table_->shown(), view_->group());
@@ -121,22 +124,21 @@ void TestCursorTable::frequenciesAndRatios()
 {
     view_->group()->setCursor(0, 42e3);
     QTRY_COMPARE(table_->table()->rowCount(), 2);
-    QVERIFY(table_->table()->isColumnHidden(5)); // no ratio with one cursor
+    QVERIFY(table_->table()->isColumnHidden(4)); // no ratio with one cursor
     view_->group()->setCursor(1, 152e3);
     QTRY_COMPARE(places("Frequencies of the cursors"),
                  QStringLiteral("f₁ = 42.00 kHz (peak)    f₂ = 152.0 kHz (peak)    Δf = 110.0 kHz    "
                                 "densities [nm²/Hz], dB: 10 log₁₀ of 2 / 1"));
     QCOMPARE(table_->table()->horizontalHeaderItem(0)->text(), QStringLiteral("Run"));
-    QVERIFY(table_->table()->horizontalHeaderItem(5)->text().contains("dB"));
+    QVERIFY(table_->table()->horizontalHeaderItem(4)->text().contains("dB"));
     QCOMPARE(cell(0, 0), QStringLiteral("Run 1"));
     QCOMPARE(cell(0, 1).toDouble(), 1.0);
     QCOMPARE(cell(0, 2).toDouble(), 0.01);
     QCOMPARE(cell(0, 3), QChar(0x2212) + QStringLiteral("0.990"));
-    QVERIFY(table_->table()->isColumnHidden(4)); // the unit is above the table
-    QCOMPARE(cell(0, 5), QChar(0x2212) + QStringLiteral("20.0"));
+    QCOMPARE(cell(0, 4), QChar(0x2212) + QStringLiteral("20.0"));
     QCOMPARE(cell(1, 3).toDouble(), 4.0);
-    QCOMPARE(cell(1, 5), QStringLiteral("+3.0"));
-    QVERIFY(!table_->table()->isColumnHidden(5));
+    QCOMPARE(cell(1, 4), QStringLiteral("+3.0"));
+    QVERIFY(!table_->table()->isColumnHidden(4));
     // Between two bins the value is that of the nearer one, not on a line: 42.4 kHz is at the peak, 42.6 kHz is not.
     view_->group()->setCursor(0, 42.4e3);
     QTRY_COMPARE(cell(1, 1).toDouble(), 4.0);
@@ -144,8 +146,9 @@ void TestCursorTable::frequenciesAndRatios()
     QTRY_COMPARE(cell(1, 1), QStringLiteral("1.00·10⁻⁶"));
     time_->setCursor(0, 0.5e-3);
     time_->setCursor(1, 1e-3);
-    QTRY_COMPARE(cell(0, 0), QStringLiteral("Spacing: Run 1"));
-    QVERIFY(table_->table()->isColumnHidden(5));
+    QTRY_COMPARE(cell(0, 0), QStringLiteral("Spacing [nm]"));
+    QCOMPARE(cell(1, 0), QStringLiteral("Run 1"));
+    QVERIFY(table_->table()->isColumnHidden(4));
     QVERIFY(places("Times of the cursors").startsWith(QStringLiteral("t₁ = 0.500 ms")));
 }
 
@@ -173,10 +176,9 @@ void TestCursorTable::copiesFrequenciesAsATable()
 {
     view_->group()->setCursor(0, 42e3);
     view_->group()->setCursor(1, 152.25e3);
-    table_->show();
-    QTest::mouseClick(namedWidget<QToolButton>(*table_, "Copy the table of the values at the cursors"), Qt::LeftButton);
-    QTRY_VERIFY(table_->table()->rowCount() == 2);
-    QTest::mouseClick(namedWidget<QToolButton>(*table_, "Copy the table of the values at the cursors"), Qt::LeftButton);
+    auto* copy = namedWidget<QToolButton>(*table_, "Copy the table of the values at the cursors");
+    QTRY_VERIFY(copy->isEnabled());
+    QTest::mouseClick(copy, Qt::LeftButton);
     QCOMPARE(QGuiApplication::clipboard()->text(),
              QStringLiteral("Run\tAt 1 (peak)\tAt 2\t2 - 1\t2 / 1 [dB, 10 log10 of the densities]\n"
                             "Frequency [kHz]\t42\t152.25\t110.25\t\n"
@@ -205,6 +207,68 @@ void TestCursorTable::theButtonNeedsACursor()
     QTRY_VERIFY(copy->isEnabled());
     view_->group()->setCursor(1, std::nullopt);
     QTRY_VERIFY(!copy->isEnabled());
+}
+
+/// Two runs of one quantity, and of two in one plot: a heading for each quantity, the newest run first.
+void TestCursorTable::runsStandBelowTheirQuantity()
+{
+    const auto curveOf = [this](int run, const QString& quantity) {
+        PlotCurve curve{QStringLiteral("run %1/%2").arg(run).arg(quantity), "", {run, 0}, &spacing_};
+        curve.run = run;
+        curve.runName = QStringLiteral("FH %1 nm").arg(10 + run);
+        curve.legend = quantity;
+        curve.name = quantity.isEmpty() ? curve.runName : quantity + ", " + curve.runName;
+        return curve;
+    };
+    plot_->setCurves({curveOf(1, ""), curveOf(2, "")});
+    PlotWidget energy;
+    energy.setTitle("Energy");
+    energy.setYLabel({{}, "pJ", 1e-12, AxisScale::Linear});
+    energy.setCurves({curveOf(1, "Kinetic"), curveOf(1, "Total"), curveOf(2, "Kinetic"), curveOf(2, "Total")});
+    time_->add(&energy);
+    table_->scheduleUpdate();
+    QTRY_COMPARE(table_->table()->rowCount(), 9);
+    const QStringList expected{"Spacing [nm]",         "2  FH 12 nm", "1  FH 11 nm",
+                               "Energy: Kinetic [pJ]", "2  FH 12 nm", "1  FH 11 nm",
+                               "Energy: Total [pJ]",   "2  FH 12 nm", "1  FH 11 nm"};
+    for (int row = 0; row < 9; ++row) {
+        QCOMPARE(cell(row, 0), expected[row]);
+        QCOMPARE(table_->table()->columnSpan(row, 0) > 1, row % 3 == 0);
+    }
+    QVERIFY(table_->asText().contains("Energy: Total, FH 12 nm [pJ]")); // the quantity in each row
+    time_->remove(&energy);
+    plot_->setCurves({{"run 1/spacing", "Spacing", {0, 0}, &spacing_}}); // one run: no heading
+    table_->scheduleUpdate();
+    QTRY_COMPARE(table_->table()->rowCount(), 1);
+    QCOMPARE(cell(0, 0), QStringLiteral("Spacing [nm]"));
+    QCOMPARE(table_->table()->columnSpan(0, 0), 1);
+}
+
+/// At the default width with two cursors each value has its room, and each name room for what tells it apart.
+void TestCursorTable::runsCanBeToldApartInANarrowTable()
+{
+    std::vector<PlotCurve> curves;
+    for (int run = 1; run <= 12; ++run) {
+        PlotCurve curve{QStringLiteral("run %1").arg(run), QStringLiteral("FH %1 nm").arg(run), {run, 0}, &spacing_};
+        curve.run = run;
+        curve.runName = curve.name;
+        curves.push_back(curve);
+    }
+    plot_->setCurves(curves);
+    table_->resize(340, 500);
+    time_->setCursor(0, 0.25e-3);
+    time_->setCursor(1, 0.5e-3);
+    table_->scheduleUpdate();
+    QTRY_COMPARE(table_->table()->rowCount(), 13);
+    const QFontMetrics metrics(table_->table()->font());
+    const auto fits = [&](int row, int column, int around) {
+        return metrics.horizontalAdvance(cell(row, column)) + around <= table_->table()->columnWidth(column);
+    };
+    QTRY_VERIFY(fits(1, 3, 4));
+    for (int row = 1; row < 13; ++row) {
+        QVERIFY(fits(row, 0, 22 + 12)); // with the sample of the line
+        for (const int column : {1, 2, 3}) QVERIFY(!cell(row, column).isEmpty() && fits(row, column, 4));
+    }
 }
 
 TOUCHDOWN_TEST(TestCursorTable)

@@ -134,8 +134,12 @@ void TestCurvePicture::showsPaleLines()
     };
     QVERIFY(lineAt(21e-9, plot_->theme().colour({0, 0})));
     QVERIFY(!lineAt(5e-9, plot_->theme().colour({0, 0})));
-    QVERIFY(lineAt(5e-9, plot_->theme().paleColour({0, 0})));
-    QVERIFY(!lineAt(25.5e-9, plot_->theme().paleColour({0, 0})));
+    // A line of one pixel may share two rows.
+    const QColor pale = plot_->theme().paleColour({0, 0}), paper = plot_->theme().plotArea;
+    const QColor half((pale.red() + paper.red()) / 2, (pale.green() + paper.green()) / 2,
+                      (pale.blue() + paper.blue()) / 2);
+    QVERIFY(lineAt(5e-9, pale) || lineAt(5e-9, half));
+    QVERIFY(!lineAt(25.5e-9, pale) && !lineAt(25.5e-9, half));
 }
 
 void TestCurvePicture::takesOtherDataAtTheSamePlace()

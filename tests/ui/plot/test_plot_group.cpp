@@ -49,6 +49,7 @@ private slots:
     void phasePortraitKeepsItsAxes();
     void beginsWithAFirstRange();
     void everythingUntilANewRunBegins();
+    void labelsOfLinesKeepAxesAligned();
 
 private:
     /// Samples up to 1 ms at a time: spacing = 10 nm + t * 1 um/s, pitch = 100 urad - t * 10 mrad/s.
@@ -237,10 +238,9 @@ void TestPlotGroup::tableShowsDifferences()
     QTRY_VERIFY2(times->text().simplified().contains("= 2.000 kHz"), qPrintable(times->text()));
     QVERIFY(times->text().simplified().contains("= 0.500 ms"));
     QCOMPARE(table.table()->rowCount(), 2);
-    QCOMPARE(table.table()->item(0, 0)->text(), QStringLiteral("Spacing"));
+    QCOMPARE(table.table()->item(0, 0)->text(), QStringLiteral("Spacing [nm]"));
     QCOMPARE(table.table()->item(0, 1)->text().toDouble(), 10.2);
     QCOMPARE(table.table()->item(0, 3)->text().toDouble(), 0.5);
-    QCOMPARE(table.table()->item(0, 4)->text(), QStringLiteral("nm"));
     QVERIFY(table.table()->item(1, 3)->text().startsWith(QChar(0x2212))); // pitch falls by 5 urad
     QFont large = table.font();
     large.setPointSize(2 * large.pointSize());
@@ -329,6 +329,27 @@ void TestPlotGroup::everythingUntilANewRunBegins()
     upper_->refreshNow();
     QVERIFY(upper_->yAxis().range().high < 1e-7);
     upper_->removeCurve("earlier");
+}
+
+/// Labels of one plot take their room from all plots over time, as long as it is shown.
+void TestPlotGroup::labelsOfLinesKeepAxesAligned()
+{
+    const QRectF before = lower_->plotArea();
+    upper_->setReferenceLines({{11e-9, QStringLiteral("take-off height"), false}});
+    QVERIFY(upper_->plotArea().right() < before.right() - 20.0);
+    QCOMPARE(lower_->plotArea().right(), upper_->plotArea().right());
+    PlotWidget late; // than the labels
+    late.resize(upper_->size());
+    group_->add(&late);
+    QCOMPARE(late.plotArea().right(), upper_->plotArea().right());
+    group_->remove(&late);
+    QCOMPARE(late.plotArea().right(), before.right());
+    upper_->hide();
+    QCOMPARE(lower_->plotArea(), before);
+    upper_->show();
+    QCOMPARE(lower_->plotArea().right(), upper_->plotArea().right());
+    upper_->setReferenceLines({});
+    QCOMPARE(lower_->plotArea(), before);
 }
 
 TOUCHDOWN_TEST(TestPlotGroup)

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/plot_theme.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <QTest>
 
 #include "tests/support/test_program.h"
 #include "tests/ui/dark_theme.h"
+#include "ui/style/theme.h"
 
 using namespace touchdown;
 
 namespace test_plot_theme {
-
-/// Relative luminance and contrast of WCAG 2.1.
-double luminance(const QColor& colour)
-{
-    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) + 0.0722 * linear(colour.blueF());
-}
-
-double contrast(const QColor& a, const QColor& b)
-{
-    const auto [low, high] = std::minmax({luminance(a), luminance(b)});
-    return (high + 0.05) / (low + 0.05);
-}
 
 class TestPlotTheme : public QObject {
     Q_OBJECT
@@ -50,6 +37,10 @@ void TestPlotTheme::standsOutOfItsPaper()
     QCOMPARE(theme.plotArea.lightness() < 128, dark);
     for (const QColor& colour : theme.curves) // graphics: 3:1
         QVERIFY2(contrast(colour, theme.plotArea) >= 3.0, qPrintable(colour.name()));
+    for (int colour = 0; colour < theme.curves.size(); ++colour) // pale ones, also in the legend
+        QVERIFY2(contrast(palePen({colour, 0}, theme).color(), theme.background) >= 3.0,
+                 qPrintable(theme.curves[colour].name()));
+    QVERIFY(contrast(theme.referenceLine, theme.background) >= 3.0);
     for (const QColor& colour : {theme.text, theme.mutedText}) // text: 4.5:1
         QVERIFY2(contrast(colour, theme.background) >= 4.5, qPrintable(colour.name()));
     QVERIFY(contrast(theme.grid, theme.plotArea) < 1.6); // the grid stays in the background

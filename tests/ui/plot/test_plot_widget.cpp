@@ -433,7 +433,8 @@ void TestPlotWidget::referenceLineAndMarks()
     const QPointF line = plot_->toPixel(5e-4, 25e-9);
     const QRectF row(area.left() + 2.0, line.y() - 1.0, area.width() - 4.0, 2.0);
     QVERIFY(ink(image, row, plot_->theme().referenceLine) > 0.3 * area.width()); // dashed: half of the row
-    const QRectF label(area.right() - 90.0, line.y() - 16.0, 88.0, 14.0);
+    QVERIFY(area.right() < plot_->width() - 40.0);                               // the margin of the label
+    const QRectF label(area.right() + 1.0, line.y() - 8.0, plot_->width() - area.right() - 1.0, 16.0);
     QVERIFY(ink(image, label, plot_->theme().mutedText) > 20);
     const QRectF tick(line.x() - 2.0, area.top(), 4.0, 5.0);
     QVERIFY(ink(image, tick, plot_->theme().referenceLine) >= 3);

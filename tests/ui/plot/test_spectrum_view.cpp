@@ -324,6 +324,8 @@ void TestSpectrumView::offersLinesOfTheCase()
     view_->setReferences({{FrequencyKind::Wave, 50e3, "wave"}}); // another case: the choice stays
     QVERIFY(plot->referenceLines().empty());
     QCOMPARE(plot->actions(), QList<QAction*>{view_->linesWanted(FrequencyKind::Wave)});
+    view_->linesWanted(FrequencyKind::Wave)->setChecked(false);
+    plot->setReferenceLines({{-1.0, QStringLiteral("none"), true}}); // the labels need as much room as before
     const QImage without = plot->grab().toImage();
     // Each line changes a column of pixels, half of them as it is dashed.
     for (const double frequency : {98.3e3, 201e3, 281.25e3}) {

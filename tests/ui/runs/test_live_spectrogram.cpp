@@ -117,7 +117,7 @@ void TestLiveSpectrogram::saysItsResolutions()
     QCOMPARE(plots_->spectrogram()->shown()->window, std::size_t(256));
     QCOMPARE(plot()->toolTip(), QStringLiteral("Resolution: 256.0\u00a0µs, 5.859\u00a0kHz"));
     QCOMPARE(plot()->title(),
-             QStringLiteral("Minimum spacing of pad and pressure centres above the disk of run 1: spectrogram"));
+             QStringLiteral("Spectrogram of run 1: Minimum spacing of pad and pressure centres above the disk"));
     QCOMPARE(spectrogramWindow(100), std::size_t(64));
     QCOMPARE(spectrogramWindow(1'000'000), std::size_t(4096));
 }
@@ -156,7 +156,7 @@ void TestLiveSpectrogram::followsTheNewestRun()
 void TestLiveSpectrogram::anotherQuantityTakesItsPlace()
 {
     QCOMPARE(plots_->addCurve(name, quantity("pitch")), QString());
-    QTRY_VERIFY(plot()->title().startsWith(QStringLiteral("Pitch of run 1")));
+    QTRY_VERIFY(plot()->title().startsWith(QStringLiteral("Spectrogram of run 1: Pitch")));
     QCOMPARE(plots_->spec(name).curves.size(), std::size_t(1));
     QCOMPARE(plot()->yAxis().label.unit, QStringLiteral("kHz"));
     QTRY_VERIFY(plots_->spectrogram()->shown());
@@ -219,13 +219,12 @@ void TestLiveSpectrogram::nothingOfAnotherQuantityIsShown()
     plots_->addCurve(name, quantity("pitch"));
     plots_->spectrogram()->updateNow();
     QVERIFY(!plots_->spectrogram()->shown() && !plot()->backdrop());
-    QCOMPARE(plot()->title(), QStringLiteral("Pitch of run 1: spectrogram, being computed"));
+    QCOMPARE(plot()->title(), QStringLiteral("Spectrogram of run 1: Pitch, being computed"));
     plots_->addCurve(name, quantity("minimum_spacing"));
     plots_->spectrogram()->updateNow(); // the one of the pitch is not waited for
     QTRY_VERIFY(plots_->spectrogram()->shown());
     QVERIFY(plots_->spectrogram()->shown()->at(10, 30) > 0.0); // the pitch stands still
-    QVERIFY(plot()->title().startsWith(
-        QStringLiteral("Minimum spacing of pad and pressure centres above the disk of run 1")));
+    QVERIFY(plot()->title().startsWith(QStringLiteral("Spectrogram of run 1: Minimum spacing")));
 }
 
 /// The picture stays until the next one comes.

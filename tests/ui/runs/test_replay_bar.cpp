@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/replay_bar.h"
 
+#include <algorithm>
+
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -68,6 +71,18 @@ private slots:
         QVERIFY(chosen_.empty());
         bar_->showTime(5e-3);
         QCOMPARE(bar_->slider()->value(), 1000);
+    }
+    /// 1 ms in ten seconds.
+    void saysItsSpeed()
+    {
+        const auto says = [this](const QString& text) {
+            const auto labels = bar_->findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [&](const QLabel* label) { return label->text() == text; });
+        };
+        QVERIFY(says(QStringLiteral("100.0\u00a0µs per second")));
+        span_ = PlotRange{0.0, 2e-4};
+        bar_->showTime(std::nullopt);
+        QVERIFY(says(QStringLiteral("20.00\u00a0µs per second")));
     }
     void withoutARun()
     {

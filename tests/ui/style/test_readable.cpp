@@ -49,6 +49,8 @@ private slots:
                                  << "take-off, 1e-9, run-1, 5-10";
         QTest::newRow("letters") << "Re lambda h, mu = 0.3, xi_f"
                                  << "Re λ h, μ = 0.3, ξ_f";
+        QTest::newRow("front and rear") << "xi_f, xi_r, d_1, d_s"
+                                        << "ξ_f, ξ_r, d₁, dₛ";
         QTest::newRow("letters inside words") << "simulation, maximum, film.mu, van-mu-x"
                                               << "simulation, maximum, film.mu, van-mu-x";
         QTest::newRow("symbols") << "f_m (d_e - d_s), d_1, F_m."
