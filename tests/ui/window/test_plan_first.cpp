@@ -5,7 +5,7 @@
 #include <QtTest>
 
 #include "tests/support/test_program.h"
-#include "tests/ui/window/sample_window.h"
+#include "tests/ui/window_fixture.h"
 #include "ui/case/case_files.h"
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
