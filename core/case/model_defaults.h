@@ -16,7 +16,7 @@ namespace touchdown {
 bool takeModelDefaults(Case& c, ModelKind before, const std::function<bool(const Parameter&)>& stated);
 
 /// A disk that has become uneven gets a first wave or a first bump where it has none, so that it can run: a wave of
-/// 0.5 nm and 100 um, a bump of 5 nm and 10 um. Returns whether it did.
+/// 0.5 nm and 100 um, a smooth bump of 5 nm and 10 um. Returns whether it did.
 bool takeFirstUnevenness(Case& c);
 
 } // namespace touchdown

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/guides/guide_strip.h"
 
+#include <algorithm>
+
 #include <QAbstractButton>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QShortcut>
 #include <QVBoxLayout>
@@ -15,7 +18,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr std::size_t keys = 9; // 1 to 9, for the first runs
+constexpr double mostOfWindow = 0.18; // of its height, for the text
+constexpr std::size_t keys = 9;       // 1 to 9, for the first runs
 
 /// Once for each press, however long the key is held.
 void pressedBy(Qt::Key key, QAbstractButton* button)
@@ -29,6 +33,7 @@ void pressedBy(Qt::Key key, QAbstractButton* button)
 
 GuideStrip::GuideStrip(QWidget* parent)
     : QWidget(parent),
+      scroll_(new QScrollArea(this)),
       text_(new QLabel(this)),
       run_(new QLabel(this)),
       row_(new QWidget(this)),
@@ -51,7 +56,13 @@ GuideStrip::GuideStrip(QWidget* parent)
     row->addWidget(run_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 8, 12, 8);
-    column->addWidget(text_);
+    // A long text scrolls, so that the plots above keep their height.
+    scroll_->setWidget(text_);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(scroll_);
     auto* foot = new QHBoxLayout;
     foot->addWidget(row_, 1);
     foot->addWidget(live_, 1);
@@ -111,6 +122,27 @@ void GuideStrip::write()
     if (!pane_ || runs_.size() != pane_->shown().runs.size()) return; // stepShown follows
     text_->setText(answer_->isChecked() ? pane_->answerText() : pane_->questionText());
     run_->setText(runs_.empty() ? QString() : pane_->runText(chosen_));
+    fitText();
+}
+
+void GuideStrip::fitText()
+{
+    const int least = text_->fontMetrics().lineSpacing();
+    const int room = std::max(static_cast<int>(mostOfWindow * window()->height()), 2 * least);
+    scroll_->setFixedHeight(std::clamp(text_->heightForWidth(scroll_->viewport()->width()), least, room));
+}
+
+void GuideStrip::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    fitText();
+}
+
+void GuideStrip::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        QMetaObject::invokeMethod(this, &GuideStrip::fitText, Qt::QueuedConnection); // when the text has it, too
 }
 
 } // namespace touchdown

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QPointer>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QToolButton>
 #include <QWidget>
 
@@ -29,12 +30,18 @@ public:
     const std::vector<QToolButton*>& runs() const { return runs_; }
     QPushButton* answer() const { return answer_; }
 
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void showStep();
     void write();
+    void fitText();
     void perform(std::size_t run);
 
     QPointer<LessonPane> pane_;
+    QScrollArea* scroll_; // about the text
     QLabel *text_, *run_;
     QWidget* row_;                   // the buttons and run_
     std::vector<QToolButton*> runs_; // of the step

@@ -127,7 +127,9 @@ void PlotGroup::followData()
         if (!data) continue;
         range = range ? PlotRange{std::min(range->low, data->low), std::max(range->high, data->high)} : *data;
     }
-    if (firstRange_ && !everything_) range = firstRange_;
+    // Before the data reach the range that is wanted at first, all of them are shown.
+    const bool reached = !range || range->high > (firstRange_ ? firstRange_->low : 0.0);
+    if (firstRange_ && !everything_ && reached) range = firstRange_;
     if (!range || !(range->width() > 0.0)) {
         for (PlotWidget* plot : plots_) {
             if (plot->isPhasePortrait()) continue;

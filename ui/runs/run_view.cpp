@@ -58,8 +58,15 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
       spectrumWanted_(new QAction(tr("Power spectrum"), this)),
       sideWanted_(new QAction(tr("Side view above the plots"), this)),
       quantitiesWanted_(new QAction(tr("&List of quantities, to drag into plots"), this)),
-      quantities_(new QuantityList(this))
+      quantities_(new QuantityList(this)),
+      hint_(new QLabel(plots_))
 {
+    hint_->setAlignment(Qt::AlignCenter);
+    hint_->setAttribute(Qt::WA_TransparentForMouseEvents);
+    hint_->setWordWrap(true);
+    plots_->installEventFilter(this);
+    for (const auto changed : {&RunsModel::rowsInserted, &RunsModel::rowsRemoved})
+        connect(&runs_, changed, this, &RunView::showHint);
     auto* plotsAndList = new QWidget(this);
     auto* plotsLayout = new QHBoxLayout(plotsAndList);
     plotsLayout->setContentsMargins(0, 0, 0, 0);
@@ -136,7 +143,22 @@ void RunView::setCase(const Case& c)
     if (!tabs_->isTabVisible(tabs_->currentIndex())) setPage(Page::Plots);
     plots_->setCase(c);
     disk_->setCase(c);
+    hint_->setText(model_ == ModelKind::Film ? tr("F5 runs this case in time. F9 finds its static state.")
+                                             : tr("F5 runs this case in time."));
     showParts();
+}
+
+void RunView::showHint()
+{
+    hint_->setGeometry(plots_->rect());
+    hint_->setVisible(runs_.count() == 0);
+    hint_->raise();
+}
+
+bool RunView::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) showHint();
+    return QWidget::eventFilter(watched, event);
 }
 
 /// The part of the shown run that the plots show.

@@ -9,6 +9,7 @@
 
 #include <QAction>
 #include <QByteArray>
+#include <QLabel>
 #include <QMenu>
 #include <QPointer>
 #include <QResizeEvent>
@@ -86,12 +87,15 @@ signals:
     void pageChanged();
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     void showParts();
     void shareHeight();
     void showTime();
+    /// What to do, where there is nothing to see.
+    void showHint();
     std::optional<PlotRange> replayed() const;
 
     RunsModel& runs_;
@@ -113,6 +117,7 @@ private:
     QStackedWidget* pages_;
     QAction *spectrumWanted_, *sideWanted_, *quantitiesWanted_;
     QuantityList* quantities_;
+    QLabel* hint_;             // over the plots while they are empty
     QPointer<QMenu> newPlots_; // within the menu of the plots
 };
 

@@ -124,7 +124,7 @@ void MessageStrip::placeWhole()
     const int margin = static_cast<int>(std::ceil(whole_->document()->documentMargin())) + whole_->frameWidth();
     const QRect words = whole_->fontMetrics().boundingRect(QRect(0, 0, strip.width() - 2 * margin - scrollBar, 1),
                                                            Qt::TextWordWrap, text_);
-    const int height = std::min(words.height() + 2 * margin, strip.top());
+    const int height = std::min(words.height() + line_->fontMetrics().height() / 2 + 2 * margin, strip.top());
     whole_->setGeometry(strip.left(), strip.top() - height, strip.width(), height);
 }
 

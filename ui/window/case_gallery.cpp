@@ -142,7 +142,7 @@ CaseGallery::CaseGallery(const QString& title, std::vector<GalleryItem> items, Q
         if (const GalleryItem* item = gallery_->at(gallery_->currentRow())) choose(item->name);
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    chooseFirst();
+    updateOpen();
 }
 
 void CaseGallery::choose(const QString& name)

@@ -156,6 +156,7 @@ void MainWindow::chooseNewCase()
     auto* dialog = new CaseGallery(tr("New case"), newCaseItems(palette()), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &CaseGallery::chosen, files_, &CaseFiles::newCase);
+    dialog->gallery()->setCurrentRow(1); // below its heading: Enter takes it
     dialog->open();
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <QEvent>
+#include <QChildEvent>
 #include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
@@ -49,6 +49,7 @@ WindowPages::WindowPages(const Parts& parts)
       memory_(new QLabel(&parts.window)),
       notKept_(new QLabel(tr("⚠ Not kept"), &parts.window))
 {
+    parts_.window.installEventFilter(this); // it makes bars of its own for panes that share a place
     buildCentre();
     buildPanes();
     parts_.window.statusBar()->addWidget(parts_.runs.progress(), 1);
@@ -115,6 +116,10 @@ void WindowPages::addNotice(QWidget& notice)
 bool WindowPages::eventFilter(QObject* watched, QEvent* event)
 {
     const auto type = event->type();
+    if (watched == &parts_.window && type == QEvent::ChildPolished)
+        if (auto* bar = qobject_cast<QTabBar*>(static_cast<QChildEvent*>(event)->child()))
+            bar->setAccessibleName(tr("Panes in one place"));
+    if (watched == &parts_.window) return QObject::eventFilter(watched, event);
     if (watched == notices_ ? type == QEvent::LayoutRequest : type == QEvent::Resize || type == QEvent::Move)
         placeNotices();
     return QObject::eventFilter(watched, event);
@@ -209,9 +214,6 @@ void WindowPages::raisePaneOfView()
     if (QDockWidget* wanted = plan ? shape_ : attitude_; !wanted->isHidden()) wanted->raise();
     const bool guided = std::ranges::any_of(guides_, [](const auto& each) { return !each.second->isHidden(); });
     if (!guided && !solutions_->isHidden()) solutions_->raise();
-    // The window makes the bars of panes that share a place.
-    for (QTabBar* bar : parts_.window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
-        bar->setAccessibleName(tr("Panes in one place"));
 }
 
 /// Which panes of its page the user left open.

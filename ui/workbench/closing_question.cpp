@@ -101,8 +101,9 @@ void ClosingQuestion::saveAll()
         return;
     }
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    auto* dialog =
-        new QFileDialog(&window_, tr("Save all to the folder"), QSettings().value(folderKey, documents).toString());
+    QString folder = QSettings().value(folderKey, documents).toString();
+    if (!QDir(folder).exists()) folder = QDir::homePath(); // the dialog takes none that is not there
+    auto* dialog = new QFileDialog(&window_, tr("Save all to the folder"), folder);
     dialog->setObjectName(QStringLiteral("saveAllFolder"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::Directory);

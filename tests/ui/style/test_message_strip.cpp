@@ -51,6 +51,7 @@ private slots:
         QString many;
         for (int line = 0; line < 7; ++line)
             many += QStringLiteral("A sentence that is rather long, of line %1.\n").arg(line);
+        many.chop(1);
         using Kind = MessageStrip::Kind;
         for (const auto& [text, action] :
              {std::pair(QStringLiteral("Short."), QString()), std::pair(many, QString()),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The plan of a slider has room in a small window and with large letters, and nothing that is said moves it.
+#include <map>
+
 #include <QApplication>
 #include <QtTest>
 
@@ -116,13 +118,13 @@ private slots:
         open(window, {1280, 690});
         const SurfaceEditor& plan = *window.film().view()->shape()->editor();
         const auto geometry = [&] {
-            std::vector<QRect> all{QRect(plan.mapTo(&window, QPoint(0, 0)), plan.size())};
+            std::map<QString, QRect> all{{{}, QRect(plan.mapTo(&window, QPoint(0, 0)), plan.size())}};
             for (const QDockWidget* dock : window.findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
-                all.push_back(dock->isVisible() ? dock->geometry() : QRect());
+                all[dock->objectName()] = dock->isVisible() ? dock->geometry() : QRect();
             return all;
         };
         QCoreApplication::processEvents();
-        const std::vector<QRect> before = geometry();
+        const std::map<QString, QRect> before = geometry();
         window.actions().alone->trigger();
         QCoreApplication::processEvents();
         QVERIFY(plan.width() > window.width() - 20);
