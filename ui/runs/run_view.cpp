@@ -25,7 +25,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double firstPart = 0.3e-3; // of the default case [s]: it is at rest after a sixth of its 2 ms
+constexpr int linesOfPlot = 7, linesOfSideView = 10; // that can be read, in lines of text
+constexpr double firstPart = 0.3e-3;                 // of the default case [s]: it is at rest after a sixth of its 2 ms
 
 QWidget* withReplay(QWidget* view, QWidget* replay)
 {
@@ -150,14 +151,17 @@ void RunView::setCase(const Case& c)
 
 void RunView::showHint()
 {
-    hint_->setGeometry(plots_->rect());
+    const std::vector<PlotWidget*> plots = plots_->group()->plots();
+    if (plots.empty()) return hint_->hide();
+    hint_->setGeometry({plots.front()->mapTo(plots_, QPoint(0, 0)), plots.front()->size()});
     hint_->setVisible(runs_.count() == 0);
     hint_->raise();
 }
 
 bool RunView::eventFilter(QObject* watched, QEvent* event)
 {
-    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) showHint();
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest)
+        QMetaObject::invokeMethod(this, &RunView::showHint, Qt::QueuedConnection); // when the plots have their places
     return QWidget::eventFilter(watched, event);
 }
 
@@ -213,6 +217,11 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
 /// The parts of a stage: each plot has two shares, the side view and the spectrum three.
 void RunView::shareHeight()
 {
+    const int line = fontMetrics().height();
+    // A low place is for the plots; the side view has a page of its own.
+    const int lines = linesOfPlot * static_cast<int>(stage_->plots.size() + (stage_->spectrum ? 1 : 0));
+    const bool low = splitter_->height() < line * (lines + linesOfSideView);
+    above_->setVisible(model_ != ModelKind::Contact && stage_->side && !low);
     const int plots = std::max(2 * static_cast<int>(stage_->plots.size()), 3);
     const int share = std::max(splitter_->height() / (plots + 6), 1);
     splitter_->setSizes({3 * share, plots * share, 3 * share});

@@ -24,6 +24,7 @@
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/plot_spec.h"
+#include "ui/runs/side_view.h"
 
 using namespace touchdown;
 
@@ -119,6 +120,28 @@ private slots:
         QCoreApplication::processEvents();
         view.setStage(std::nullopt);
         QCOMPARE(view.splitter()->sizes(), own);
+    }
+
+    /// Where letters are large for the place, the plots have it; the side view has its own page.
+    void plotsComeBeforeTheSideView()
+    {
+        RunsModel runs;
+        RunView view(runs);
+        PlotStage stage;
+        stage.plots << "spacing"
+                    << "energy";
+        stage.side = true;
+        view.show();
+        view.setStage(stage);
+        int height = 900;
+        for (const int letters : {12, 36, 12}) { // [px]
+            QFont font = view.font();
+            font.setPixelSize(letters);
+            view.setFont(font);
+            view.resize(900, height++);
+            QTRY_COMPARE(view.sideAbove()->isVisible(), letters == 12);
+            QVERIFY(view.plots()->isVisible());
+        }
     }
 
     void closingItEndsTheStage()

@@ -48,6 +48,7 @@ private slots:
     void aPlotMayGo();
     void phasePortraitKeepsItsAxes();
     void beginsWithAFirstRange();
+    void followsUntilTheFirstRangeIsReached();
     void everythingUntilANewRunBegins();
     void labelsOfLinesKeepAxesAligned();
 
@@ -308,6 +309,20 @@ void TestPlotGroup::beginsWithAFirstRange()
     group_->setFirstRange(PlotRange{0.0, 0.3e-3});
     group_->followNewest();
     QCOMPARE(lower_->xAxis().range(), (PlotRange{1e-4, 4e-4}));
+}
+
+/// A range that begins later than the data end would be empty: all of them are shown until they reach it.
+void TestPlotGroup::followsUntilTheFirstRangeIsReached()
+{
+    const double now = spacing_.lastTime();
+    const PlotRange wanted{now + 1.5e-3, now + 4e-3};
+    group_->setFirstRange(wanted);
+    run(1);
+    QVERIFY(spacing_.lastTime() < wanted.low);
+    QCOMPARE(upper_->xAxis().range(), (PlotRange{0.0, spacing_.lastTime()}));
+    run(2);
+    QVERIFY(spacing_.lastTime() > wanted.low);
+    QCOMPARE(upper_->xAxis().range(), wanted);
 }
 
 void TestPlotGroup::everythingUntilANewRunBegins()

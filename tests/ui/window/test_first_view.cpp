@@ -3,6 +3,7 @@
 // The plots of the default case begin with the part of the run in which it bounces.
 #include <memory>
 
+#include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QtTest>
@@ -66,6 +67,20 @@ private slots:
         edit("run.duration", QStringLiteral("1 ms"));
         runToEnd();
         QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 1e-3}));
+    }
+    /// Empty plots say what to do, in the first of them, until there is a run.
+    void emptyPlotsSayWhatToDo()
+    {
+        const auto hint = [this] {
+            for (QLabel* label : window_->runView().plots()->findChildren<QLabel*>())
+                if (label->isVisible() && label->text().startsWith(QStringLiteral("F5 runs"))) return label;
+            return static_cast<QLabel*>(nullptr);
+        };
+        const PlotWidget* first = window_->runView().plots()->group()->plots().front();
+        QTRY_VERIFY(hint() && hint()->mapTo(window_.get(), QPoint()) == first->mapTo(window_.get(), QPoint()) &&
+                    hint()->size() == first->size());
+        runToEnd();
+        QVERIFY(!hint());
     }
 
 private:
