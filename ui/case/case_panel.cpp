@@ -13,6 +13,7 @@
 #include "core/case_files/case_reader.h"
 #include "ui/case/case_edits.h"
 #include "ui/style/foreign_text.h"
+#include "ui/style/readable.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
@@ -119,15 +120,17 @@ void CasePanel::buildPresets()
     preset_->setFocusPolicy(Qt::StrongFocus);
     preset_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     preset_->setMinimumContentsLength(20);
+    preset_->addItem(tr("Gallery of cases…"));
+    preset_->insertSeparator(1);
     for (const SampleCase& sample : sampleCases()) {
         const CaseDocument document = parseCase(sample.text, sample.name);
-        preset_->addItem(QString::fromStdString(document.value.title), QString::fromStdString(sample.name));
+        preset_->addItem(readable(document.value.title), QString::fromStdString(sample.name));
     }
     preset_->setCurrentIndex(-1);
     connect(preset_, &QComboBox::activated, this, [this](int index) {
         const QString name = preset_->itemData(index).toString();
         refresh(); // the choice shows once it has been opened
-        emit presetChosen(name);
+        name.isEmpty() ? emit galleryWanted() : emit presetChosen(name);
     });
 }
 

@@ -39,6 +39,8 @@ public:
 
 signals:
     void presetChosen(const QString& sampleName);
+    /// All samples with their pictures, to choose from.
+    void galleryWanted();
 
 protected:
     void changeEvent(QEvent* event) override;

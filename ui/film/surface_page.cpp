@@ -91,6 +91,7 @@ SurfacePage::SurfacePage(QWidget* parent)
     connect(editor_, &SurfaceEditor::recessWanted, panel_, &ShapePanel::typeRecess);
     connect(editor_, &SurfaceEditor::wallWanted, panel_,
             [this](int wall) { panel_->showWall(static_cast<std::size_t>(wall) - 1); });
+    fit();
 }
 
 QWidget* SurfacePage::buildTools()
@@ -249,9 +250,15 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         (preview ? tr(" &nbsp; preview, %1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) : QString());
     if (!preview) confirmedParts_ = flightParts_;
     setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());
-    flight_->setText(flightParts_);
+    say(flightParts_);
     flight_->setToolTip({});
     obstacle_ = false;
+}
+
+void SurfacePage::say(const QString& text, const QString& shown)
+{
+    said_ = text;
+    flight_->setText(shown.isEmpty() ? text : shown);
 }
 
 void SurfacePage::showObstacle(const QString& reason)
@@ -263,9 +270,13 @@ void SurfacePage::showObstacle(const QString& reason)
     const int room = (flight_->height() / metrics.lineSpacing()) * flight_->width() -
                      (flightParts_.isEmpty() ? 2 : characters) * metrics.averageCharWidth();
     const QString shown = metrics.elidedText(reason, Qt::ElideRight, std::max(room, flight_->width() / 2));
-    const QString problem = QStringLiteral("<span style='color:%1'>%2</span>")
-                                .arg(meaningColours(palette()).failure.name(), escaped(shown));
-    flight_->setText(flightParts_.isEmpty() ? problem : problem + tr(" &nbsp; before: ") + shortPart_);
+    const QString before = flightParts_.isEmpty() ? QString() : tr(" &nbsp; before: ") + shortPart_;
+    const auto problem = [&](const QString& words) {
+        return QStringLiteral("<span style='color:%1'>%2</span>")
+                   .arg(meaningColours(palette()).failure.name(), escaped(words)) +
+               before;
+    };
+    say(problem(reason), problem(shown));
     flight_->setToolTip(plainTip(reason));
     obstacle_ = true;
 }
@@ -276,7 +287,7 @@ void SurfacePage::clearObstacle()
     if (flightParts_.isEmpty())
         clearFlight();
     else
-        flight_->setText(flightParts_);
+        say(flightParts_);
     flight_->setToolTip({});
     obstacle_ = false;
 }
@@ -286,7 +297,7 @@ void SurfacePage::showConfirmed()
     if (confirmedParts_.isEmpty()) return clearFlight();
     flightParts_ = confirmedParts_;
     setTextColour(flight_, meaningColours(palette()).muted);
-    flight_->setText(flightParts_);
+    say(flightParts_);
     flight_->setToolTip({});
     obstacle_ = false;
 }
@@ -301,7 +312,7 @@ void SurfacePage::clearFlight()
     flightParts_.clear();
     confirmedParts_.clear();
     setTextColour(flight_, meaningColours(palette()).muted);
-    flight_->setText(tr("Not solved yet: F9 finds how it flies."));
+    say(tr("Not solved yet: F9 finds how it flies."));
     flight_->setToolTip({});
     obstacle_ = false;
 }

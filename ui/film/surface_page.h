@@ -54,7 +54,8 @@ public:
     void setStale(bool stale);
     /// Nothing is known of how it flies.
     void clearFlight();
-    QString flightText() const { return flight_->text(); }
+    /// What stands above the plan, also where it is cut.
+    const QString& flightText() const { return said_; }
 
 signals:
     /// Shown or hidden, or of other parts.
@@ -68,6 +69,8 @@ protected:
 
 private:
     QWidget* buildTools();
+    /// `shown`: as much of it as there is room for; empty: all.
+    void say(const QString& text, const QString& shown = {});
     void fit();
 
     SurfaceEditor* editor_;
@@ -77,6 +80,7 @@ private:
     QWidget* toolRow_ = nullptr;
     std::vector<QToolButton*> tools_;
     QString flightParts_, confirmedParts_; // the last state, and the last that was not a preview
+    QString said_;                         // in the line above the plan
     QString shortPart_;                    // of the last state: its minimum spacing
     bool obstacle_ = false;                // stands before flightParts_
 };

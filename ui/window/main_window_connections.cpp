@@ -83,6 +83,7 @@ void MainWindow::connectFiles()
     connect(actions_->exportCml, &QAction::triggered, files_, &CaseFiles::chooseExport);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
+    connect(casePanel_, &CasePanel::galleryWanted, this, &MainWindow::showGallery);
     connect(casePanel_, &CasePanel::presetChosen, files_, &CaseFiles::open);
     connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
     connect(actions_->resetAll, &QAction::triggered, edits_, &CaseEdits::resetAll);

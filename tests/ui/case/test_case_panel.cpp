@@ -340,6 +340,12 @@ void TestCasePanel::emitsTheChosenPreset()
     QCOMPARE(chosen[0][0].toString(), QStringLiteral("fig10b"));
     // Until it has been opened, the panel shows what it holds.
     QCOMPARE(f.preset()->currentData().toString(), QStringLiteral("fig10a"));
+    // The gallery stands above the names.
+    const QSignalSpy gallery(&f.panel, &CasePanel::galleryWanted);
+    QTest::keyClick(f.preset(), Qt::Key_Home);
+    QCOMPARE(gallery.count(), 1);
+    QCOMPARE(chosen.count(), 1);
+    QCOMPARE(f.preset()->currentData().toString(), QStringLiteral("fig10a"));
 }
 
 void TestCasePanel::acceptsADecimalComma()

@@ -114,7 +114,9 @@ private slots:
 private:
     QLineEdit* flyingHeight()
     {
-        return qobject_cast<QLineEdit*>(window_->casePanel().editor("springs.flying_height")->input());
+        QWidget* field = window_->casePanel().editor("springs.flying_height")->input();
+        window_->casePanel().findChild<QScrollArea*>()->ensureWidgetVisible(field);
+        return qobject_cast<QLineEdit*>(field);
     }
     QWidget* button(QAction* action) { return window_->actions().toolBar->widgetForAction(action); }
 
