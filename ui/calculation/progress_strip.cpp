@@ -5,9 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include <QEvent>
 #include <QHBoxLayout>
+#include <QPainter>
+#include <QStyle>
 
 #include "core/work/wall_clock.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 
@@ -16,6 +20,28 @@ namespace touchdown {
 namespace {
 
 constexpr int barSteps = 1000;
+
+/// A text that is wider than its place is cut in the middle, and whole in the tool tip.
+class ElidedLabel : public QLabel {
+public:
+    using QLabel::QLabel;
+
+protected:
+    void paintEvent(QPaintEvent*) override
+    {
+        QPainter painter(this);
+        style()->drawItemText(&painter, contentsRect(), Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
+                              shown(), foregroundRole());
+    }
+    bool event(QEvent* event) override
+    {
+        if (event->type() == QEvent::ToolTip) setToolTip(shown() == text() ? QString() : plainTip(text()));
+        return QLabel::event(event);
+    }
+
+private:
+    QString shown() const { return fontMetrics().elidedText(text(), Qt::ElideMiddle, contentsRect().width()); }
+};
 
 QString timeLeftText(double seconds)
 {
@@ -50,7 +76,7 @@ ProgressStrip::ProgressStrip(CalculationController& controller, const QString& c
       running_(std::move(running)),
       state_(new QLabel(tr("Ready"), this)),
       bar_(new QProgressBar(this)),
-      text_(new QLabel(this))
+      text_(new ElidedLabel(this))
 {
     bar_->setTextVisible(false);
     bar_->setFixedHeight(10);

@@ -6,6 +6,7 @@
 
 #include "core/case/parameters.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 
 namespace touchdown {
 
@@ -26,8 +27,11 @@ QString lessonHtml(const std::string& text)
     qsizetype from = 0;
     for (auto found = key.match(html); found.hasMatch(); found = key.match(html, from)) {
         const QString name = found.captured(1);
-        const QString shown = findParameter(name.toStdString()) ? QStringLiteral("<a href='%1'>%1</a>").arg(name)
-                                                                : QStringLiteral("<code>%1</code>").arg(name);
+        const Parameter* parameter = findParameter(name.toStdString());
+        const QString shown =
+            parameter != nullptr
+                ? QStringLiteral("<a href='%1'>%2</a>").arg(name, readable(parameter->label).toHtmlEscaped())
+                : QStringLiteral("<code>%1</code>").arg(name);
         html.replace(found.capturedStart(), found.capturedLength(), shown);
         from = found.capturedStart() + shown.size();
     }

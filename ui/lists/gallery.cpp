@@ -34,7 +34,7 @@ public:
         if (item == nullptr) return paintHeading(painter, frame);
         frame.text.clear();
         frame.widget->style()->drawControl(QStyle::CE_ItemViewItem, &frame, painter, frame.widget);
-        const QRect picture(option.rect.topLeft() + QPoint(itemMargin, itemMargin), sizeOfPicture());
+        const QRect picture(option.rect.topLeft() + QPoint(itemMargin, itemMargin), sizeOfPicture(*item));
         paintPicture(painter, option, *item, picture);
         OwnDocument text;
         const bool selected = option.state.testFlag(QStyle::State_Selected);
@@ -51,12 +51,17 @@ public:
         if (item == nullptr) return {width, 2 * option.fontMetrics.height()};
         OwnDocument text;
         layOut(text, option, *item, {});
-        const int height = std::max(sizeOfPicture().height(), static_cast<int>(text.size().height()));
+        const int height = std::max(sizeOfPicture(*item).height(), static_cast<int>(text.size().height()));
         return {width, height + 2 * itemMargin};
     }
 
 private:
-    QSize sizeOfPicture() const { return gallery_.viewport()->width() < narrow ? smallPictureSize : pictureSize; }
+    /// No size where there is none: the text has its place.
+    QSize sizeOfPicture(const GalleryItem& item) const
+    {
+        if (item.picture.isNull()) return {0, 0};
+        return gallery_.viewport()->width() < narrow ? smallPictureSize : pictureSize;
+    }
 
     static void paintHeading(QPainter* painter, const QStyleOptionViewItem& option)
     {
@@ -73,9 +78,10 @@ private:
     static void paintPicture(QPainter* painter, const QStyleOptionViewItem& option, const GalleryItem& item,
                              const QRect& box)
     {
+        if (item.picture.isNull()) return;
         painter->save();
         painter->fillRect(box, option.palette.color(QPalette::Base));
-        if (!item.picture.isNull()) painter->drawPixmap(box, item.picture);
+        painter->drawPixmap(box, item.picture);
         painter->setPen(option.palette.color(QPalette::Mid));
         painter->drawRect(box.adjusted(0, 0, -1, -1));
         painter->restore();
@@ -85,7 +91,7 @@ private:
     {
         text.setDefaultFont(option.font);
         text.setDocumentMargin(0.0);
-        text.setTextWidth(gallery_.viewport()->width() - 2 * gallery_.spacing() - sizeOfPicture().width() -
+        text.setTextWidth(gallery_.viewport()->width() - 2 * gallery_.spacing() - sizeOfPicture(item).width() -
                           4 * itemMargin);
         text.setHtml(QStringLiteral("<div style='color:%1'><b>%2</b><br>%3</div>")
                          .arg(colour.name(), escaped(item.title), escaped(item.about)));

@@ -16,7 +16,7 @@ struct GalleryItem {
     QString theme; // items of a theme follow each other
     QString title;
     QString about;   // a sentence; may be empty
-    QPixmap picture; // null: an empty frame
+    QPixmap picture; // null: the text has its place
     QString words{}; // by which it is found, too
 };
 

@@ -72,6 +72,19 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     });
     connect(form_, &StudyFormView::entered, this, &StudyEditor::enter);
     connect(form_, &StudyFormView::typedChanged, this, &StudyEditor::edited);
+    connect(form_, &StudyFormView::rowAdded, this, [this](const QString& list, std::size_t after) {
+        const std::string name = list.toStdString();
+        change([&](TomlEditor& editor) { editor.insertTable(name, after, "[[" + name + "]]\n"); });
+    });
+    connect(form_, &StudyFormView::rowRemoved, this, [this](const QString& list, std::size_t number) {
+        change([&](TomlEditor& editor) { editor.removeTable(list.toStdString(), number); });
+    });
+    connect(form_, &StudyFormView::defaultsWanted, this, [this] {
+        const QString text = toText();
+        const std::string lists = catalogue_.form(kind().toStdString(), plan_.start.value).lists;
+        replaceText(text + (text.endsWith(u'\n') ? "" : "\n") + QString::fromStdString(lists));
+        replan();
+    });
     connect(form_, &StudyFormView::undoRequested, text_, &QPlainTextEdit::undo);
     connect(form_, &StudyFormView::redoRequested, text_, &QPlainTextEdit::redo);
     connect(samples_, &StudySamples::chosen, this, [this](const SampleStudy& sample) { openSample(sample); });
@@ -212,7 +225,7 @@ void StudyEditor::showForm()
 {
     const TomlDocument toml = readToml(plan_.text);
     if (!toml.problem.empty()) {
-        form_->show({}, toml, {});
+        form_->show({}, toml, {}, {});
         return;
     }
     const bool namesCase = std::ranges::find(toml.entries, "case", &TomlEntry::key) != toml.entries.end();
@@ -222,7 +235,7 @@ void StudyEditor::showForm()
                                 : tr("Studies the case at the left: <b>%1</b>").arg(title));
     setTextColour(subject_, differs ? meaningColours(palette()).warning : QColor());
     if (catalogue_.form)
-        form_->show(catalogue_.form(kind().toStdString(), plan_.start.value).keys, toml,
+        form_->show(catalogue_.form(kind().toStdString(), plan_.start.value), toml, plan_.start.value,
                     QString::fromStdString(case_.title));
     form_->mark(plan_.problems, plan_.name);
 }
@@ -243,6 +256,16 @@ QString StudyEditor::textWith(const std::string& key, const std::string& value) 
     else
         editor.put(key, value);
     return QString::fromStdString(editor.result());
+}
+
+void StudyEditor::change(const std::function<void(TomlEditor&)>& change)
+{
+    const std::string text = toText().toStdString();
+    const TomlDocument toml = readToml(text);
+    TomlEditor editor(text, toml);
+    change(editor);
+    replaceText(QString::fromStdString(editor.result()));
+    replan();
 }
 
 /// So that the text's own undo takes it back.

@@ -27,6 +27,8 @@
 
 namespace touchdown {
 
+class TomlEditor;
+
 /// The studies that the window offers.
 struct StudyCatalogue {
     std::vector<StudyKind> kinds;
@@ -122,6 +124,8 @@ private:
     void enter(const QString& key, const QString& value);
     /// The text of the chosen kind with another value of a key.
     QString textWith(const std::string& key, const std::string& value) const;
+    /// Changes tables of the text.
+    void change(const std::function<void(TomlEditor&)>& change);
     void replaceText(const QString& text);
     void takeDefaults();
     void replan();

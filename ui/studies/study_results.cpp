@@ -16,6 +16,7 @@
 #include "ui/plot/picture_widget.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
+#include "ui/studies/study_words.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
@@ -230,7 +231,7 @@ void StudyResults::writeFindings()
     // The first finding of a study that checks something is its verdict.
     const StudyVerdict verdict = report_->status == StudyStatus::Completed ? verdictOf(*report_) : StudyVerdict::None;
     for (std::size_t i = 0; i < report_->findings.size(); ++i) {
-        const QString finding = readable(report_->findings[i]);
+        const QString finding = inWindowWords(report_->findings[i]);
         if (i == 0 && verdict == StudyVerdict::Holds)
             add(QStringLiteral("✓"), colours.success, finding);
         else if (i == 0 && verdict != StudyVerdict::None)
@@ -238,7 +239,8 @@ void StudyResults::writeFindings()
         else
             add(QStringLiteral("•"), colours.change, finding);
     }
-    for (const std::string& warning : report_->warnings) add(QStringLiteral("⚠"), colours.warning, readable(warning));
+    for (const std::string& warning : report_->warnings)
+        add(QStringLiteral("⚠"), colours.warning, inWindowWords(warning));
     html = QStringLiteral("<table cellspacing='0'>%1</table>").arg(html);
     if (underWay_ && report_->findings.empty())
         html = QStringLiteral("<p style='color:%1'>%2</p>").arg(colours.muted.name(), tr("In progress…"));

@@ -47,7 +47,7 @@ DesignTask defaultTask(const Case& c)
     const std::vector<Quantity> all = wantedQuantities();
     const Quantity& aim = all[static_cast<std::size_t>(findQuantity(all, held ? "net_force" : "minimum_spacing"))];
     const auto plain = [](double value, const std::string& displayUnit) { // two digits of what is shown
-        return roundedTo(value / unitFactor(displayUnit), 2) * unitFactor(displayUnit);
+        return roundedTo(roundedTo(value / unitFactor(displayUnit), 2) * unitFactor(displayUnit), 12);
     };
     task.parameters = {{.keys = {moved},
                         .start = middle,
@@ -252,7 +252,9 @@ StudyForm designForm(const Case& c)
     number("parameter.start", "default: the value of the case");
     number("parameter.minimum", "lower bound");
     number("parameter.maximum", "upper bound");
-    row(textKey("target.quantity", {}, neededQuantity, "number of the static state"));
+    StudyKey quantity = textKey("target.quantity", {}, neededQuantity, "number of the static state");
+    for (const Quantity& each : wantedQuantities()) quantity.choices.push_back(each.name);
+    row(std::move(quantity));
     number("target.value", "the wanted value");
     number("target.tolerance", "largest distance from it, greater than 0");
     for (StudyKey key : {tableKey("search", "The search itself."),

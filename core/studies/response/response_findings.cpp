@@ -59,14 +59,19 @@ public:
 
 private:
     std::string amount(double value) const { return fewDigits(value, task_.quantity.displayUnit, 3); }
+    /// The largest amplitude is one of settled motions; a motion about to jump may be larger.
+    std::string amount(const ForcedMotion& motion) const
+    {
+        return amount(motion.amplitude()) + (motion.settled() ? "" : " (not settled)");
+    }
 
     std::string jumpText(const ResponseJump& jump) const
     {
         const std::string way = jump.down ? "down: " : "up: ", at = " at " + frequencyText().of(jump.frequency());
         const double before = jump.before.amplitude(), after = jump.after.amplitude();
         if (std::abs(after - before) > littleChange * std::max(before, after))
-            return way + (after < before ? "falls from " : "rises from ") + amount(before) + " to " + amount(after) +
-                   at;
+            return way + (after < before ? "falls from " : "rises from ") + amount(jump.before) + " to " +
+                   amount(jump.after) + at;
         if (jump.after.period != jump.before.period)
             return way + "the motion repeats after " + counted(std::size_t(jump.before.period), "period") + " before " +
                    frequencyText().of(jump.frequency()) + " and after " + std::to_string(jump.after.period) +

@@ -79,7 +79,7 @@ private slots:
         const QString text = shownText(pane, "Text of the step");
         for (const char* part : {"7\u00a0nm", "f<sub>m</sub>", "P ≥ 0", "−5\u00a0µs"})
             QVERIFY2(text.contains(QString::fromUtf8(part)), qPrintable(text));
-        QVERIFY(shownText(pane, "What to change").contains(QStringLiteral("<a href='run.step'>run.step</a>")));
+        QVERIFY(shownText(pane, "What to change").contains(QStringLiteral("<a href='run.step'>time step</a>")));
     }
 
     void writesSymbols()

@@ -116,12 +116,17 @@ private slots:
     }
     void aNarrowListHasSmallPictures()
     {
+        QPixmap white(240, 160);
+        white.fill(Qt::white);
+        std::vector<GalleryItem> items = fewItems();
+        items[0].picture = white;
         Gallery gallery;
-        gallery.setItems(fewItems());
+        gallery.setItems(std::move(items));
         gallery.show();
         gallery.resize(700, 400);
         QVERIFY(QTest::qWaitForWindowExposed(&gallery));
         QTRY_VERIFY(gallery.visualItemRect(gallery.item(1)).height() >= 80);
+        QVERIFY(gallery.visualItemRect(gallery.item(2)).height() < 80); // no place is kept for a missing picture
         gallery.resize(300, 400);
         QTRY_VERIFY(gallery.visualItemRect(gallery.item(1)).height() < 80);
     }
