@@ -80,6 +80,8 @@ private:
     void onListSelected();
     void onTableSelected();
     void take(const std::string& key, const QString& typed);
+    /// The other parts that are chosen with this one get the same recess or wall: their keys, this one's first.
+    std::vector<std::string> chosenWith(const std::string& key) const;
     void addRail();
     void addCorner();
     void addWall();

@@ -12,6 +12,7 @@
 #include "core/physics/slider/meeting_walls.h"
 #include "core/physics/slider/short_edges.h"
 #include "ui/plot/picture_widget.h"
+#include "ui/slider/array_dialog.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/wall_menu.h"
 
@@ -40,7 +41,7 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), gestures_(*
     setAccessibleDescription(
         tr("Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
            "rails, N and B the next and previous one, E and C the next edge and corner of a rail, Del removes, Ctrl+D "
-           "copies, Shift+M mirrors, L breaks or joins the "
+           "copies, Shift+M makes mirrored copies, L breaks or joins the "
            "pair, Page Up and Page Down change the order of overlap, M measures between two selected corners, F shows "
            "everything, the menu key has more."));
 }
@@ -140,7 +141,7 @@ bool SurfaceEditor::actByKey(const QKeyEvent& event)
     case Qt::Key_PageDown: return selection_.moveInOrder(-1), true;
     case Qt::Key_M:
         if (shift)
-            selection_.mirror();
+            selection_.mirrorCopy();
         else if (tool() == Tool::Measure)
             gestures_.measureSelection();
         else
@@ -215,18 +216,24 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
         add(insertAt ? tr("Insert a corner here") : tr("Insert a corner in the middle"), {}, true,
             [this, edge, at] { selection_.insertCorner(edge->item, edge->index, at); });
     }
-    if (std::ranges::any_of(selection(), [](const SurfacePart& part) {
-            return part.kind == PartKind::Edge || part.kind == PartKind::Rail;
-        })) {
-        QMenu* walls = menu->addMenu(edge ? tr("Wall of this edge") : tr("Wall of all these edges"));
+    const auto ofKind = [this](PartKind kind) {
+        return std::ranges::any_of(selection(), [kind](const SurfacePart& part) { return part.kind == kind; });
+    };
+    if (ofKind(PartKind::Edge) || ofKind(PartKind::Rail)) {
+        QMenu* walls = menu->addMenu(edge                     ? tr("Wall of this edge")
+                                     : ofKind(PartKind::Edge) ? tr("Walls of these edges")
+                                     : one                    ? tr("Walls of this rail")
+                                                              : tr("Walls of these rails"));
         fillWallMenu(*walls, committed(), commonWall(committed(), selection()),
                      [this](int wall) { selection_.chooseWall(wall); });
     }
     add(tr("Coordinates…"), {}, some, [this] { emit coordinatesWanted(); });
-    add(tr("Recess…"), {}, one, [this] { emit recessWanted(); });
+    add(tr("Recess…"), {}, !rails.empty(), [this] { emit recessWanted(); });
     menu->addSeparator();
     add(tr("Duplicate"), QStringLiteral("Ctrl+D"), !rails.empty(), [this] { selection_.copy(); });
-    add(tr("Mirror about the centre line"), QStringLiteral("Shift+M"), some, [this] { selection_.mirror(); });
+    QMenu* arrange = menu->addMenu(tr("Arrange"));
+    arrange->setEnabled(some);
+    fillArrangeMenu(*arrange);
     add(tr("Make symmetric"), {}, selection_.lopsided(), [this] { selection_.makeSymmetric(); });
     for (const PairLink& link : selection_.pairLinks())
         if (one && link.holds(rails.begin()->item))
@@ -239,6 +246,34 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     menu->addSeparator();
     addPictureActions(*menu, *this);
     menu->popup(globalPos);
+}
+
+void SurfaceEditor::fillArrangeMenu(QMenu& menu)
+{
+    const std::size_t rails = selection_.rails().size();
+    const auto add = [&](const QString& text, bool enabled, auto perform) {
+        menu.addAction(text, this, perform)->setEnabled(enabled);
+    };
+    add(tr("Mirrored copy") + QStringLiteral("\tShift+M"), rails > 0, [this] { selection_.mirrorCopy(); });
+    add(tr("Flip about the centre line"), true, [this] { selection_.flip(); });
+    add(tr("Array…"), rails > 0, [this] { askForArray(); });
+    menu.addSeparator();
+    for (const auto& [text, to] :
+         {std::pair(tr("Align left edges"), Alignment::Left), std::pair(tr("Align right edges"), Alignment::Right),
+          std::pair(tr("Align top edges"), Alignment::Top), std::pair(tr("Align bottom edges"), Alignment::Bottom),
+          std::pair(tr("Align centres at one x"), Alignment::MiddleX),
+          std::pair(tr("Align centres at one y"), Alignment::MiddleY)})
+        add(text, rails > 1, [this, to = to] { selection_.align(to); });
+    menu.addSeparator();
+    add(tr("Equal gaps along x"), rails > 2, [this] { selection_.distribute(true); });
+    add(tr("Equal gaps along y"), rails > 2, [this] { selection_.distribute(false); });
+}
+
+void SurfaceEditor::askForArray()
+{
+    auto* dialog = new ArrayDialog(this);
+    connect(dialog, &ArrayDialog::taken, &selection_, &SurfaceSelection::array);
+    dialog->open();
 }
 
 } // namespace touchdown
