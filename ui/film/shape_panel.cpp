@@ -36,6 +36,10 @@ std::string words(const Parameter& parameter)
         case '.': text += ", "; break;
         default: text += letter;
         }
+    // As in the plan and the table; points are those of walls and of interest.
+    constexpr std::string_view point = ", point ";
+    if (const auto at = text.find(point); at != std::string::npos && text.starts_with("rail"))
+        text.replace(at, point.size(), ", corner ");
     return text;
 }
 
@@ -155,6 +159,13 @@ void ShapePanel::setCase(const Case& c)
     say({});
     fillList();
     fillTable();
+}
+
+void ShapePanel::preview(const AirBearingSurface& surface)
+{
+    Case passing = case_;
+    passing.surface = surface;
+    setCase(passing);
 }
 
 void ShapePanel::resizeEvent(QResizeEvent* event)

@@ -32,6 +32,8 @@ public:
     explicit ShapePanel(QWidget* parent = nullptr);
 
     void setCase(const Case& c);
+    /// The numbers of a surface that is dragged; the case with it, or the one before, follows.
+    void preview(const AirBearingSurface& surface);
     /// Shows and marks these parts; emits nothing.
     void setSelection(const PartSelection& parts);
 

@@ -12,6 +12,7 @@
 #include "core/physics/slider/meeting_walls.h"
 #include "core/physics/slider/short_edges.h"
 #include "ui/plot/picture_widget.h"
+#include "ui/plot/plot_frame.h"
 #include "ui/slider/array_dialog.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/wall_menu.h"
@@ -21,6 +22,8 @@ namespace touchdown {
 namespace {
 
 constexpr double keyStep = 1e-6; // [m]
+
+QString influenceUnit() { return QStringLiteral("nm per 10 nm"); }
 
 } // namespace
 
@@ -96,11 +99,36 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
                    theme);
 }
 
+bool SurfaceEditor::paintTops(QPainter& painter, const PlotTheme& theme) const
+{
+    if (dragging() || !influenceScale(influence_, theme)) return false;
+    paintInfluenceTops(painter, *this, influence_, theme);
+    return true;
+}
+
+void SurfaceEditor::paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme)
+{
+    const auto scale = influenceScale(influence_, theme);
+    if (dragging() || !scale) return SurfaceView::paintKey(painter, column, theme);
+    constexpr double unit = 0.1; // nm per 10 nm [m/m]
+    paintColourBar(painter, column, font(), theme, *scale, scale->ticks(unit, colourBarRoom(font(), column.height())),
+                   influenceUnit());
+}
+
+/// The plan stays where it is when the influence is shown.
+double SurfaceEditor::keyWidth() const
+{
+    const double title = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(influenceUnit()) + 6.0;
+    return std::max(SurfaceView::keyWidth(), title);
+}
+
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
 {
     QStringList parts = SurfaceView::readingAt(point);
     const auto& hovered = gesture().hovered;
     if (hovered && hovered->kind != PartKind::Rail && !dragging()) parts << partText(*hovered);
+    const QString influence = hovered && !dragging() ? influenceText(influence_, *hovered) : QString();
+    if (!influence.isEmpty()) parts << influence;
     return parts;
 }
 

@@ -73,6 +73,9 @@ signals:
 
 protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;
+    bool paintTops(QPainter& painter, const PlotTheme& theme) const override;
+    void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) override;
+    double keyWidth() const override;
     QStringList readingAt(const SurfacePoint& point) const override;
     bool event(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;

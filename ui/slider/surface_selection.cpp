@@ -137,6 +137,15 @@ AirBearingSurface SurfaceSelection::moved(SurfaceShift by) const
                   : touchdown::moved(surface_, parts_, by);
 }
 
+SurfaceShift SurfaceSelection::shiftOf(SurfaceShift by) const
+{
+    const auto edge = oneEdge();
+    if (!edge) return by;
+    const SurfaceShift normal = edgeNormal(surface_, *edge);
+    const double distance = by.x * normal.x + by.y * normal.y;
+    return {distance * normal.x, distance * normal.y};
+}
+
 bool SurfaceSelection::move(SurfaceShift by) { return commit(moved(by), tr("move %1").arg(selectionText(parts_))); }
 
 void SurfaceSelection::nudge(SurfaceShift by)

@@ -55,6 +55,8 @@ public:
 
     void hold(bool held) { held_ = held; }
     AirBearingSurface moved(SurfaceShift by) const;
+    /// The shift of the selected parts: a single edge moves normal to itself.
+    SurfaceShift shiftOf(SurfaceShift by) const;
     /// False: nothing has changed, and nothing was asked for.
     bool move(SurfaceShift by);
     /// Moves in a row are one edit for undo.

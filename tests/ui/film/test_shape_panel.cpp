@@ -113,6 +113,15 @@ private slots:
         edits_->undoStack().setIndex(0);
         QVERIFY(edits_->value() == case_);
     }
+    void aDragIsFollowed()
+    {
+        panel_->setSelection({{PartKind::Rail, 1}});
+        panel_->preview(moved(case_.surface, {{PartKind::Rail, 1}}, {10e-6, 0.0}));
+        QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.16"));
+        QCOMPARE(edits_->undoStack().count(), 0);
+        panel_->preview(case_.surface);
+        QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
+    }
     /// An edge that slides along others leaves coordinates of many digits.
     void showsSevenDigits()
     {
@@ -126,7 +135,7 @@ private slots:
     void aWrongNumberIsRefused()
     {
         panel_->setSelection({{PartKind::Rail, 1}});
-        for (const auto& [column, text, reason] : {std::tuple(0, "2 mN", "Rail 2, point 1, x: "),
+        for (const auto& [column, text, reason] : {std::tuple(0, "2 mN", "Rail 2, corner 1, x: "),
                                                    std::tuple(0, "wide", "wide"), std::tuple(2, "7", "at most 2")}) {
             table_->item(0, column)->setText(QString::fromUtf8(text));
             QVERIFY(edits_->value() == case_);
