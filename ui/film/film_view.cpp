@@ -114,7 +114,7 @@ FilmView::FilmView(QAction* solve, QWidget* parent)
     tabs_->setDrawBase(false);
     tabs_->setExpanding(false);
     tabs_->setFocusPolicy(Qt::StrongFocus);
-    gridShown_->setToolTip(tr("Show the cells of the solver"));
+    gridShown_->setToolTip(tr("Show the cells of the solver (G)"));
     note_->setContentsMargins(8, 0, 8, 4);
     note_->setMinimumWidth(1);
     note_->setWordWrap(true);
@@ -314,7 +314,7 @@ void FilmView::showPage()
     maps_->controls()->setVisible(mapped && state_);
     difference_->setVisible(mapped && base_);
     if (page() == Page::Surface)
-        shape_->addTool(*gridShown_);
+        shape_->addGridSwitch(*gridShown_);
     else
         row_->addWidget(gridShown_);
     gridShown_->setVisible(page() == Page::Surface || mapped);

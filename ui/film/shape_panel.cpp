@@ -36,6 +36,10 @@ std::string words(const Parameter& parameter)
         case '.': text += ", "; break;
         default: text += letter;
         }
+    // As in the plan and the table; points are those of walls and of interest.
+    constexpr std::string_view point = ", point ";
+    if (const auto at = text.find(point); at != std::string::npos && text.starts_with("rail"))
+        text.replace(at, point.size(), ", corner ");
     return text;
 }
 
@@ -155,6 +159,13 @@ void ShapePanel::setCase(const Case& c)
     say({});
     fillList();
     fillTable();
+}
+
+void ShapePanel::preview(const AirBearingSurface& surface)
+{
+    Case passing = case_;
+    passing.surface = surface;
+    setCase(passing);
 }
 
 void ShapePanel::resizeEvent(QResizeEvent* event)
@@ -294,15 +305,20 @@ void ShapePanel::say(const QString& problem)
 
 void ShapePanel::take(const std::string& key, const QString& typed)
 {
-    const auto found = caseKey(case_, key);
-    const auto* parameter = std::get_if<Parameter>(&found);
-    if (parameter == nullptr) return;
     Case changed = case_;
-    if (const auto reason = setFromText(changed, *parameter, entryText(typed, *parameter))) {
-        say(tr("%1: %2").arg(sentence(words(*parameter)).chopped(1), sentence(*reason)));
-        fillList(); // as it was
-        fillTable();
-        return;
+    QString what;
+    const std::vector<std::string> keys = chosenWith(key);
+    for (const std::string& each : keys) {
+        const auto found = caseKey(case_, each);
+        const auto* parameter = std::get_if<Parameter>(&found);
+        if (parameter == nullptr) return;
+        if (what.isEmpty()) what = QString::fromStdString(words(*parameter));
+        if (const auto reason = setFromText(changed, *parameter, entryText(typed, *parameter))) {
+            say(tr("%1: %2").arg(sentence(words(*parameter)).chopped(1), sentence(*reason)));
+            fillList(); // as it was
+            fillTable();
+            return;
+        }
     }
     say({});
     if (changed.surface == case_.surface) {
@@ -310,7 +326,24 @@ void ShapePanel::take(const std::string& key, const QString& typed)
         fillTable();
         return;
     }
-    emit edited(changed.surface, tr("change %1").arg(QString::fromStdString(words(*parameter))), 0);
+    emit edited(
+        changed.surface,
+        keys.size() > 1 ? tr("change %1 and %2 more").arg(what).arg(keys.size() - 1) : tr("change %1").arg(what), 0);
+}
+
+std::vector<std::string> ShapePanel::chosenWith(const std::string& key) const
+{
+    std::vector<std::string> keys{key};
+    std::set<std::string> chosen;
+    for (const SurfacePart& part : selection_) {
+        const std::string rail = "abs.rail[" + std::to_string(part.item + 1) + "].";
+        if (part.kind == PartKind::Rail) chosen.insert(rail + "recess");
+        if (part.kind == PartKind::Corner) chosen.insert(rail + "wall[" + std::to_string(part.index + 1) + "]");
+    }
+    if (!chosen.contains(key)) return keys;
+    chosen.erase(key);
+    keys.insert(keys.end(), chosen.begin(), chosen.end());
+    return keys;
 }
 
 void ShapePanel::updateButtons()

@@ -32,6 +32,8 @@ public:
     explicit ShapePanel(QWidget* parent = nullptr);
 
     void setCase(const Case& c);
+    /// The numbers of a surface that is dragged; the case with it, or the one before, follows.
+    void preview(const AirBearingSurface& surface);
     /// Shows and marks these parts; emits nothing.
     void setSelection(const PartSelection& parts);
 
@@ -80,6 +82,8 @@ private:
     void onListSelected();
     void onTableSelected();
     void take(const std::string& key, const QString& typed);
+    /// The other parts that are chosen with this one get the same recess or wall: their keys, this one's first.
+    std::vector<std::string> chosenWith(const std::string& key) const;
     void addRail();
     void addCorner();
     void addWall();

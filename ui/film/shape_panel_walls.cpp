@@ -19,7 +19,7 @@ void ShapePanel::buildWallMenu()
 {
     wall_ = new QToolButton(this);
     wall_->setText(tr("Wall…"));
-    wall_->setToolTip(tr("Wall of the edges that begin at the chosen corners, or of all edges of the rail"));
+    wall_->setToolTip(tr("Wall of the edges that begin at the chosen corners, or of all edges of the selected rails"));
     wall_->setAccessibleName(wall_->toolTip());
     wall_->setFocusPolicy(Qt::StrongFocus);
     connect(wall_, &QToolButton::clicked, this, [this] {
@@ -48,7 +48,7 @@ bool ShapePanel::eventFilter(QObject* watched, QEvent* event)
     return true;
 }
 
-/// Those that begin at the selected rows; without any, all of the rail.
+/// Those that begin at the selected rows; without any, all of the selected rails.
 PartSelection ShapePanel::chosenEdges() const
 {
     PartSelection edges;
@@ -56,6 +56,7 @@ PartSelection ShapePanel::chosenEdges() const
     for (const SurfacePart& part : selection_)
         if (part.kind == PartKind::Edge || part.kind == PartKind::Corner)
             edges.insert({PartKind::Edge, part.item, part.index});
+    if (edges.empty()) edges = railsOf(selection_);
     if (edges.empty()) edges.insert({PartKind::Rail, chosen_.item});
     return edges;
 }

@@ -6,11 +6,13 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "ui/slider/attitude_sections.h"
+#include "ui/slider/part_picking.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
@@ -41,8 +43,7 @@ SurfacePage::SurfacePage(QWidget* parent)
       panel_(new ShapePanel(this)),
       follow_(new QCheckBox(tr("Fol&low"), this)),
       influence_(new QCheckBox(tr("&Influence"), this)),
-      flight_(new QLabel(this)),
-      influenceWords_(new QLabel(this))
+      flight_(new QLabel(this))
 {
     follow_->setObjectName(QStringLiteral("follow"));
     follow_->setChecked(true);
@@ -51,20 +52,18 @@ SurfacePage::SurfacePage(QWidget* parent)
                     "case's own grid afterwards")));
     influence_->setObjectName(QStringLiteral("influence"));
     influence_->setToolTip(
-        plainTip(tr("Show what a deeper recess of each rail and a shift of each edge of the selected rails "
-                    "would do to the minimum spacing")));
-    influenceWords_->setAccessibleName(tr("What the colours and arrows mean"));
-    influenceWords_->setContentsMargins(8, 0, 8, 2);
-    influenceWords_->setMinimumWidth(1);
-    influenceWords_->setWordWrap(true);
-    influenceWords_->hide();
+        plainTip(tr("Show what a deeper recess of each rail and a shift of each edge would do to the minimum "
+                    "spacing (I)")));
     connect(this, &SurfacePage::influenceWanted, this, [this] {
+        influencing_ = influencingParts();
         editor_->setInfluence({});
-        influenceWords_->setVisible(influence_->isChecked());
-        influenceWords_->setText(tr("Finding what each rail does to the flying height…"));
+        editor_->setRestingReading(influence_->isChecked() ? tr("Finding what each rail does to the flying height…")
+                                                           : QString());
     });
     connect(influence_, &QCheckBox::toggled, this, &SurfacePage::influenceWanted);
-    connect(editor_, &SurfaceEditor::selectionChanged, this, &SurfacePage::influenceWanted);
+    connect(editor_, &SurfaceEditor::selectionChanged, this, [this] {
+        if (influencingParts() != influencing_) emit influenceWanted();
+    });
     flight_->setAccessibleName(tr("How the slider flies"));
     flight_->setContentsMargins(8, 2, 8, 2);
     flight_->setTextFormat(Qt::RichText);
@@ -77,12 +76,12 @@ SurfacePage::SurfacePage(QWidget* parent)
     layout->setSpacing(0);
     layout->addWidget(toolRow_ = buildTools());
     layout->addWidget(flight_);
-    layout->addWidget(influenceWords_);
     layout->addWidget(editor_, 1);
 
     connect(editor_, &SurfaceEditor::selectionChanged, this, [this] { panel_->setSelection(editor_->selection()); });
     connect(panel_, &ShapePanel::selected, editor_, &SurfaceEditor::select);
     connect(editor_, &SurfaceEditor::previewed, this, &SurfacePage::previewed);
+    connect(editor_, &SurfaceEditor::previewed, panel_, &ShapePanel::preview);
     connect(editor_, &SurfaceEditor::edited, this, &SurfacePage::edited);
     connect(panel_, &ShapePanel::edited, this, &SurfacePage::edited);
     connect(panel_, &ShapePanel::menuWanted, this,
@@ -133,23 +132,38 @@ QWidget* SurfacePage::buildTools()
         return box;
     };
     layout->addSpacing(10);
-    toggle(tr("S&nap"), tr("Snap to corners of other rails, to the centre line, the border and 1 µm; Ctrl lets go"),
-           true, [this](bool on) { editor_->setSnapping(on); });
-    auto* pairs = toggle(tr("&Pairs"),
-                         tr("Rails that are mirror images move together; a click on the link of a pair breaks it (L)"),
-                         false, [this](bool on) { editor_->setPairs(on); });
+    snap_ = toggle(tr("S&nap"),
+                   tr("Snap to corners of other rails, to the centre line, the border and 1 µm (S); Ctrl lets go"),
+                   true, [this](bool on) { editor_->setSnapping(on); });
+    pairs_ = toggle(tr("&Pairs"),
+                    tr("Rails that are mirror images move together (Y); a click on the link of a pair breaks it (L)"),
+                    false, [this](bool on) { editor_->setPairs(on); });
     layout->addWidget(follow_);
     layout->addWidget(influence_);
-    setTabOrder(pairs, follow_);
+    setTabOrder(pairs_, follow_);
     setTabOrder(follow_, influence_);
     layout->addStretch(1);
     return row;
 }
 
-void SurfacePage::addTool(QWidget& tool)
+void SurfacePage::addGridSwitch(QCheckBox& box)
 {
-    toolRow_->layout()->addWidget(&tool);
+    grid_ = &box;
+    toolRow_->layout()->addWidget(&box);
     fit();
+}
+
+void SurfacePage::keyPressEvent(QKeyEvent* event)
+{
+    QCheckBox* box = event->key() == Qt::Key_S   ? snap_
+                     : event->key() == Qt::Key_Y ? pairs_
+                     : event->key() == Qt::Key_I ? influence_
+                     : event->key() == Qt::Key_G ? grid_
+                                                 : nullptr;
+    if (box != nullptr && event->modifiers() == Qt::NoModifier)
+        box->click();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 /// The plan keeps its place whatever is said above it: rows have as many lines as their longest text needs in this
@@ -191,9 +205,18 @@ void SurfacePage::showInfluence(const std::vector<PartInfluence>& influence)
     std::vector<std::pair<SurfacePart, double>> shown;
     for (const PartInfluence& each : influence) shown.emplace_back(each.part, each.per.minimumSpacing);
     editor_->setInfluence(shown);
-    influenceWords_->setText(editor_->committed().rails.empty() ? tr("There are no rails.")
-                             : shown.empty()                    ? tr("There is no flying attitude to change.")
-                                                                : editor_->influenceWords());
+    const QString words = editor_->influenceWords() + (manyEdges() ? tr(" (selected rails)") : QString());
+    editor_->setRestingReading(editor_->committed().rails.empty() ? tr("There are no rails.")
+                               : shown.empty()                    ? tr("There is no flying attitude to change.")
+                                                                  : words);
+}
+
+bool SurfacePage::manyEdges() const
+{
+    constexpr std::size_t most = 60; // they are found in a few seconds, and arrows have room
+    std::size_t edges = 0;
+    for (const Rail& rail : editor_->committed().rails) edges += rail.points.size();
+    return edges > most;
 }
 
 PartSelection SurfacePage::influencingParts() const
@@ -201,10 +224,8 @@ PartSelection SurfacePage::influencingParts() const
     const std::vector<Rail>& rails = editor_->committed().rails;
     PartSelection parts;
     for (std::size_t i = 0; i < rails.size(); ++i) parts.insert({PartKind::Rail, i});
-    for (const SurfacePart& part : editor_->selection())
-        if (part.kind != PartKind::Interest)
-            for (std::size_t k = 0; k < rails[part.item].points.size(); ++k)
-                parts.insert({PartKind::Edge, part.item, k});
+    for (const SurfacePart& rail : manyEdges() ? railsOf(editor_->selection()) : PartSelection(parts))
+        for (std::size_t k = 0; k < rails[rail.item].points.size(); ++k) parts.insert({PartKind::Edge, rail.item, k});
     return parts;
 }
 

@@ -31,15 +31,15 @@ public:
     void open(const Case& c);
 
     SurfaceEditor* editor() const { return editor_; }
-    /// At the end of the row of tools.
-    void addTool(QWidget& tool);
+    /// The switch of the grid lines, at the end of the row of tools.
+    void addGridSwitch(QCheckBox& box);
     /// Hidden until the window gives it a place.
     ShapePanel* panel() const { return panel_; }
     bool follows() const { return follow_->isChecked(); }
     bool showsInfluence() const { return influence_->isChecked(); }
     /// What was found; empty: nothing, as the slider does not fly or its attitude is held.
     void showInfluence(const std::vector<PartInfluence>& influence);
-    /// All rails, and the edges of the selected ones.
+    /// All rails and all edges; of many edges those of the selected rails.
     PartSelection influencingParts() const;
 
     /// The state of the shape as it is, and how it differs from `reference`. `preview`: on a coarse grid.
@@ -64,6 +64,8 @@ signals:
     void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
 
 protected:
+    /// S, Y, I and G are the keys of the switches.
+    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
 
@@ -71,12 +73,15 @@ private:
     QWidget* buildTools();
     /// `shown`: as much of it as there is room for; empty: all.
     void say(const QString& text, const QString& shown = {});
+    bool manyEdges() const;
     void fit();
 
     SurfaceEditor* editor_;
     ShapePanel* panel_;
     QCheckBox *follow_, *influence_;
-    QLabel *flight_, *influenceWords_;
+    QCheckBox *snap_ = nullptr, *pairs_ = nullptr, *grid_ = nullptr;
+    PartSelection influencing_; // as it was last asked for
+    QLabel* flight_;
     QWidget* toolRow_ = nullptr;
     std::vector<QToolButton*> tools_;
     QString flightParts_, confirmedParts_; // the last state, and the last that was not a preview

@@ -12,9 +12,7 @@
 
 namespace touchdown {
 
-namespace {
-
-std::optional<double> lengthOf(QString text)
+std::optional<double> typedLength(QString text)
 {
     text = text.trimmed();
     text.replace(QChar(0x2212), QLatin1Char('-'));
@@ -27,8 +25,6 @@ std::optional<double> lengthOf(QString text)
     if (const double* length = std::get_if<double>(&quantity)) return *length;
     return {};
 }
-
-} // namespace
 
 DragField::DragField(QWidget* parent) : QFrame(parent)
 {
@@ -74,7 +70,7 @@ std::optional<SurfaceShift> DragField::shift() const
 {
     SurfaceShift by;
     for (std::size_t i = 0; i < ways_.size(); ++i) {
-        const std::optional<double> length = lengthOf(entries_[i].text->text());
+        const std::optional<double> length = typedLength(entries_[i].text->text());
         if (!length) return {};
         by.x += *length * ways_[i].direction.x;
         by.y += *length * ways_[i].direction.y;

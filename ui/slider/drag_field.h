@@ -21,6 +21,9 @@ struct DragWay {
     SurfaceShift direction;
 };
 
+/// A length that is typed in µm or with a unit of one's own [m]; nothing where it is none.
+std::optional<double> typedLength(QString text);
+
 class DragField : public QFrame {
     Q_OBJECT
 

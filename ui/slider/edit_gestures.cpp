@@ -71,6 +71,7 @@ void EditGestures::begin(Gesture gesture)
 void EditGestures::end()
 {
     begin(Gesture::None);
+    marks_.shift = {};
     marks_.snap.reset();
     marks_.hovered.reset();
     stopTyping();
@@ -215,13 +216,10 @@ bool EditGestures::move(const QMouseEvent& event)
 {
     const QPointF last = std::exchange(marks_.pointer, event.position());
     if (gesture_ == Gesture::View) return plan_.pan(event.position() - last), false;
-    if (gesture_ == Gesture::Pressed && far(pressedAt_, event.position())) {
-        begin(Gesture::Move);
-        updateCursor();
-    }
+    if (gesture_ == Gesture::Pressed && far(pressedAt_, event.position())) begin(Gesture::Move), updateCursor();
     if (moving()) {
         if (typing()) return false;
-        waiting_ = wantedShift(event);
+        marks_.shift = selection_.shiftOf(*(waiting_ = wantedShift(event)));
         if (!previewTimer_.isActive()) previewWaiting();
         return false;
     }
@@ -335,7 +333,7 @@ bool EditGestures::type(const QString& text)
                 way.y < 0.0 ? DragWay{tr("↓ dy"), {0.0, -1.0}} : DragWay{tr("↑ dy"), {0.0, 1.0}}};
         first = std::abs(way.y) > std::abs(way.x) ? 1 : 0;
     }
-    waiting_.reset();
+    waiting_ = marks_.shift = {};
     marks_.snap.reset();
     field_->open(marks_.pointer.toPoint(), ways, first, text);
     previewTyped();

@@ -15,20 +15,9 @@ namespace touchdown {
 
 namespace {
 
-constexpr double handle = 7.0;                             // width of a corner's square [px]
-constexpr double longestArrow = 44.0, shortestArrow = 4.0; // [px]
-constexpr double recessStep = 10e-9, edgeStep = 1e-6;      // of which the words of an influence speak [m]
-const QPointF besideTheNumber{18.0, 0.0};                  // of a rail [px]
-constexpr double linkReach = 10.0;                         // of a symbol from its middle [px]
-
-/// The largest size of all of one kind.
-double largest(const ShownInfluence& influence, PartKind kind)
-{
-    double most = 0.0;
-    for (const auto& [part, value] : influence)
-        if (part.kind == kind) most = std::max(most, std::abs(value));
-    return most;
-}
+constexpr double handle = 7.0;            // width of a corner's square [px]
+const QPointF besideTheNumber{18.0, 0.0}; // of a rail [px]
+constexpr double linkReach = 10.0;        // of a symbol from its middle [px]
 
 /// The sentence without numbers: those of rails change with their order.
 std::string kindOf(const SurfaceProblem& problem)
@@ -104,46 +93,6 @@ struct EditPainter {
         painter.setBrush(Qt::NoBrush);
         for (const Rail& rail : marks.ghost.rails)
             if (std::ranges::find(rails, rail) == rails.end()) painter.drawPolygon(outline(rail));
-    }
-
-    void influence()
-    {
-        const double mostRail = largest(marks.influence, PartKind::Rail);
-        const double mostEdge = largest(marks.influence, PartKind::Edge);
-        for (const auto& [part, value] : marks.influence) {
-            if (!has(plan.surface(), part)) continue;
-            if (part.kind == PartKind::Rail) {
-                QColor fill = theme.curves[value > 0.0 ? 0 : 1]; // raises, lowers
-                fill.setAlphaF(static_cast<float>(0.75 * std::sqrt(std::abs(value) / std::max(mostRail, 1e-300))));
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(fill);
-                painter.drawPolygon(outline(rails[part.item]));
-                painter.setBrush(Qt::NoBrush);
-                continue;
-            }
-            const auto [a, b] = ends(part);
-            const QPointF from = 0.5 * (at(a) + at(b));
-            QPointF normal(b.y - a.y, b.x - a.x); // on the screen y points down
-            normal /= std::max(std::hypot(normal.x(), normal.y()), 1e-300);
-            const SurfacePoint probe = plan.toSlider(from + 2.0 * normal);
-            if (railPolygon(rails[part.item]).containsPoint({probe.x, probe.y}, Qt::OddEvenFill))
-                normal = -normal; // outwards
-            arrow(from, longestArrow * value / std::max(mostEdge, 1e-300) * normal);
-        }
-    }
-
-    void arrow(const QPointF& from, const QPointF& way)
-    {
-        const double length = std::hypot(way.x(), way.y());
-        if (length < shortestArrow) return;
-        const QPointF along = way / length, across(-along.y(), along.x()), tip = from + way;
-        painter.setPen(QPen(theme.text, 2.4));
-        painter.drawLine(from, tip);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme.text);
-        painter.drawPolygon(
-            QPolygonF({tip + 3.0 * along, tip - 6.0 * along + 4.5 * across, tip - 6.0 * along - 4.5 * across}));
-        painter.setBrush(Qt::NoBrush);
     }
 
     void links()
@@ -274,6 +223,16 @@ struct EditPainter {
         label(place + QPointF(atRight ? 10.0 + half : -10.0 - half, -18.0), text);
     }
 
+    /// How far the dragged parts are from where they were.
+    void shift()
+    {
+        if (!gesture.shift) return;
+        const QString text =
+            tr("dx %1   dy %2 µm").arg(typeset(gesture.shift->x * 1e6, 2), typeset(gesture.shift->y * 1e6, 2));
+        const double half = halfWidth(text);
+        label({withRoom(gesture.pointer.x() + 14.0 + half, half), gesture.pointer.y() + 26.0}, text);
+    }
+
     void measure()
     {
         const QString text = measureText(gesture);
@@ -318,12 +277,13 @@ void paintEditMarks(QPainter& painter, const SurfaceView& plan, const EditMarks&
     EditPainter paint{painter, plan, marks, theme};
     paint.ghost();
     if (!marks.gesture.dragging) {
-        paint.influence();
+        paintInfluenceArrows(painter, plan, marks.influence, theme);
         paint.links();
     }
     paint.selection();
     paint.problems();
     paint.snap();
+    paint.shift();
     paint.measure();
     paint.shape();
 }
@@ -339,16 +299,6 @@ std::optional<std::size_t> linkAt(const SliderPlan& plan, const std::vector<Pair
         if (const QPointF away = linkSymbol(plan, link) - pixel; std::hypot(away.x(), away.y()) < linkReach)
             return link.rail;
     return {};
-}
-
-QString influenceWords(const ShownInfluence& influence)
-{
-    const double mostRail = largest(influence, PartKind::Rail), mostEdge = largest(influence, PartKind::Edge);
-    QString words = tr("10 nm more recess raises (blue) or lowers (orange) the minimum spacing by up to %1.")
-                        .arg(lengthText(mostRail * recessStep, 2));
-    const QString perEdge = lengthText(mostEdge * edgeStep, 2);
-    if (mostEdge > 0.0) words += tr(" An edge moved along its arrow raises it, by up to %1 per µm.").arg(perEdge);
-    return words;
 }
 
 QStringList snapWords(const GestureMarks& gesture)

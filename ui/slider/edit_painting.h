@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/physics/slider/surface_check.h"
+#include "ui/slider/influence_painting.h"
 #include "ui/slider/surface_selection.h"
 #include "ui/slider/surface_view.h"
 
@@ -18,15 +19,13 @@ namespace touchdown {
 struct GestureMarks {
     bool dragging = false;
     QPointF pointer;                     // [px]
+    std::optional<SurfaceShift> shift;   // of what is dragged, before a number is typed [m]
     std::optional<SurfacePart> hovered;  // under the pointer
     std::optional<SnappedPlace> snap;    // of the place that is dragged or measured
     std::optional<SurfacePoint> boxFrom; // a rectangle is drawn from here to the pointer [m]
     std::vector<SurfacePoint> polygon;   // under way [m]
     std::vector<SurfacePoint> measured;  // one place or two [m]
 };
-
-/// What parts do to the minimum spacing [m/m].
-using ShownInfluence = std::vector<std::pair<SurfacePart, double>>;
 
 /// All that is shown over the plan.
 struct EditMarks {
@@ -44,8 +43,6 @@ QPointF linkSymbol(const SliderPlan& plan, const PairLink& link);
 /// The first rail of the link whose symbol is there.
 std::optional<std::size_t> linkAt(const SliderPlan& plan, const std::vector<PairLink>& links, const QPointF& pixel);
 
-/// What the colours and arrows of an influence mean.
-QString influenceWords(const ShownInfluence& influence);
 /// What holds the place that is dragged or measured: "corner 2 of rail 3", "centre line", "border".
 QStringList snapWords(const GestureMarks& gesture);
 /// Distance, its parts along x and y, and its angle to x; empty where nothing is measured.

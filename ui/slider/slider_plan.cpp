@@ -83,6 +83,12 @@ void SliderPlan::setReading(const QString& text)
     update(0, 0, width(), static_cast<int>(planArea().top()));
 }
 
+void SliderPlan::setRestingReading(const QString& text)
+{
+    resting_ = text;
+    update(0, 0, width(), static_cast<int>(planArea().top()));
+}
+
 void SliderPlan::setGrid(const CellGrid& grid)
 {
     grid_ = grid;

@@ -50,7 +50,9 @@ public:
     void setTitle(const QString& title);
     QString title() const override { return title_; }
     /// Place and content under the pointer, shown at the right of the title.
-    QString reading() const { return reading_; }
+    QString reading() const { return reading_.isEmpty() ? resting_ : reading_; }
+    /// Said there while the pointer is elsewhere.
+    void setRestingReading(const QString& text);
 
     /// Shows the whole slider, also after the size changes.
     void fit();
@@ -135,7 +137,7 @@ private:
     bool paper_ = false; // it is being painted on paper
     double skew_ = 0.0;  // [rad]
     QString title_;
-    QString reading_;
+    QString reading_, resting_;
     SurfacePoint centre_; // of the view [m]
     double scale_ = 1e5;  // [px/m]
     bool fitted_ = true;

@@ -132,11 +132,12 @@ void SliderPlan::paintHeader(QPainter& painter, const PlotTheme& theme, const Pl
 {
     const QFontMetricsF metrics(frame.textFont);
     const QRectF row(frame.area.left(), PlotFrame::gap, width() - frame.area.left() - PlotFrame::gap, metrics.height());
-    const double read = std::min(metrics.horizontalAdvance(reading_), row.width());
+    const QString said = paper_ ? QString() : reading();
+    const double read = std::min(metrics.horizontalAdvance(said), row.width());
     frame.paintTitle(painter, theme, title_, row.width() - read - 2.0 * PlotFrame::gap);
     painter.setFont(frame.textFont);
     painter.setPen(theme.mutedText);
-    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, metrics.elidedText(reading_, Qt::ElideRight, row.width()));
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, metrics.elidedText(said, Qt::ElideRight, row.width()));
 }
 
 } // namespace touchdown

@@ -12,6 +12,8 @@
 #include "core/physics/slider/meeting_walls.h"
 #include "core/physics/slider/short_edges.h"
 #include "ui/plot/picture_widget.h"
+#include "ui/plot/plot_frame.h"
+#include "ui/slider/array_dialog.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/wall_menu.h"
 
@@ -20,6 +22,8 @@ namespace touchdown {
 namespace {
 
 constexpr double keyStep = 1e-6; // [m]
+
+QString influenceUnit() { return QStringLiteral("nm per 10 nm"); }
 
 } // namespace
 
@@ -40,7 +44,7 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), gestures_(*
     setAccessibleDescription(
         tr("Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
            "rails, N and B the next and previous one, E and C the next edge and corner of a rail, Del removes, Ctrl+D "
-           "copies, Shift+M mirrors, L breaks or joins the "
+           "copies, Shift+M makes mirrored copies, L breaks or joins the "
            "pair, Page Up and Page Down change the order of overlap, M measures between two selected corners, F shows "
            "everything, the menu key has more."));
 }
@@ -95,11 +99,36 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
                    theme);
 }
 
+bool SurfaceEditor::paintTops(QPainter& painter, const PlotTheme& theme) const
+{
+    if (dragging() || !influenceScale(influence_, theme)) return false;
+    paintInfluenceTops(painter, *this, influence_, theme);
+    return true;
+}
+
+void SurfaceEditor::paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme)
+{
+    const auto scale = influenceScale(influence_, theme);
+    if (dragging() || !scale) return SurfaceView::paintKey(painter, column, theme);
+    constexpr double unit = 0.1; // nm per 10 nm [m/m]
+    paintColourBar(painter, column, font(), theme, *scale, scale->ticks(unit, colourBarRoom(font(), column.height())),
+                   influenceUnit());
+}
+
+/// The plan stays where it is when the influence is shown.
+double SurfaceEditor::keyWidth() const
+{
+    const double title = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(influenceUnit()) + 6.0;
+    return std::max(SurfaceView::keyWidth(), title);
+}
+
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
 {
     QStringList parts = SurfaceView::readingAt(point);
     const auto& hovered = gesture().hovered;
     if (hovered && hovered->kind != PartKind::Rail && !dragging()) parts << partText(*hovered);
+    const QString influence = hovered && !dragging() ? influenceText(influence_, *hovered) : QString();
+    if (!influence.isEmpty()) parts << influence;
     return parts;
 }
 
@@ -140,7 +169,7 @@ bool SurfaceEditor::actByKey(const QKeyEvent& event)
     case Qt::Key_PageDown: return selection_.moveInOrder(-1), true;
     case Qt::Key_M:
         if (shift)
-            selection_.mirror();
+            selection_.mirrorCopy();
         else if (tool() == Tool::Measure)
             gestures_.measureSelection();
         else
@@ -215,18 +244,24 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
         add(insertAt ? tr("Insert a corner here") : tr("Insert a corner in the middle"), {}, true,
             [this, edge, at] { selection_.insertCorner(edge->item, edge->index, at); });
     }
-    if (std::ranges::any_of(selection(), [](const SurfacePart& part) {
-            return part.kind == PartKind::Edge || part.kind == PartKind::Rail;
-        })) {
-        QMenu* walls = menu->addMenu(edge ? tr("Wall of this edge") : tr("Wall of all these edges"));
+    const auto ofKind = [this](PartKind kind) {
+        return std::ranges::any_of(selection(), [kind](const SurfacePart& part) { return part.kind == kind; });
+    };
+    if (ofKind(PartKind::Edge) || ofKind(PartKind::Rail)) {
+        QMenu* walls = menu->addMenu(edge                     ? tr("Wall of this edge")
+                                     : ofKind(PartKind::Edge) ? tr("Walls of these edges")
+                                     : one                    ? tr("Walls of this rail")
+                                                              : tr("Walls of these rails"));
         fillWallMenu(*walls, committed(), commonWall(committed(), selection()),
                      [this](int wall) { selection_.chooseWall(wall); });
     }
     add(tr("Coordinates…"), {}, some, [this] { emit coordinatesWanted(); });
-    add(tr("Recess…"), {}, one, [this] { emit recessWanted(); });
+    add(tr("Recess…"), {}, !rails.empty(), [this] { emit recessWanted(); });
     menu->addSeparator();
     add(tr("Duplicate"), QStringLiteral("Ctrl+D"), !rails.empty(), [this] { selection_.copy(); });
-    add(tr("Mirror about the centre line"), QStringLiteral("Shift+M"), some, [this] { selection_.mirror(); });
+    QMenu* arrange = menu->addMenu(tr("Arrange"));
+    arrange->setEnabled(some);
+    fillArrangeMenu(*arrange);
     add(tr("Make symmetric"), {}, selection_.lopsided(), [this] { selection_.makeSymmetric(); });
     for (const PairLink& link : selection_.pairLinks())
         if (one && link.holds(rails.begin()->item))
@@ -239,6 +274,34 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     menu->addSeparator();
     addPictureActions(*menu, *this);
     menu->popup(globalPos);
+}
+
+void SurfaceEditor::fillArrangeMenu(QMenu& menu)
+{
+    const std::size_t rails = selection_.rails().size();
+    const auto add = [&](const QString& text, bool enabled, auto perform) {
+        menu.addAction(text, this, perform)->setEnabled(enabled);
+    };
+    add(tr("Mirrored copy") + QStringLiteral("\tShift+M"), rails > 0, [this] { selection_.mirrorCopy(); });
+    add(tr("Flip about the centre line"), true, [this] { selection_.flip(); });
+    add(tr("Array…"), rails > 0, [this] { askForArray(); });
+    menu.addSeparator();
+    for (const auto& [text, to] :
+         {std::pair(tr("Align left edges"), Alignment::Left), std::pair(tr("Align right edges"), Alignment::Right),
+          std::pair(tr("Align top edges"), Alignment::Top), std::pair(tr("Align bottom edges"), Alignment::Bottom),
+          std::pair(tr("Align centres at one x"), Alignment::MiddleX),
+          std::pair(tr("Align centres at one y"), Alignment::MiddleY)})
+        add(text, rails > 1, [this, to = to] { selection_.align(to); });
+    menu.addSeparator();
+    add(tr("Equal gaps along x"), rails > 2, [this] { selection_.distribute(true); });
+    add(tr("Equal gaps along y"), rails > 2, [this] { selection_.distribute(false); });
+}
+
+void SurfaceEditor::askForArray()
+{
+    auto* dialog = new ArrayDialog(this);
+    connect(dialog, &ArrayDialog::taken, &selection_, &SurfaceSelection::array);
+    dialog->open();
 }
 
 } // namespace touchdown

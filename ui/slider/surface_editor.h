@@ -8,8 +8,8 @@
 // keeps to x or y, Ctrl lets go of the snap, Esc gives back, a number typed meanwhile is the distance in µm; double
 // click on an edge inserts a corner; click on the link of a pair breaks or joins it. The middle button or Space with
 // the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with Shift by 10 µm, with
-// Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirror), L (break or join the pair), Page Up and Down
-// (order of overlap), N and B (next and previous rail), E and C (next edge and corner of the rail, with Shift the
+// Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirrored copy), L (break or join the pair), Page Up and
+// Down (order of overlap), N and B (next and previous rail), E and C (next edge and corner of the rail, with Shift the
 // previous one), F (fit); V, R, P, M choose the tool.
 #pragma once
 
@@ -73,6 +73,9 @@ signals:
 
 protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;
+    bool paintTops(QPainter& painter, const PlotTheme& theme) const override;
+    void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) override;
+    double keyWidth() const override;
     QStringList readingAt(const SurfacePoint& point) const override;
     bool event(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
@@ -81,6 +84,8 @@ protected:
 private:
     bool moveByKey(const QKeyEvent& event);
     bool actByKey(const QKeyEvent& event);
+    void fillArrangeMenu(QMenu& menu);
+    void askForArray();
     void showSurface(const AirBearingSurface& surface, double length, double width);
     std::vector<SurfaceProblem> findWarnings(const AirBearingSurface& surface) const;
 

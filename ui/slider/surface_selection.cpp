@@ -137,6 +137,15 @@ AirBearingSurface SurfaceSelection::moved(SurfaceShift by) const
                   : touchdown::moved(surface_, parts_, by);
 }
 
+SurfaceShift SurfaceSelection::shiftOf(SurfaceShift by) const
+{
+    const auto edge = oneEdge();
+    if (!edge) return by;
+    const SurfaceShift normal = edgeNormal(surface_, *edge);
+    const double distance = by.x * normal.x + by.y * normal.y;
+    return {distance * normal.x, distance * normal.y};
+}
+
 bool SurfaceSelection::move(SurfaceShift by) { return commit(moved(by), tr("move %1").arg(selectionText(parts_))); }
 
 void SurfaceSelection::nudge(SurfaceShift by)
@@ -155,19 +164,48 @@ void SurfaceSelection::copy()
 {
     const PartSelection originals = rails();
     if (originals.empty() || held_) return;
+    commitCopies(withCopies(surface_, originals, {copyOffset, copyOffset}),
+                 tr("copy %1").arg(selectionText(originals)));
+}
+
+void SurfaceSelection::commitCopies(const AirBearingSurface& surface, const QString& text)
+{
     const std::size_t count = surface_.rails.size();
-    commit(withCopies(surface_, originals, {copyOffset, copyOffset}), tr("copy %1").arg(selectionText(originals)));
+    if (!commit(surface, text)) return;
     PartSelection copies;
     for (std::size_t i = count; i < surface_.rails.size(); ++i) copies.insert({PartKind::Rail, i});
     select(copies);
 }
 
-void SurfaceSelection::mirror()
+void SurfaceSelection::mirrorCopy()
+{
+    if (rails().empty() || held_) return;
+    commitCopies(withMirroredCopies(surface_, rails(), width_), tr("mirrored copy of %1").arg(selectionText(rails())));
+}
+
+void SurfaceSelection::align(Alignment to)
+{
+    if (!held_) commit(aligned(surface_, rails(), to), tr("align %1").arg(selectionText(rails())));
+}
+
+void SurfaceSelection::distribute(bool alongX)
+{
+    if (!held_) commit(distributed(surface_, rails(), alongX), tr("distribute %1").arg(selectionText(rails())));
+}
+
+void SurfaceSelection::array(int count, SurfaceShift step)
+{
+    if (rails().empty() || held_) return;
+    commitCopies(withArray(surface_, rails(), count, step),
+                 tr("%1 copies of %2").arg(count).arg(selectionText(rails())));
+}
+
+void SurfaceSelection::flip()
 {
     PartSelection both = rails();
     both.merge(partsOfKinds(parts_, PartKind::Interest, PartKind::Interest));
     if (both.empty() || held_) return;
-    commit(mirrored(surface_, both, width_), tr("mirror %1").arg(selectionText(both)));
+    commit(mirrored(surface_, both, width_), tr("flip %1").arg(selectionText(both)));
 }
 
 bool SurfaceSelection::lopsided() const { return madeSymmetric(surface_, rails(), width_, pairReach) != surface_; }

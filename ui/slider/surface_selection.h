@@ -12,7 +12,7 @@
 #include <QObject>
 #include <QString>
 
-#include "core/physics/slider/surface_edit.h"
+#include "core/physics/slider/surface_arrange.h"
 
 namespace touchdown {
 
@@ -55,13 +55,20 @@ public:
 
     void hold(bool held) { held_ = held; }
     AirBearingSurface moved(SurfaceShift by) const;
+    /// The shift of the selected parts: a single edge moves normal to itself.
+    SurfaceShift shiftOf(SurfaceShift by) const;
     /// False: nothing has changed, and nothing was asked for.
     bool move(SurfaceShift by);
     /// Moves in a row are one edit for undo.
     void nudge(SurfaceShift by);
     void remove();
     void copy();
-    void mirror();
+    /// About the centre line: copies of the selected rails, or the rails and points of interest themselves.
+    void mirrorCopy();
+    void flip();
+    void align(Alignment to);
+    void distribute(bool alongX);
+    void array(int count, SurfaceShift step);
     bool lopsided() const;
     /// The selected rails get mirror images where they have none.
     void makeSymmetric();
@@ -83,6 +90,8 @@ signals:
 
 private:
     bool commit(const AirBearingSurface& surface, const QString& text, int merge = 0);
+    /// Selects the rails that it adds to the end of the list.
+    void commitCopies(const AirBearingSurface& surface, const QString& text);
     void findLinks();
 
     AirBearingSurface surface_;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include <QTextStream>
+
+#include "core/formats/units.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/rail_drawing.h"
 #include "ui/style/quantity_format.h"
@@ -123,6 +126,22 @@ void SurfaceView::setMinimumSpacing(const std::optional<SurfacePoint>& at, const
     update();
 }
 
+std::function<void(QIODevice&)> SurfaceView::dataWriter() const
+{
+    if (surface_.rails.empty()) return {};
+    return [rails = surface_.rails](QIODevice& device) {
+        QTextStream out(&device);
+        const auto number = [](double value) { return QString::fromStdString(formatNumber(value)); };
+        out << "rail,corner,x [m],y [m],wall,recess of the rail [m]\n";
+        for (std::size_t i = 0; i < rails.size(); ++i)
+            for (std::size_t k = 0; k < rails[i].points.size(); ++k) {
+                const RailPoint& corner = rails[i].points[k];
+                out << i + 1 << ',' << k + 1 << ',' << number(corner.x) << ',' << number(corner.y) << ',' << corner.wall
+                    << ',' << number(rails[i].recess[0]) << '\n';
+            }
+    };
+}
+
 QSize SurfaceView::wantedPixels() const { return (planArea().size() * devicePixelRatioF()).toSize(); }
 
 bool SurfaceView::settled() const
@@ -159,7 +178,7 @@ void SurfaceView::paintKey(QPainter& painter, const QRectF& column, const PlotTh
 
 void SurfaceView::paintContent(QPainter& painter, const PlotTheme& theme)
 {
-    paintRecess(painter);
+    if (!paintTops(painter, theme)) paintRecess(painter);
     paintGrid(painter);
     outlines_.paint(painter, *this, surface_.rails);
     if (pointedRail_) paintRailOutline(painter, *this, surface_.rails[*pointedRail_], true);
@@ -205,8 +224,15 @@ void SurfaceView::paintNumbers(QPainter& painter, const PlotTheme& theme, TakenR
 void SurfaceView::paintMarks(QPainter& painter, const PlotTheme& theme, TakenRoom& taken) const
 {
     painter.setFont(plotNumberFont(font()));
+    if (minimumAt_) {
+        // Of the surface before, while it is dragged: pale.
+        constexpr double pale = 0.45;
+        painter.setOpacity(numbersPass_ ? pale : 1.0);
+        const QString text = tr("min %1").arg(minimumSpacing_);
+        paintPlanMarks(painter, {{toPixel(*minimumAt_), PlanMark::Kind::Minimum, text}}, theme, taken);
+        painter.setOpacity(1.0);
+    }
     std::vector<PlanMark> marks;
-    if (minimumAt_) marks.push_back({toPixel(*minimumAt_), PlanMark::Kind::Minimum, tr("min %1").arg(minimumSpacing_)});
     for (std::size_t i = 0; i < surface_.pointsOfInterest.size(); ++i)
         marks.push_back({toPixel(surface_.pointsOfInterest[i]), PlanMark::Kind::Interest, tr("P%1").arg(i + 1)});
     paintPlanMarks(painter, marks, theme, taken);

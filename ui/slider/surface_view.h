@@ -71,11 +71,15 @@ public:
     std::optional<SurfacePoint> minimumSpacingAt() const { return minimumAt_; }
 
     const ColourScale& scale() const { return scale_; }
+    /// The corners of all rails, with the walls of the edges that begin there.
+    std::function<void(QIODevice&)> dataWriter() const override;
     /// The picture of the recess has its full resolution.
     bool settled() const;
 
 protected:
     void paintContent(QPainter& painter, const PlotTheme& theme) override;
+    /// In the place of the colours of the recess, below outlines and marks; false: nothing.
+    virtual bool paintTops(QPainter& /*painter*/, const PlotTheme& /*theme*/) const { return false; }
     void paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme) override;
     double keyWidth() const override;
     QStringList readingAt(const SurfacePoint& point) const override;

@@ -30,11 +30,27 @@ private slots:
         SurfacePage page;
         page.resize(900, 700);
         page.setCase(c);
-        page.editor()->select({{PartKind::Corner, 4, 1}});
-        PartSelection parts;
-        for (std::size_t i = 0; i < 5; ++i) parts.insert({PartKind::Rail, i});
-        for (std::size_t k = 0; k < 4; ++k) parts.insert({PartKind::Edge, 4, k});
+        PartSelection parts, all;
+        for (std::size_t i = 0; i < 5; ++i) {
+            parts.insert({PartKind::Rail, i});
+            for (std::size_t k = 0; k < c.surface.rails[i].points.size(); ++k) all.insert({PartKind::Edge, i, k});
+        }
+        all.insert(parts.begin(), parts.end());
+        QCOMPARE(page.influencingParts(), all);
+        // Of more than 60 edges, those of the selected rails.
+        Case many = c;
+        for (int i = 0; i < 15; ++i) many.surface.rails.push_back(c.surface.rails[4]);
+        page.setCase(many);
+        for (std::size_t i = 5; i < 20; ++i) parts.insert({PartKind::Rail, i});
         QCOMPARE(page.influencingParts(), parts);
+        for (std::size_t k = 0; k < 4; ++k) parts.insert({PartKind::Edge, 4, k});
+        page.editor()->select({{PartKind::Corner, 4, 1}});
+        QCOMPARE(page.influencingParts(), parts);
+        page.setCase(c);
+        page.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&page));
+        QTRY_VERIFY(page.editor()->settled());
+        std::erase_if(parts, [](const SurfacePart& part) { return part.item >= 5; });
 
         InfluenceController controller;
         QSignalSpy found(&controller, &InfluenceController::found);
@@ -53,11 +69,16 @@ private slots:
         page.showInfluence(influence); // not wanted
         QCOMPARE(page.editor()->grab().toImage(), before);
         QSignalSpy wanted(&page, &SurfacePage::influenceWanted);
-        shown->setChecked(true);
+        const QRectF plan = page.editor()->planArea();
+        const QPoint place = page.editor()->pos();
+        QTest::keyClick(page.editor(), Qt::Key_I);
+        QVERIFY(shown->isChecked());
         QCOMPARE(wanted.count(), 1);
         page.showInfluence(influence);
         QVERIFY(page.editor()->grab().toImage() != before);
         QVERIFY(page.editor()->influenceWords().contains(QStringLiteral("per µm")));
+        QCOMPARE(page.editor()->planArea(), plan); // the plan stays
+        QCOMPARE(page.editor()->pos(), place);
         shown->setChecked(false);
         QCOMPARE(page.editor()->grab().toImage(), before);
     }

@@ -54,7 +54,7 @@ public:
     {
         SurfaceEditor& editor = *edited_.page.editor();
         const AirBearingSurface& surface = edited_.surface();
-        const int verb = surface.rails.size() < 2 ? 8 : below(12);
+        const int verb = surface.rails.size() < 2 ? 8 : below(14);
         if (surface.rails.size() > 40) editor.select({{PartKind::Rail, std::size_t(below(20))}});
         switch (surface.rails.size() > 40 ? 2 : verb) {
         case 0:
@@ -69,7 +69,7 @@ public:
             break;
         case 4:
             selectSome();
-            editor.verbs().mirror();
+            below(2) == 0 ? editor.verbs().flip() : editor.verbs().mirrorCopy();
             break;
         case 5:
             selectSome();
@@ -96,6 +96,15 @@ public:
             if (surface.walls.empty()) break;
             set(withoutWall(surface, below(surface.walls.size())));
             break;
+        case 11:
+            selectRails();
+            below(2) == 0 ? editor.verbs().align(static_cast<Alignment>(below(6)))
+                          : editor.verbs().distribute(below(2) == 0);
+            break;
+        case 12:
+            selectSome();
+            editor.verbs().array(1 + below(3), {below(100) * 1e-6, below(100) * 1e-6});
+            break;
         default: {
             AirBearingSurface deeper = surface;
             deeper.rails[below(deeper.rails.size())].recess[0] = below(2000) * 1e-9;
@@ -108,6 +117,12 @@ private:
     std::size_t below(std::size_t count) { return generator_() % count; }
     int below(int count) { return static_cast<int>(generator_() % static_cast<unsigned>(count)); }
 
+    void selectRails()
+    {
+        PartSelection parts;
+        for (int i = 0; i < 4; ++i) parts.insert({PartKind::Rail, below(edited_.surface().rails.size())});
+        edited_.page.editor()->select(parts);
+    }
     void selectSome()
     {
         const AirBearingSurface& surface = edited_.surface();

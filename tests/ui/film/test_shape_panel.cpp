@@ -85,6 +85,43 @@ private slots:
         QVERIFY(edits_->value() == case_);
         QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
     }
+    /// What is typed for one of several rails, or corners, is that of all of them, as one edit.
+    void severalAtOnce()
+    {
+        panel_->setSelection({{PartKind::Rail, 0}, {PartKind::Rail, 2}});
+        list_->topLevelItem(0)->child(2)->setText(1, QStringLiteral("0.02"));
+        const auto& rails = edits_->value().surface.rails;
+        for (const std::size_t i : {std::size_t(0), std::size_t(2)}) QCOMPARE(rails[i].recess[0], 0.02e-6);
+        QCOMPARE(rails[1].recess[0], case_.surface.rails[1].recess[0]);
+        QCOMPARE(edits_->undoStack().count(), 1);
+        list_->topLevelItem(0)->child(1)->setText(1, QStringLiteral("0.03")); // not one of the chosen ones
+        QCOMPARE(rails[0].recess[0], 0.02e-6);
+        panel_->setSelection({{PartKind::Corner, 1, 0}, {PartKind::Corner, 1, 2}});
+        table_->item(2, 2)->setText(QStringLiteral("0"));
+        for (std::size_t k = 0; k < 4; ++k)
+            QCOMPARE(rails[1].points[k].wall, k % 2 == 0 ? 0 : case_.surface.rails[1].points[k].wall);
+        QCOMPARE(edits_->undoStack().count(), 3);
+        panel_->setSelection({{PartKind::Rail, 0}, {PartKind::Rail, 2}});
+        for (QToolButton* button : panel_->findChildren<QToolButton*>())
+            if (button->text() == QStringLiteral("Wall…")) button->click();
+        QMenu* menu = panel_->findChild<QMenu*>();
+        QVERIFY(menu != nullptr);
+        menu->actions().front()->trigger(); // none
+        for (const std::size_t i : {std::size_t(0), std::size_t(2)})
+            for (const RailPoint& point : rails[i].points) QCOMPARE(point.wall, 0);
+        QCOMPARE(edits_->undoStack().count(), 4);
+        edits_->undoStack().setIndex(0);
+        QVERIFY(edits_->value() == case_);
+    }
+    void aDragIsFollowed()
+    {
+        panel_->setSelection({{PartKind::Rail, 1}});
+        panel_->preview(moved(case_.surface, {{PartKind::Rail, 1}}, {10e-6, 0.0}));
+        QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.16"));
+        QCOMPARE(edits_->undoStack().count(), 0);
+        panel_->preview(case_.surface);
+        QCOMPARE(table_->item(0, 0)->text(), QStringLiteral("0.15"));
+    }
     /// An edge that slides along others leaves coordinates of many digits.
     void showsSevenDigits()
     {
@@ -98,7 +135,7 @@ private slots:
     void aWrongNumberIsRefused()
     {
         panel_->setSelection({{PartKind::Rail, 1}});
-        for (const auto& [column, text, reason] : {std::tuple(0, "2 mN", "Rail 2, point 1, x: "),
+        for (const auto& [column, text, reason] : {std::tuple(0, "2 mN", "Rail 2, corner 1, x: "),
                                                    std::tuple(0, "wide", "wide"), std::tuple(2, "7", "at most 2")}) {
             table_->item(0, column)->setText(QString::fromUtf8(text));
             QVERIFY(edits_->value() == case_);

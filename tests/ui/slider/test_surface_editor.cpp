@@ -305,7 +305,7 @@ void TestSurfaceEditor::copiesMirrorsAndOrders()
     QCOMPARE(edits_->value().surface.rails.size(), std::size_t(5));
     QCOMPARE(editor_->selection(), (PartSelection{{PartKind::Rail, 4}}));
     const double y = point(4, 0).y;
-    QTest::keyClick(editor_.get(), Qt::Key_M, Qt::ShiftModifier);
+    editor_->verbs().flip();
     QVERIFY(std::abs(point(4, 0).y - (case_.slider.width - y)) < 1e-15);
     QTest::keyClick(editor_.get(), Qt::Key_PageDown);
     QCOMPARE(editor_->selection(), (PartSelection{{PartKind::Rail, 3}}));
@@ -368,7 +368,7 @@ void TestSurfaceEditor::everythingCanBeUndone()
         case 2:
             if (surface.rails.size() < 12) editor_->verbs().copy();
             break;
-        case 3: editor_->verbs().mirror(); break;
+        case 3: editor_->verbs().flip(); break;
         case 4: editor_->verbs().moveInOrder(below(2) == 0 ? 1 : -1); break;
         case 5:
             if (surface.walls.size() > 1) edits_->setSurface(withoutWall(surface, 0), QStringLiteral("wall"));

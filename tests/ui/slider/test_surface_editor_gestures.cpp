@@ -83,7 +83,10 @@ private slots:
         const RailPoint before = it_->point(1, 0);
         const QPoint from = it_->pixel(0.3e-3, 0.32e-3);
         it_->drag(from, from + QPoint(-40, -10), {}, false);
+        const auto& shift = it_->editor->gesture().shift; // beside the pointer
+        QVERIFY(shift && std::abs(shift->x * it_->metre() + 40.0) < 8.0 && shift->y > 0.0);
         type(it_->editor.get(), "1");
+        QVERIFY(!shift); // the fields have it
         auto* field = it_->editor->findChild<DragField*>();
         QVERIFY(field->isVisible());
         type(field->focusWidget(), "2.5");

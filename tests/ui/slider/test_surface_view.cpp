@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include <QBuffer>
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -31,6 +32,7 @@ private slots:
     void aSurfaceThatCannotBeDrawnLeavesTheSliderEmpty();
     void staysStillWhenNothingChanged();
     void aNarrowRailHasNoNumber();
+    void offersItsCorners();
     void drawsLightAndDark();
 
 private:
@@ -71,6 +73,21 @@ void TestSurfaceView::coloursFollowTheRecess()
     QFETCH(const double, y);
     QFETCH(const double, recess);
     QCOMPARE(at(x, y).rgb(), view_->scale().colour(recess));
+}
+
+// Rails of 4, 4, 4 and 5 corners; the last corner of the pad at the rear lies at 700 and 350 um.
+void TestSurfaceView::offersItsCorners()
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    view_->dataWriter()(buffer);
+    const QList<QByteArray> lines = buffer.data().trimmed().split('\n');
+    QCOMPARE(lines.size(), 18);
+    const QList<QByteArray> last = lines.back().split(',');
+    QCOMPARE(last.size(), 6);
+    QCOMPARE(QByteArray(last[0] + last[1] + last[4]), QByteArray("452"));
+    QCOMPARE(last[2].toDouble(), 0.70e-3);
+    QCOMPARE(last[3].toDouble(), 0.35e-3);
 }
 
 // The shelf's wall goes from 300 nm at the edge to 1.5 um at 20 um outside; 10 um outside it is 900 nm deep.
