@@ -326,7 +326,10 @@ QString FilmWindow::reasonToWait() const
         return tr("It does not fly so: %1").arg(QString::fromStdString(found->state.message));
     const SurfacePoint load{0.5 * edited_.slider.length + edited_.suspension.offsetX,
                             0.5 * edited_.slider.width + edited_.suspension.offsetY};
-    if (edited_.steady.fixedAttitude || railsSurround(edited_.surface, load)) return {};
+    const SuspensionCase& suspension = edited_.suspension;
+    const bool turned = suspension.holdsAttitude || suspension.pitchTorque != 0.0 || suspension.rollTorque != 0.0;
+    const bool rollHeld = edited_.degreesOfFreedom == 2;
+    if (edited_.steady.fixedAttitude || turned || railsSurround(edited_.surface, load, rollHeld)) return {};
     return tr("Not solved: the rails do not surround the place where the suspension presses. F9 solves all the same.");
 }
 

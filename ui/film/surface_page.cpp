@@ -86,6 +86,9 @@ SurfacePage::SurfacePage(QWidget* parent)
     connect(panel_, &ShapePanel::edited, this, &SurfacePage::edited);
     connect(panel_, &ShapePanel::menuWanted, this,
             [this](const QPoint& globalPos) { editor_->popUpMenu(globalPos, std::nullopt); });
+    for (const auto wanted : {&SurfaceEditor::coordinatesWanted, &SurfaceEditor::recessWanted})
+        connect(editor_, wanted, this, &SurfacePage::panelWanted);
+    connect(editor_, &SurfaceEditor::wallWanted, this, &SurfacePage::panelWanted);
     connect(editor_, &SurfaceEditor::coordinatesWanted, panel_, &ShapePanel::typeCoordinates);
     connect(editor_, &SurfaceEditor::recessWanted, panel_, &ShapePanel::typeRecess);
     connect(editor_, &SurfaceEditor::wallWanted, panel_,
@@ -150,6 +153,7 @@ void SurfacePage::addGridSwitch(QCheckBox& box)
 {
     grid_ = &box;
     toolRow_->layout()->addWidget(&box);
+    box.show(); // counts in the width of the row
     fit();
 }
 
@@ -269,7 +273,10 @@ void SurfacePage::showFlight(const SteadyResult& state, const std::optional<Stea
         part(tr("pitch"), state.attitude.pitch, angle(&Attitude::pitch), error.pitch, "urad") +
         QStringLiteral(" &nbsp; ") + part(tr("roll"), state.attitude.roll, angle(&Attitude::roll), error.roll, "urad") +
         (preview ? tr(" &nbsp; preview, %1 × %2 cells").arg(state.grid.nx()).arg(state.grid.ny()) : QString());
-    if (!preview) confirmedParts_ = flightParts_;
+    if (!preview) {
+        confirmedParts_ = flightParts_;
+        confirmedShort_ = shortPart_;
+    }
     setTextColour(flight_, preview ? meaningColours(palette()).muted : QColor());
     say(flightParts_);
     flight_->setToolTip({});
@@ -317,6 +324,7 @@ void SurfacePage::showConfirmed()
 {
     if (confirmedParts_.isEmpty()) return clearFlight();
     flightParts_ = confirmedParts_;
+    shortPart_ = confirmedShort_;
     setTextColour(flight_, meaningColours(palette()).muted);
     say(flightParts_);
     flight_->setToolTip({});

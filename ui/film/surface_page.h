@@ -58,6 +58,8 @@ public:
     const QString& flightText() const { return said_; }
 
 signals:
+    /// Numbers are to be typed in the panel, which may be hidden.
+    void panelWanted();
     /// Shown or hidden, or of other parts.
     void influenceWanted();
     void previewed(const touchdown::AirBearingSurface& surface);
@@ -86,6 +88,7 @@ private:
     std::vector<QToolButton*> tools_;
     QString flightParts_, confirmedParts_; // the last state, and the last that was not a preview
     QString said_;                         // in the line above the plan
+    QString confirmedShort_;               // of confirmedParts_: the minimum spacing
     QString shortPart_;                    // of the last state: its minimum spacing
     bool obstacle_ = false;                // stands before flightParts_
 };

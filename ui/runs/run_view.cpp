@@ -68,6 +68,9 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     plots_->installEventFilter(this);
     for (const auto changed : {&RunsModel::rowsInserted, &RunsModel::rowsRemoved})
         connect(&runs_, changed, this, &RunView::showHint);
+    connect(&runs_, &RunsModel::dataChanged, this, [this] { // a run has ended: the replay passes through all of it
+        for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
+    });
     auto* plotsAndList = new QWidget(this);
     auto* plotsLayout = new QHBoxLayout(plotsAndList);
     plotsLayout->setContentsMargins(0, 0, 0, 0);
@@ -151,10 +154,10 @@ void RunView::setCase(const Case& c)
 
 void RunView::showHint()
 {
-    const std::vector<PlotWidget*> plots = plots_->group()->plots();
-    if (plots.empty()) return hint_->hide();
-    hint_->setGeometry({plots.front()->mapTo(plots_, QPoint(0, 0)), plots.front()->size()});
-    hint_->setVisible(runs_.count() == 0);
+    const std::vector<PlotWidget*>& plots = plots_->group()->plots();
+    const auto first = std::ranges::find_if(plots, [](const PlotWidget* plot) { return !plot->isHidden(); });
+    hint_->setVisible(first != plots.end() && runs_.count() == 0);
+    if (first != plots.end()) hint_->setGeometry({(*first)->mapTo(plots_, QPoint(0, 0)), (*first)->size()});
     hint_->raise();
 }
 
@@ -217,11 +220,7 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
 /// The parts of a stage: each plot has two shares, the side view and the spectrum three.
 void RunView::shareHeight()
 {
-    const int line = fontMetrics().height();
-    // A low place is for the plots; the side view has a page of its own.
-    const int lines = linesOfPlot * static_cast<int>(stage_->plots.size() + (stage_->spectrum ? 1 : 0));
-    const bool low = splitter_->height() < line * (lines + linesOfSideView);
-    above_->setVisible(model_ != ModelKind::Contact && stage_->side && !low);
+    showParts();
     const int plots = std::max(2 * static_cast<int>(stage_->plots.size()), 3);
     const int share = std::max(splitter_->height() / (plots + 6), 1);
     splitter_->setSizes({3 * share, plots * share, 3 * share});
@@ -237,7 +236,14 @@ void RunView::showParts()
 {
     const bool slider = model_ != ModelKind::Contact;
     spectrum_->setVisible(slider && (stage_ ? stage_->spectrum : spectrumWanted_->isChecked()));
-    above_->setVisible(slider && (stage_ ? stage_->side : sideWanted_->isChecked()));
+    above_->setVisible(slider && (stage_ ? stage_->side && roomForSide() : sideWanted_->isChecked()));
+}
+
+/// A low place is for the plots of a stage; the side view has a page of its own.
+bool RunView::roomForSide() const
+{
+    const int plots = static_cast<int>(stage_->plots.size() + (stage_->spectrum ? 1 : 0));
+    return splitter_->height() >= fontMetrics().height() * (linesOfPlot * plots + linesOfSideView);
 }
 
 void RunView::fillPlotsMenu(QMenu& menu)

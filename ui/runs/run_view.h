@@ -92,6 +92,7 @@ protected:
 
 private:
     void showParts();
+    bool roomForSide() const;
     void shareHeight();
     void showTime();
     /// What to do, where there is nothing to see.

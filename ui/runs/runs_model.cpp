@@ -49,7 +49,13 @@ RunRecord& RunsModel::add(std::unique_ptr<RunRecord> record)
     return added;
 }
 
-void RunsModel::setOpened(const Case& c) { opened_[c.title] = c; }
+void RunsModel::setOpened(const Case& c)
+{
+    // Runs of the list keep the names that they have.
+    bool listed = false;
+    for (int row = 0; row < count(); ++row) listed = listed || record(row).value.title == c.title;
+    listed ? void(opened_.try_emplace(c.title, c)) : void(opened_[c.title] = c);
+}
 
 bool RunsModel::isUnsaved(int row) const
 {

@@ -37,6 +37,9 @@ MessageStrip::MessageStrip(QWidget* parent)
     more_->setAutoRaise(true);
     more_->setToolTip(tr("Show all of the message"));
     more_->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy keeping = more_->sizePolicy();
+    keeping.setRetainSizeWhenHidden(true); // the line has one width
+    more_->setSizePolicy(keeping);
     more_->hide();
     connect(more_, &QToolButton::toggled, this, &MessageStrip::showWhole);
     whole_->setReadOnly(true);

@@ -25,6 +25,8 @@ namespace touchdown {
 
 namespace {
 
+constexpr std::size_t fewItems = 12; // are looked through without words
+
 struct ThemeOfCases {
     const char* title;
     std::vector<const char*> prefixes; // of the names of its cases
@@ -116,6 +118,7 @@ CaseGallery::CaseGallery(const QString& title, std::vector<GalleryItem> items, Q
     : QDialog(parent), words_(new QLineEdit(this)), gallery_(new Gallery(this))
 {
     setWindowTitle(title);
+    words_->setHidden(items.size() < fewItems);
     words_->setPlaceholderText(tr("Words to look for, as menisci or rough disk"));
     words_->setAccessibleName(tr("Words that a sample case has"));
     words_->setClearButtonEnabled(true);

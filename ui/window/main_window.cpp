@@ -128,6 +128,7 @@ bool MainWindow::readyToRun()
 {
     takeTyped();
     if (edits_->reasonNotToRun().isEmpty()) return true;
+    actions_->alone->setChecked(false);
     casePanel_->showFirstProblem();
     return false;
 }

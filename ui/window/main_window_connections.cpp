@@ -88,6 +88,7 @@ void MainWindow::connectFiles()
     connect(actions_->recent, &QMenu::aboutToShow, this, &MainWindow::updateRecentMenu);
     connect(actions_->resetAll, &QAction::triggered, edits_, &CaseEdits::resetAll);
     connect(actions_->findParameter, &QAction::triggered, this, [this] {
+        actions_->alone->setChecked(false);
         casePanel_->search()->setFocus();
         casePanel_->search()->selectAll();
     });
@@ -136,9 +137,9 @@ void MainWindow::connectFiles()
     tell(*messages_, *runFiles_);
     connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
     connect(edits_, &CaseEdits::modelFollowed, this, [this](const QStringList& changes) {
-        messages_->show(MessageStrip::Kind::Information,
-                        tr("What goes with this choice: %1. Undo takes it back.")
-                            .arg(changes.join(QStringLiteral("; "))));
+        messages_->show(
+            MessageStrip::Kind::Information,
+            tr("What goes with this choice: %1. Undo takes it back.").arg(changes.join(QStringLiteral("; "))));
     });
     connect(&edits_->undoStack(), &QUndoStack::indexChanged, this, &MainWindow::updateTitle);
     connect(&edits_->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
@@ -177,6 +178,7 @@ void MainWindow::connectRuns()
         [this](const QString& problem) { messages_->show(MessageStrip::Kind::Warning, problem); },
         Qt::QueuedConnection);
     connect(messages_, &MessageStrip::actionRequested, this, [this] {
+        actions_->alone->setChecked(false);
         if (casePanel_->showFirstProblem()) return;
         setPage(Page::StaticState); // the surface has no field in the panel
         film_->view()->setPage(FilmView::Page::Surface);

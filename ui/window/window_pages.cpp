@@ -70,6 +70,11 @@ WindowPages::WindowPages(const Parts& parts)
     });
     connect(tabs_, &QTabBar::currentChanged, this, &WindowPages::showPage);
     connect(parts_.film.view(), &FilmView::pageChanged, this, &WindowPages::raisePaneOfView);
+    connect(parts_.film.view()->shape(), &SurfacePage::panelWanted, this, [this] {
+        parts_.actions.alone->setChecked(false);
+        shape_->show();
+        shape_->raise();
+    });
     // A run that is added to the list is shown.
     connect(&parts_.runs.runs(), &RunsModel::added, this, [this] { setPage(Page::Run); });
 }
@@ -235,6 +240,7 @@ void WindowPages::showPanesOfPage()
 
 void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& title)
 {
+    parts_.actions.alone->setChecked(false);
     const bool isNew = !guides_.contains(&guide);
     const Guide opened{&guide, name, title, isNew, isNew && wantsPlaceOfValues()};
     if (!panesHidden_) return openGuide(opened);
@@ -296,6 +302,7 @@ void WindowPages::hidePanes()
 void WindowPages::showAlone(bool on)
 {
     if (on == panesHidden_) return;
+    parts_.actions.panes->setEnabled(!on);
     if (!on) return bringPanesBack(arrangement_);
     arrangement_ = parts_.window.saveState();
     hidePanes();

@@ -5,16 +5,24 @@
 
 namespace touchdown {
 
-bool railsSurround(const AirBearingSurface& surface, SurfacePoint load)
+bool railsSurround(const AirBearingSurface& surface, SurfacePoint load, bool rollHeld)
 {
+    constexpr double carryingBase = 0.5e-6; // below the highest rail [m]
+    double highest = surface.baseRecess;    // least recess [m]
     std::vector<SurfacePoint> corners;
     for (const Rail& rail : surface.rails) {
         const std::size_t levels = rail.kind == RailKind::Ramp ? rail.recess.size() : 1;
         const auto end = rail.recess.begin() + static_cast<std::ptrdiff_t>(levels);
-        if (*std::min_element(rail.recess.begin(), end) < surface.baseRecess)
+        const double least = *std::min_element(rail.recess.begin(), end);
+        highest = std::min(highest, least);
+        if (least < surface.baseRecess)
             for (const RailPoint& point : rail.points) corners.push_back({point.x, point.y});
     }
-    if (corners.empty()) return true;
+    if (surface.baseRecess - highest < carryingBase) return true;
+    if (rollHeld) {
+        const auto [first, last] = std::ranges::minmax(corners, {}, &SurfacePoint::x);
+        return first.x <= load.x && load.x <= last.x;
+    }
     // Within the hull no line through the point has all corners on one side. Such a line, if there is one, can be
     // turned until it meets a corner.
     return std::ranges::none_of(corners, [&](const SurfacePoint& on) {

@@ -38,6 +38,19 @@ private slots:
         surface.rails.push_back(rectangle(0.5e-3, 0.6e-3, 0.7e-3, 0.7e-3, 3e-6)); // a pocket deeper than the base
         QVERIFY(!railsSurround(surface, middle));
     }
+    /// A base near to the rails carries as well. Where the roll is held, the rails only have to lie before and behind.
+    void whatElseCarries()
+    {
+        AirBearingSurface surface;
+        surface.baseRecess = 0.0;
+        surface.rails = {rectangle(0.8e-3, 0.3e-3, 0.9e-3, 0.5e-3, -20e-9)};
+        const SurfacePoint middle{0.5e-3, 0.4e-3};
+        QVERIFY(railsSurround(surface, middle));
+        surface.baseRecess = 1e-6;
+        QVERIFY(!railsSurround(surface, middle) && !railsSurround(surface, middle, true));
+        surface.rails.push_back(rectangle(0.1e-3, 0.1e-3, 0.2e-3, 0.3e-3, 0.0));
+        QVERIFY(!railsSurround(surface, {0.5e-3, 0.6e-3}) && railsSurround(surface, {0.5e-3, 0.6e-3}, true));
+    }
     /// On the edge of the hull and at a corner the rails carry it.
     void onTheBorder()
     {

@@ -140,6 +140,8 @@ private slots:
             view.setFont(font);
             view.resize(900, height++);
             QTRY_COMPARE(view.sideAbove()->isVisible(), letters == 12);
+            view.setCase({}); // as by an edit
+            QCOMPARE(view.sideAbove()->isVisible(), letters == 12);
             QVERIFY(view.plots()->isVisible());
         }
     }

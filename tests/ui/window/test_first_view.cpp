@@ -76,7 +76,8 @@ private slots:
                 if (label->isVisible() && label->text().startsWith(QStringLiteral("F5 runs"))) return label;
             return static_cast<QLabel*>(nullptr);
         };
-        const PlotWidget* first = window_->runView().plots()->group()->plots().front();
+        const PlotWidget* first = window_->runView().plots()->plot(QStringLiteral("spacing"));
+        QVERIFY(first->width() > 300);
         QTRY_VERIFY(hint() && hint()->mapTo(window_.get(), QPoint()) == first->mapTo(window_.get(), QPoint()) &&
                     hint()->size() == first->size());
         runToEnd();

@@ -59,21 +59,14 @@ private slots:
         QCOMPARE(window_->messages().kind(), MessageStrip::Kind::Failure);
         QVERIFY(window_->messages().text().contains(QStringLiteral("missing.h5")));
     }
-    void theTextOfAStudy_data()
-    {
-        QTest::addColumn<bool>("asCase");
-        QTest::newRow("as an argument") << false;
-        QTest::newRow("by File, Open or dropping") << true;
-    }
     void theTextOfAStudy()
     {
-        QFETCH(bool, asCase);
         const QString file = folder_.filePath(QStringLiteral("mine.toml"));
         QFile text(file);
         QVERIFY(text.open(QIODevice::WriteOnly));
         text.write("kind = \"hysteresis\"\ncase = \"fig10a\"\nsteps = 3\n");
         text.close();
-        asCase ? window_->files().open(file) : window_->files().open(file);
+        window_->files().open(file);
         QCOMPARE(page(), static_cast<int>(MainWindow::Page::Studies));
         QCOMPARE(window_->studies().editor()->kind(), QStringLiteral("hysteresis"));
         QVERIFY(window_->studies().editor()->toText().contains(QStringLiteral("steps = 3")));

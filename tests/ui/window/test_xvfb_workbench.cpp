@@ -2,6 +2,7 @@
 //
 // The workbench as a person meets it: a real window on an X server, real keys and clicks from outside the program.
 #include <set>
+#include <utility>
 
 #include <QComboBox>
 #include <QDir>
@@ -141,6 +142,13 @@ void TestXvfbWorkbench::init()
     window_->show();
     window_->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(window_.get()));
+    // The rows of parameters have found their places in the pane.
+    QPoint place;
+    const auto rests = [&] {
+        const QPoint now = flyingHeight()->mapToGlobal(QPoint());
+        return std::exchange(place, now) == now;
+    };
+    QTRY_VERIFY(rests());
 }
 
 void TestXvfbWorkbench::drawsText()
