@@ -196,7 +196,8 @@ void CursorTable::fill()
     tabs_->setVisible(std::ranges::count_if(groups_, hasReadings) > 1);
     if (full != groups_.end() && !hasReadings(shown_)) showGroup(*full);
     const bool frequency = overFrequency(*shown_);
-    const auto readings = shown_->readings();
+    // Names without numbers would tell nothing, and each new run would write them all anew.
+    const auto readings = shown_->hasCursors() ? shown_->readings() : std::vector<CursorReading>{};
     QStringList headings; // of each row
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const QString& heading = readings[i].heading;
@@ -267,7 +268,9 @@ void CursorTable::fillRow(int row, const CursorReading& reading)
     QTableWidgetItem* item = put(row, nameColumn, text);
     if (item->data(lookRole).toInt() != lookOf(reading)) { // drawing one costs more than all the text of a row
         item->setData(lookRole, lookOf(reading));
-        item->setIcon(lineSample(reading, plotTheme(palette())));
+        QIcon& sample = samples_[lookOf(reading)];
+        if (sample.isNull()) sample = lineSample(reading, plotTheme(palette()));
+        item->setIcon(sample);
     }
     item->setToolTip(plainTip(reading.name));
     const bool both = reading.first && reading.second;
@@ -367,6 +370,7 @@ void CursorTable::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
         headings_.clear(); // the lines have other colours, the headings another font
+        samples_.clear();
         scheduleUpdate();
     }
     if (event->type() == QEvent::FontChange)

@@ -8,6 +8,8 @@
 
 #include <vector>
 
+#include <QHash>
+#include <QIcon>
 #include <QLabel>
 #include <QTabBar>
 #include <QTableWidget>
@@ -56,7 +58,8 @@ private:
     QToolButton* copy_;
     QLabel* places_; // of the cursors, their difference and its inverse
     QTableWidget* table_;
-    QStringList headings_; // of the rows that are there: empty where a row has values
+    QHash<int, QIcon> samples_; // of lines, by their look
+    QStringList headings_;      // of the rows that are there: empty where a row has values
     QTimer timer_;
     bool stale_ = true;
 };

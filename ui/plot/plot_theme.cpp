@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 #include <QApplication>
 
@@ -43,9 +45,13 @@ PlotTheme themeFrom(const QColor& paper, const QColor& ink, const QColor& highli
 
 QColor PlotTheme::paleColour(const CurveStyle& style) const
 {
-    for (double part = 0.42; part < 1.0; part += 0.02)
-        if (const QColor pale = mixed(plotArea, colour(style), part); contrast(pale, plotArea) >= 3.0) return pale;
-    return colour(style);
+    const QColor full = colour(style);
+    // Each line of a table and of a legend asks, at each new run; contrast() takes powers.
+    static thread_local std::map<std::pair<QRgb, QRgb>, QColor> known;
+    const auto [entry, isNew] = known.try_emplace({plotArea.rgb(), full.rgb()}, full);
+    for (double part = 0.42; isNew && entry->second == full && part < 1.0; part += 0.02)
+        if (const QColor pale = mixed(plotArea, full, part); contrast(pale, plotArea) >= 3.0) entry->second = pale;
+    return entry->second;
 }
 
 PlotTheme lightPlotTheme() { return themeFrom(QColor("#ffffff"), QColor("#14181c"), QColor("#2f7fd0")); }
