@@ -17,6 +17,17 @@ bool takeModelDefaults(Case& c, ModelKind before, const std::function<bool(const
     return changed;
 }
 
+bool takeFilmStart(Case& c)
+{
+    const InitialCase usual = defaultsOf(ModelKind::Film).initial;
+    const auto same = [&](auto InitialCase::*member) { return c.initial.*member == usual.*member; };
+    const bool byDefault = same(&InitialCase::state) && same(&InitialCase::nominalTrailingEdgeHeight) &&
+                           same(&InitialCase::pitch) && same(&InitialCase::roll);
+    if (c.model != ModelKind::Film || !byDefault) return false;
+    c.initial.state = InitialState::Static;
+    return true;
+}
+
 bool takeFirstUnevenness(Case& c)
 {
     DiskSurface& disk = c.diskSurface;

@@ -51,6 +51,18 @@ private slots:
         own.diskSurface.waveAmplitudes = {2e-9};
         QVERIFY(!takeFirstUnevenness(own));
     }
+    /// A new film starts where it flies, unless a start was chosen.
+    void aFilmStartsAtItsStaticState()
+    {
+        Case c = defaultsOf(ModelKind::Springs);
+        QVERIFY(!takeFilmStart(c));
+        c.model = ModelKind::Film;
+        Case own = c;
+        QVERIFY(takeFilmStart(c));
+        QCOMPARE(c.initial.state, InitialState::Static);
+        own.initial.pitch = 80e-6;
+        QVERIFY(!takeFilmStart(own) && own.initial.state == InitialState::Given);
+    }
     /// A value that is not the default was chosen, and so was one that is stated.
     void whatWasChosenStays()
     {

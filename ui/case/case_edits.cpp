@@ -130,8 +130,11 @@ void CaseEdits::pushChange(const Parameter& parameter, const QString& text, Stat
 {
     const Case entered = after.value;
     const auto stated = [&after](const Parameter& other) { return after.bad.contains(other.key); };
-    const bool followed = (parameter.key == "model" && takeModelDefaults(after.value, state_.value.model, stated)) ||
-                          (parameter.key == "disk.surface.kind" && takeFirstUnevenness(after.value));
+    const bool newModel = parameter.key == "model";
+    const bool defaults = newModel && takeModelDefaults(after.value, state_.value.model, stated);
+    const bool start = newModel && takeFilmStart(after.value);
+    const bool followed =
+        defaults || start || (parameter.key == "disk.surface.kind" && takeFirstUnevenness(after.value));
     const QStringList changes = followed ? caseDifference(entered, after.value) : QStringList();
     push(text, std::move(after));
     if (followed) emit modelFollowed(changes);

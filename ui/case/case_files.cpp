@@ -57,9 +57,11 @@ void CaseFiles::take(const CaseDocument& document, const QString& file)
     file_ = import ? QString() : file;
     sample_.clear();
     imported_ = import ? importedName(QFileInfo(file)) : QString();
+    origin_ = file;
     if (file.isEmpty()) {
         const bool isSample = std::ranges::find(sampleCases(), document.name, &SampleCase::name) != sampleCases().end();
         (isSample ? sample_ : imported_) = QString::fromStdString(document.name);
+        origin_ = sample_;
     }
     text_ = document.text;
     folder_ = document.folder;
@@ -284,6 +286,7 @@ QString CaseFiles::restore(const CaseState& state)
     file_ = state.file;
     sample_ = state.sample;
     imported_ = state.import;
+    origin_ = file_.isEmpty() ? sample_ : file_;
     folder_ = pathOf(state.folder);
     text_ = state.savedText.toStdString();
     saved_ = saved.value;

@@ -105,6 +105,8 @@ public:
     /// The changes so far are nothing to ask about.
     void leaveUnsaved();
     QString file() const { return file_; }
+    /// What opens the case again as it was saved or imported: a path, or the name of a sample case. Empty: nothing.
+    const QString& origin() const { return origin_; }
     QString sample() const { return sample_; }
     /// "fig10a", "slider.toml", "femto" for one that was imported from there, "Untitled".
     QString shortName() const;
@@ -172,11 +174,12 @@ private:
     QWidget& window_;
     QString file_;
     QString sample_;
-    QString imported_;             // name of an imported case, or of the result that a case comes from
-    std::string text_;             // as opened or saved
-    std::filesystem::path folder_; // of the files that it names
-    Case saved_;                   // the values in it
-    WatchedFile* watched_;         // file_, which holds text_ as far as this window knows
+    QString imported_; // name of an imported case, or of the result that a case comes from
+    QString origin_;
+    std::string text_;                                // as opened or saved
+    std::filesystem::path folder_;                    // of the files that it names
+    Case saved_;                                      // the values in it
+    WatchedFile* watched_;                            // file_, which holds text_ as far as this window knows
     std::vector<std::unique_ptr<WatchedFile>> named_; // by the case: rails, a measured surface
     std::function<void()> afterSave_;
     ResultsQuestion askAboutResults_;

@@ -87,6 +87,7 @@ QString CaseFiles::writeOver(const QString& file)
     file_ = QFileInfo(file).absoluteFilePath();
     sample_.clear();
     imported_.clear();
+    origin_ = file_;
     text_ = text;
     folder_ = folder;
     saved_ = edits_.value();

@@ -25,6 +25,16 @@ namespace {
 
 std::string wallKey(std::size_t wall) { return "abs.wall[" + std::to_string(wall + 1) + "]"; }
 
+/// Whether the list reads the same: where the corners are is shown in the table alone.
+bool sameList(const AirBearingSurface& one, const AirBearingSurface& other)
+{
+    const auto sameRail = [](const Rail& a, const Rail& b) {
+        return a.kind == b.kind && a.recess == b.recess && a.points.size() == b.points.size();
+    };
+    return std::ranges::equal(one.rails, other.rails, sameRail) && one.walls == other.walls &&
+           one.pointsOfInterest.size() == other.pointsOfInterest.size();
+}
+
 /// "rail 3, point 2, x" of "abs.rail[3].point[2].x".
 std::string words(const Parameter& parameter)
 {
@@ -153,11 +163,13 @@ ShapePanel::ShapePanel(QWidget* parent)
 
 void ShapePanel::setCase(const Case& c)
 {
-    const bool same = c.surface == case_.surface;
+    const bool filled = list_->topLevelItemCount() > 0 && rails_->childCount() > 0;
+    const bool same = filled && c.surface == case_.surface;
+    const bool sameParts = filled && sameList(c.surface, case_.surface);
     case_ = c;
-    if (same && list_->topLevelItemCount() > 0 && rails_->childCount() > 0) return;
+    if (same) return;
     say({});
-    fillList();
+    if (!sameParts) fillList();
     fillTable();
 }
 

@@ -54,10 +54,10 @@ int SolutionsModel::add(const Case& solved, const SteadyResult& result, const QS
     return added;
 }
 
-/// Of the boxes that nobody touched, all but the newest `kept`.
+/// Of the boxes that nobody touched, all but the newest `kept`; the first solution, from which an edit began, stays.
 void SolutionsModel::uncheckOldest(int kept, int besides)
 {
-    for (int row = count() - 1; row >= 0; --row) {
+    for (int row = count() - 1; row > 0; --row) {
         const SolutionRecord& each = record(row);
         if (each.shown && each.comparedByItself && each.number != baseline() && each.number != besides && --kept < 0)
             RecordList::setData(index(row), Qt::Unchecked, Qt::CheckStateRole);
@@ -72,21 +72,28 @@ void SolutionsModel::compareByItself(int number)
     RecordList::setData(index(row), Qt::Checked, Qt::CheckStateRole);
 }
 
-/// By what differs from the last one; after an undo, for example, an earlier one may have fewer differences.
+/// By what differs from the baseline, else from the first one, as the columns of a comparison do; where that is too
+/// much for a name, from the solution that it resembles most, which is named. What is new comes first.
 QString SolutionsModel::nameOf(const Case& solved) const
 {
     const QString title = readable(solved.title);
-    if (count() == 0) return title;
-    int from = count() - 1;
-    if (listed(from).value.title != solved.title) return title;
+    std::vector<int> rows; // of this slider, the oldest first
+    for (int row = 0; row < count(); ++row)
+        if (listed(row).value.title == solved.title) rows.push_back(row);
+    if (rows.empty()) return title;
+    const auto base = std::ranges::find(rows, baseline(), [this](int row) { return listed(row).number; });
+    const int usual = base != rows.end() ? *base : rows.front();
+    int from = usual;
     QStringList changes = caseDifference(listed(from).value, solved);
-    for (int row = from - 1; row >= 0 && !changes.isEmpty(); --row) {
-        if (listed(row).value.title != solved.title) continue;
-        QStringList fewer = caseDifference(listed(row).value, solved);
-        if (fewer.size() >= changes.size()) continue;
+    const bool tooMuch = changes.size() > mostChanges;
+    for (auto row = rows.rbegin(); row != rows.rend() && !changes.isEmpty(); ++row) {
+        QStringList fewer = caseDifference(listed(*row).value, solved);
+        if (!fewer.isEmpty() && (!tooMuch || fewer.size() >= changes.size())) continue;
         changes = std::move(fewer);
-        from = row;
+        from = *row;
     }
+    const QStringList before = caseDifference(listed(from).value, listed(rows.back()).value);
+    std::ranges::stable_partition(changes, [&](const QString& change) { return !before.contains(change); });
     std::ranges::transform(changes, changes.begin(), shiftFirst);
     if (changes.size() > mostChanges) {
         const qsizetype more = changes.size() - mostChanges;
@@ -95,7 +102,7 @@ QString SolutionsModel::nameOf(const Case& solved) const
     const int number = listed(from).number;
     if (changes.isEmpty()) return tr("as solution %1").arg(number);
     const QString text = changes.join(QStringLiteral(", "));
-    return from == count() - 1 ? text : tr("%1, from solution %2").arg(text, QString::number(number));
+    return from == usual ? text : tr("%1, from solution %2").arg(text, QString::number(number));
 }
 
 bool SolutionsModel::setData(const QModelIndex& index, const QVariant& value, int role)

@@ -40,9 +40,10 @@ public:
     std::shared_ptr<const StaticSolution> restOf(const Case& c) const;
     /// The newest search for the state of `c` that found none; nullptr: there was none.
     const SolutionRecord* failureOf(const Case& c) const;
-    /// Checks its box, unless the user has unchecked it. Of boxes that nobody touched the newest ones stay checked.
+    /// Checks its box, unless the user has unchecked it. Of boxes that nobody touched the newest ones and the first one
+    /// stay checked.
     void compareByItself(int number);
-    static constexpr int mostByItself = 3; // beside the baseline
+    static constexpr int mostByItself = 3; // beside the baseline and the first one
     /// Those whose box is checked, and the baseline, in their order.
     std::vector<const SolutionRecord*> compared() const;
 

@@ -137,6 +137,22 @@ QStringList rareOf(const Named& run, const std::vector<const Named*>& group, QSt
     return rare;
 }
 
+/// Of a run that has no change of its own: what sets it apart from each other one, "FH(0) 250 nm" beside "FH(0) 20 nm".
+QStringList apartFrom(const Named& run, const std::vector<const Named*>& group)
+{
+    QStringList apart;
+    std::vector<const QStringList*> met{&run.changes};
+    for (const Named* other : group) {
+        if (std::ranges::any_of(met, [&](const QStringList* changes) { return *changes == other->changes; })) continue;
+        met.push_back(&other->changes);
+        const QStringList texts = changeTexts(*other->value, withNumericsOf(*other->value, *run.value));
+        if (met.size() == 2) apart = texts;
+        apart.removeIf([&](const QString& text) { return !texts.contains(text); });
+        if (apart.isEmpty()) break;
+    }
+    return apart;
+}
+
 /// As many as a name has room for: "fₘ 1 mN, dₑ 8 nm +1".
 QString fewOf(const QStringList& changes)
 {
@@ -173,6 +189,7 @@ QString plainName(const Named& run, const std::vector<Named>& all)
         group, [&](const Named* each) { return each->changes == run.changes && each->numerics != run.numerics; });
     QStringList parts = same ? run.changes : rareOf(run, group, &Named::changes);
     if (hasTwin) parts += rareOf(run, group, &Named::numerics);
+    if (parts.isEmpty() && !same) parts = apartFrom(run, group);
     if (parts.isEmpty()) return run.head;
     const bool named = group.size() < all.size() || same;
     return named ? tr("%1, %2").arg(run.head, fewOf(parts)) : fewOf(parts);

@@ -3,7 +3,8 @@
 // Names of runs by what tells them from the others of the list: the name of the case where the cases have several
 // titles, then what was changed, the rarest change first: "FH(0) 20 nm", "Fig. 12 (a), fₘ 10.7 mN". Numerics (step,
 // grid, tolerance, length of a run) come last, and only where nothing else tells two runs apart. What all runs of one
-// title share is not named. A run alone has the name of its case and its changes.
+// title share is not named. A run as it was opened has the value that the others changed, "FH(0) 250 nm", where they
+// all changed the same, else the name of its case. A run alone has the name of its case and its changes.
 #pragma once
 
 #include <vector>

@@ -119,8 +119,7 @@ void Session::connectState()
     }
     for (const auto signal : {&CaseFiles::opened, &CaseFiles::saved})
         connect(&bench_.files(), signal, this, [this] { // also the next start after a kill opens it
-            const QString file = bench_.files().file();
-            QSettings().setValue(QStringLiteral("files/last"), file.isEmpty() ? bench_.files().sample() : file);
+            QSettings().setValue(QStringLiteral("files/last"), bench_.files().origin());
         });
 }
 

@@ -91,6 +91,7 @@ std::vector<SurfacePoint> railNumberPoints(const AirBearingSurface& surface)
 std::vector<double> recessLevels(const AirBearingSurface& surface, std::size_t most)
 {
     std::vector<double> levels{surface.baseRecess};
+    if (surface.rails.empty()) levels.push_back(0.0); // where rails would be: a base without any is far
     for (const Rail& rail : surface.rails) {
         const std::size_t used = rail.kind == RailKind::Step ? 1 : rail.recess.size();
         levels.insert(levels.end(), rail.recess.begin(), rail.recess.begin() + static_cast<std::ptrdiff_t>(used));

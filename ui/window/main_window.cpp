@@ -276,11 +276,14 @@ void MainWindow::runFromSolution(int number)
 {
     const SolutionRecord* solution = film_->solutions().find(number);
     if (!solution) return;
+    const bool held = solution->value.steady.fixedAttitude;
+    if (solution->result.status != SteadyStatus::Converged && !held)
+        return messages_->show(MessageStrip::Kind::Failure,
+                               tr("Solution %1 did not converge: no run can start from it.").arg(number));
     Case c = withRunOf(solution->value, edits_->value());
     const Attitude& attitude = solution->result.attitude;
     // At a balance the run starts from the solution; elsewhere where the slider was held.
-    const bool atBalance = solution->result.status == SteadyStatus::Converged && !c.steady.fixedAttitude;
-    c.initial.state = atBalance ? InitialState::Static : InitialState::Given;
+    c.initial.state = held ? InitialState::Given : InitialState::Static;
     c.initial.nominalTrailingEdgeHeight = attitude.height;
     c.initial.pitch = attitude.pitch;
     c.initial.roll = attitude.roll;

@@ -183,6 +183,12 @@ void MainWindow::connectRuns()
         setPage(Page::StaticState); // the surface has no field in the panel
         film_->view()->setPage(FilmView::Page::Surface);
     });
+    connect(messages_, &MessageStrip::secondRequested, this, [this] {
+        Case c = edits_->value();
+        c.initial.state = InitialState::Static;
+        edits_->setAll(c, tr("start where it flies"));
+        startRun();
+    });
     connect(runs_->panel(), &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(runs_->panel(), &RecordPanel::saveRequested, this,
             [this](int number) { runFiles_->chooseSave(number, false); });

@@ -12,10 +12,14 @@
 #include "core/case_files/case_file.h"
 #include "ui/case/case_files.h"
 #include "ui/case/case_panel.h"
+#include "ui/film/film_view.h"
+#include "ui/film/film_window.h"
+#include "ui/film/surface_page.h"
 #include "ui/guides/guides.h"
 #include "ui/guides/lesson_print.h"
 #include "ui/guides/live_runs.h"
 #include "ui/runs/run_view.h"
+#include "ui/slider/surface_editor.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/whole_file.h"
@@ -156,6 +160,8 @@ void MainWindow::chooseNewCase()
     auto* dialog = new CaseGallery(tr("New case"), newCaseItems(palette()), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &CaseGallery::chosen, files_, &CaseFiles::newCase);
+    // The keys of the plan draw on it at once.
+    connect(dialog, &CaseGallery::chosen, film_->view()->shape()->editor(), qOverload<>(&QWidget::setFocus));
     dialog->gallery()->setCurrentRow(1); // below its heading: Enter takes it
     dialog->open();
 }

@@ -161,7 +161,7 @@ void MainWindow::saveArrangement()
     settings.setValue(QStringLiteral("runs/plots"),
                       QJsonDocument(runs_->view()->plots()->arrangement()).toJson(QJsonDocument::Compact));
     settings.setValue(QStringLiteral("runs/pace"), actions_->pace->currentIndex());
-    settings.setValue(QStringLiteral("files/last"), files_->file().isEmpty() ? files_->sample() : files_->file());
+    settings.setValue(QStringLiteral("files/last"), files_->origin());
 }
 
 void MainWindow::fitScreen()
@@ -199,7 +199,7 @@ void MainWindow::openLastCase()
         std::ranges::any_of(sampleCases(), [&last](const SampleCase& c) { return last == QLatin1String(c.name); });
     // A file that was deleted or is no longer valid is no error at the start.
     std::optional<CaseDocument> read;
-    if (QSettings().value(reopenKey, true).toBool() && !last.isEmpty() && (sample || QFileInfo(last).isFile()))
+    if (QSettings().value(reopenKey, true).toBool() && !last.isEmpty() && (sample || QFileInfo::exists(last)))
         read = touchdown::openCase(last.toStdString());
     if (!read || !read->valid())
         files_->openNow(QString::fromUtf8(defaultCaseName.data(), static_cast<qsizetype>(defaultCaseName.size())));

@@ -39,10 +39,14 @@ void ResultMessages::runEnded(const RunRecord& run, bool quiet)
         kind = MessageStrip::Kind::Failure;
         lines.front() = tr("Run %1 failed at %2: %3").arg(run.number).arg(timeText(summary.endTime), result);
     }
+    // A start that was not thought about may lie in the disk.
+    const bool startGiven = kind == MessageStrip::Kind::Failure && run.value.model == ModelKind::Film &&
+                            run.value.initial.state == InitialState::Given;
     if (kind == MessageStrip::Kind::Success && quiet)
         messages_.clear();
     else
-        messages_.show(kind, lines.join(QLatin1Char('\n')));
+        messages_.show(kind, lines.join(QLatin1Char('\n')), {}, MessageStrip::Topic::Any,
+                       startGiven ? tr("Start where it flies") : QString());
 }
 
 void ResultMessages::solved(const SteadyResult& result)

@@ -2,12 +2,15 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <random>
 #include <set>
+#include <string_view>
 
 #include "core/case/contact_kind.h"
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/physics/slider/lift_area.h"
+#include "core/simulation/run.h"
 #include "core/simulation/static_state/steady.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
@@ -16,6 +19,8 @@ using namespace touchdown;
 
 namespace test_steady {
 
+constexpr std::string_view withoutRails = "femto_without_rails";
+
 class TestSteady : public QObject {
     Q_OBJECT
 
@@ -23,6 +28,7 @@ private slots:
     void forcesBalanceTheLoad();
     void theSlidersToBeginWithFly_data();
     void theSlidersToBeginWithFly();
+    void railsDrawnOnTheEmptySliderFly();
     void aFixedAttitudeIsKept();
     void aHeldRollCarriesAnyTorque();
     void reportsWhereItIsNearest();
@@ -62,7 +68,8 @@ void TestSteady::theSlidersToBeginWithFly_data()
 {
     QTest::addColumn<int>("index");
     for (std::size_t i = 0; i < sliderTemplates().size(); ++i)
-        QTest::newRow(sliderTemplates()[i].name.c_str()) << static_cast<int>(i);
+        if (sliderTemplates()[i].name != withoutRails)
+            QTest::newRow(sliderTemplates()[i].name.c_str()) << static_cast<int>(i);
 }
 
 /// Whoever begins a design with one sees it fly: clear of the disk, nose up, level but for the speed that grows
@@ -83,6 +90,37 @@ void TestSteady::theSlidersToBeginWithFly()
     QVERIFY2(r.minimumSpacing > 3e-9 && r.minimumSpacing < 1e-6, qPrintable(QString::number(r.minimumSpacing)));
     QVERIFY(r.attitude.pitch > 20e-6 && r.attitude.pitch < 500e-6);
     QVERIFY(std::abs(r.attitude.roll) < 20e-6);
+    // A run begins beside this state, and shows how the slider swings about it.
+    QVERIFY(c.initial.state == InitialState::Static);
+    c.run.duration = 5e-6;
+    QVERIFY(run(c).status == RunStatus::Completed);
+}
+
+/// Two rails drawn by hand on the slider that has none, nearly alike and along its sides, fly as they are drawn.
+void TestSteady::railsDrawnOnTheEmptySliderFly()
+{
+    const auto& all = sliderTemplates();
+    const auto empty = std::ranges::find(all, withoutRails, &SampleCase::name);
+    QVERIFY(empty != all.end());
+    Case c = parseCase(empty->text, empty->name).value;
+    QVERIFY(c.surface.rails.empty());
+    c.film.nodes = {65, 65};
+    std::mt19937 random(1);
+    const auto between = [&](double least, double most) { return std::uniform_real_distribution(least, most)(random); };
+    for (int i = 0; i < 12; ++i) {
+        const double front = between(0.0, 0.12), back = between(0.7, 0.85), side = between(0.0, 0.08);
+        const double width = between(0.08, 0.22);
+        const auto rail = [&](double y) {
+            const auto hand = [&] { return between(0.0, 0.01); };
+            const double x1 = 1e-3 * (front + hand()), x2 = 1e-3 * (back - hand()), y1 = 1e-3 * y,
+                         y2 = 1e-3 * (y + width - hand());
+            return Rail{RailKind::Step, {{x1, y1}, {x2, y1}, {x2, y2}, {x1, y2}}, {}};
+        };
+        c.surface.rails = {rail(side), rail(0.7 - side - width)};
+        const SteadyResult r = steady(c);
+        QVERIFY2(r.status == SteadyStatus::Converged && r.minimumSpacing > 3e-9 && r.minimumSpacing < 300e-9,
+                 qPrintable(QStringLiteral("%1: %2").arg(i).arg(r.minimumSpacing)));
+    }
 }
 
 void TestSteady::aFixedAttitudeIsKept()

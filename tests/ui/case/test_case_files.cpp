@@ -112,6 +112,7 @@ void TestCaseFiles::savingNeverWritesOverAnImport()
     QCOMPARE(file.readAll(), before);
     QVERIFY(files_->file().isEmpty());
     QVERIFY(files_->recent().contains(rail));
+    QCOMPARE(files_->origin(), rail);
 }
 
 void TestCaseFiles::tellsWhatIsNotModelled()

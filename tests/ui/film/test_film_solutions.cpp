@@ -333,10 +333,14 @@ private slots:
             film_->edit(case_);
             solve();
         }
-        film_->edit(first);
-        const QStringList columns = film_->view()->comparison()->comparison().columns;
-        QCOMPARE(columns.size(), SolutionsModel::mostByItself);
-        QVERIFY(columns.front().startsWith(QStringLiteral("1 ")));
+        const auto columns = [&] { return film_->view()->comparison()->comparison().columns; };
+        QCOMPARE(columns().size(), SolutionsModel::mostByItself + 1);
+        QVERIFY(columns()[0].startsWith(QStringLiteral("1 ")) && columns()[1].startsWith(QStringLiteral("3 ")));
+        case_ = first;
+        case_.suspension.preload *= 1.1;
+        film_->edit(case_); // as solution 2
+        QCOMPARE(columns().size(), SolutionsModel::mostByItself + 1);
+        QVERIFY(columns()[1].startsWith(QStringLiteral("2 ")));
     }
 
     void deletingTheShownOneShowsAnother()

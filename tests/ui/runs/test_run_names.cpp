@@ -51,6 +51,7 @@ private slots:
     void sayValuesBeforeNumerics();
     void sayNumericsWhereNothingElseDiffers();
     void leaveOutWhatAllShare();
+    void sayTheValueThatDiffersOfEachRun();
     void sayTheValueBeforeALongLabel();
     void sayTheNumberOfNamesThatAreAlike();
     void tellDrawnRunsApart();
@@ -103,6 +104,21 @@ void TestRunNames::leaveOutWhatAllShare()
     List alone;
     alone.add(c, [](Case& changed) { changed.springs.flyingHeight = 5e-9; });
     QCOMPARE(alone.names(), QStringList{"Fig. 10 (a), FH 5\u00a0nm"});
+}
+
+/// Also of a run as it was opened, where the others changed one thing of it.
+void TestRunNames::sayTheValueThatDiffersOfEachRun()
+{
+    const Case c = sample("fig10a");
+    const auto force = [](double value) { return [value](Case& changed) { changed.onoYamane.meniscusForce = value; }; };
+    List list;
+    list.add(c);
+    list.add(c, force(1e-3));
+    QCOMPARE(list.names(), (QStringList{"fₘ 10.7\u00a0mN", "fₘ 1\u00a0mN"}));
+    list.add(c, force(2e-3));
+    QCOMPARE(list.names(), (QStringList{"fₘ 10.7\u00a0mN", "fₘ 1\u00a0mN", "fₘ 2\u00a0mN"}));
+    list.add(c, [](Case& changed) { changed.springs.flyingHeight = 5e-9; });
+    QCOMPARE(list.names().first(), QStringLiteral("Fig. 10 (a)")); // nothing sets it apart from all
 }
 
 void TestRunNames::sayTheValueBeforeALongLabel()

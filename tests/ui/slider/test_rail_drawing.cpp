@@ -64,6 +64,9 @@ void TestRailDrawing::aCoveredRailIsNumberedAllTheSame()
 void TestRailDrawing::levelsAreThoseOfTopsAndBase()
 {
     QCOMPARE(recessLevels(sampleSurface()), (std::vector<double>{0.0, 150e-9, 1.5e-6}));
+    AirBearingSurface empty; // its base has the colour of a base
+    empty.baseRecess = 2e-6;
+    QCOMPARE(recessLevels(empty), (std::vector<double>{0.0, 2e-6}));
 }
 
 void TestRailDrawing::rampsCountWithAllTheirPoints()

@@ -56,6 +56,7 @@ private slots:
     void showsProblemsOfABadFile();
     void takesDroppedFiles();
     void restoresTheSession();
+    void opensTheLastImportAgain();
     void changesThemeAndFont();
     void exportsThePage();
     void opensHelp();
@@ -250,6 +251,23 @@ void TestMainWindow::restoresTheSession()
     QVERIFY(window.actions().plots->actions().contains(own.wanted));
     QVERIFY(isDark(QApplication::palette()));
     applyTheme(Theme::Light);
+}
+
+/// A slider that was opened as its rails is there again at the next start.
+void TestMainWindow::opensTheLastImportAgain()
+{
+    const QTemporaryDir folder;
+    const QString place = folder.filePath(QStringLiteral("mine"));
+    {
+        Fixture f("film_pico");
+        f.window.files().exportTo(place);
+        f.window.files().openNow(place + QStringLiteral("/rail.dat"));
+        f.window.close();
+    }
+    MainWindow window;
+    window.openLastCase();
+    QCOMPARE(window.files().shortName(), QStringLiteral("mine"));
+    QCOMPARE(window.edits().value().model, ModelKind::Film);
 }
 
 void TestMainWindow::changesThemeAndFont()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Static solutions in the whole window: used, run from, saved and read again.
+#include <algorithm>
 #include <cmath>
 
 #include <QAccessible>
@@ -103,6 +104,38 @@ private slots:
         QCOMPARE(f.window.edits().value().suspension.preload, f.solutions().record(1).value.suspension.preload);
     }
 
+    /// A run that was started in the disk begins where the slider flies, by one click.
+    void aRunThatStartsInTheDiskCanStartInTheAir()
+    {
+        Solved f;
+        f.edit("run.duration", QStringLiteral("5 us"));
+        f.edit("run.sample_interval", QStringLiteral("1 us"));
+        f.edit("initial.nominal_trailing_edge_height", QStringLiteral("-100 nm"));
+        const QSignalSpy ended(&f.window, &MainWindow::calculationEnded);
+        f.window.startRun();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
+        QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
+        const auto buttons = f.window.messages().findChildren<QPushButton*>();
+        const auto start = std::ranges::find(buttons, QStringLiteral("Start where it flies"), &QPushButton::text);
+        QVERIFY(start != buttons.end() && !(*start)->isHidden());
+        (*start)->click();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, 60'000);
+        QVERIFY(ended[1][0].toBool());
+        f.window.edits().undoStack().undo();
+        QCOMPARE(f.window.edits().value().initial.state, InitialState::Given);
+    }
+
+    void noRunStartsFromWhatDidNotConverge()
+    {
+        Solved f;
+        f.edit("suspension.preload", QStringLiteral("2000 gf"));
+        f.solve();
+        QVERIFY(f.solutions().record(0).result.status != SteadyStatus::Converged);
+        f.click(QStringLiteral("Run from here"));
+        QCOMPARE(f.window.runs().count(), 0);
+        QVERIFY(f.window.messages().text().contains(QStringLiteral("did not converge")));
+    }
+
     /// A run of the case whose static state the page shows solves for nothing again, however it starts.
     void aRunTakesTheStateThatThePageShows_data()
     {
@@ -195,6 +228,7 @@ private slots:
         window.edits().enter(*findParameter("model"), QStringLiteral("film"));
         QCOMPARE(window.edits().value().degreesOfFreedom, 3);
         QCOMPARE(window.edits().value().contact, ContactKind::None);
+        QCOMPARE(window.edits().value().initial.state, InitialState::Static);
         QCOMPARE(window.messages().kind(), MessageStrip::Kind::Information);
         QVERIFY2(window.messages().text().contains(QStringLiteral("egrees of freedom 2 → 3")),
                  qPrintable(window.messages().text()));
