@@ -12,8 +12,11 @@
 #include <QVBoxLayout>
 
 #include "core/case/case_key.h"
+#include "core/physics/slider/surface_relations.h"
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
+#include "ui/slider/kept_distances.h"
+#include "ui/slider/part_picking.h"
 #include "ui/slider/wall_picture.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
@@ -77,6 +80,7 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this, &ShapePanel::onTableMenu);
     caption_->setContentsMargins(4, 4, 4, 0);
+    caption_->setWordWrap(true);
     caption_->setBuddy(table_);
     problem_->setWordWrap(true);
     problem_->hide();
@@ -244,6 +248,17 @@ void ShapePanel::fillTable()
         const std::string key = "abs.points_of_interest[" + std::to_string(chosen_.item + 1) + "]";
         setNumber(0, 0, key + ".x");
         setNumber(0, 1, key + ".y");
+        break;
+    }
+    case Kind::Distance:
+    case Kind::Symmetry: {
+        const bool distance = chosen_.kind == Kind::Distance;
+        const SurfacePart part{distance ? PartKind::Distance : PartKind::Symmetry, chosen_.item};
+        caption_->setText(sentence(relationText(surface, part, true).toStdString()) + QLatin1Char(' ') +
+                          relationProblem(relationProblems(surface, case_.slider.width), part));
+        setHeaders(distance ? QStringList{tr("distance [µm]")} : QStringList{});
+        table_->setRowCount(distance ? 1 : 0);
+        if (distance) setNumber(0, 0, "abs.distance[" + std::to_string(chosen_.item + 1) + "].value");
         break;
     }
     case Kind::None: setHeaders({}); break;

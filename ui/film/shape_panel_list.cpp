@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of rails, walls and points of interest.
+// The list of rails, walls, points of interest and relations.
 #include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
 #include <QSignalBlocker>
 
 #include "core/case/case_key.h"
+#include "core/physics/slider/surface_relations.h"
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
 #include "ui/film/shape_panel.h"
+#include "ui/slider/kept_distances.h"
+#include "ui/slider/part_picking.h"
 #include "ui/slider/wall_picture.h"
+#include "ui/style/foreign_text.h"
+#include "ui/style/quantity_format.h"
+#include "ui/style/theme.h"
 
 namespace touchdown {
 
@@ -29,7 +35,7 @@ void ShapePanel::buildList()
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     for (const int column : {1, 2}) list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(false);
-    for (QTreeWidgetItem** group : {&rails_, &walls_, &interests_}) {
+    for (QTreeWidgetItem** group : {&rails_, &walls_, &interests_, &relations_}) {
         *group = new QTreeWidgetItem(list_);
         (*group)->setFlags(Qt::ItemIsEnabled);
         (*group)->setExpanded(true);
@@ -50,6 +56,9 @@ void ShapePanel::fillList()
     resize(rails_, surface.rails.size(), tr("Rails"));
     resize(walls_, surface.walls.size(), tr("Walls"));
     resize(interests_, surface.pointsOfInterest.size(), tr("Points of interest"));
+    const std::size_t relations = surface.distances.size() + surface.symmetries.size();
+    resize(relations_, relations, tr("Kept distances and symmetries"));
+    relations_->setHidden(relations == 0);
     const auto fill = [&](QTreeWidgetItem* group, std::size_t i, Kind kind, const QString& name, std::size_t points) {
         QTreeWidgetItem* item = group->child(static_cast<int>(i));
         item->setText(0, name);
@@ -76,17 +85,45 @@ void ShapePanel::fillList()
     }
     for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
         fill(interests_, i, Kind::Interest, tr("P%1").arg(i + 1), 0);
+    fillRelations();
     filling_ = false;
-    const std::size_t counts[] = {0, surface.rails.size(), surface.walls.size(), surface.pointsOfInterest.size()};
+    const std::size_t counts[] = {0,
+                                  surface.rails.size(),
+                                  surface.walls.size(),
+                                  surface.pointsOfInterest.size(),
+                                  surface.distances.size(),
+                                  surface.symmetries.size()};
     if (chosen_.item >= counts[static_cast<int>(chosen_.kind)]) chosen_ = {};
     updateButtons();
+}
+
+void ShapePanel::fillRelations()
+{
+    const AirBearingSurface& surface = case_.surface;
+    const auto problems = relationProblems(surface, case_.slider.width);
+    for (int row = 0; row < relations_->childCount(); ++row) {
+        QTreeWidgetItem* item = relations_->child(row);
+        const auto place = static_cast<std::size_t>(row), distances = surface.distances.size();
+        const SurfacePart part = place < distances ? SurfacePart{PartKind::Distance, place}
+                                                   : SurfacePart{PartKind::Symmetry, place - distances};
+        item->setData(0, kindRole, static_cast<int>(place < distances ? Kind::Distance : Kind::Symmetry));
+        item->setText(0, sentence(relationText(surface, part, false).toStdString()).chopped(1));
+        item->setFirstColumnSpanned(true);
+        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+        const QString problem = relationProblem(problems, part);
+        item->setToolTip(
+            0, plainTip(sentence(relationText(surface, part, true).toStdString()) + QLatin1Char(' ') + problem));
+        item->setForeground(0, problem.isEmpty() ? palette().text() : QBrush(meaningColours(palette()).failure));
+    }
 }
 
 ShapePanel::Chosen ShapePanel::chosenOf(const QTreeWidgetItem* item) const
 {
     if (item == nullptr || item->parent() == nullptr) return {};
-    return {static_cast<Kind>(item->data(0, kindRole).toInt()),
-            static_cast<std::size_t>(item->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(item)))};
+    Chosen chosen{static_cast<Kind>(item->data(0, kindRole).toInt()),
+                  static_cast<std::size_t>(item->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(item)))};
+    if (chosen.kind == Kind::Symmetry) chosen.item -= case_.surface.distances.size(); // below the distances
+    return chosen;
 }
 
 void ShapePanel::setSelection(const PartSelection& parts)
@@ -97,8 +134,11 @@ void ShapePanel::setSelection(const PartSelection& parts)
         const QSignalBlocker silent(list_);
         list_->clearSelection();
         for (const SurfacePart& part : parts) {
-            QTreeWidgetItem* group = part.kind == PartKind::Interest ? interests_ : rails_;
-            QTreeWidgetItem* item = group->child(static_cast<int>(part.item));
+            QTreeWidgetItem* group = isOfRail(part)                    ? rails_
+                                     : part.kind == PartKind::Interest ? interests_
+                                                                       : relations_;
+            const std::size_t above = part.kind == PartKind::Symmetry ? case_.surface.distances.size() : 0;
+            QTreeWidgetItem* item = group->child(static_cast<int>(part.item + above));
             if (item == nullptr) continue;
             item->setSelected(true);
             if (part == *parts.begin()) {
@@ -120,6 +160,8 @@ void ShapePanel::onListSelected()
         const Chosen one = chosenOf(item);
         if (one.kind == Kind::Rail) parts.insert({PartKind::Rail, one.item});
         if (one.kind == Kind::Interest) parts.insert({PartKind::Interest, one.item});
+        if (one.kind == Kind::Distance) parts.insert({PartKind::Distance, one.item});
+        if (one.kind == Kind::Symmetry) parts.insert({PartKind::Symmetry, one.item});
     }
     const Chosen current = chosenOf(list_->currentItem());
     if (current.kind != Kind::None) chosen_ = current;
@@ -150,7 +192,7 @@ void ShapePanel::onListMenu(const QPoint& at)
     const QTreeWidgetItem* item = list_->itemAt(at);
     const Chosen one = chosenOf(item ? item : list_->currentItem());
     const QPoint place = list_->viewport()->mapToGlobal(at);
-    if (one.kind == Kind::Rail || one.kind == Kind::Interest) emit menuWanted(place);
+    if (one.kind != Kind::None && one.kind != Kind::Wall) emit menuWanted(place);
     if (one.kind != Kind::Wall) return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
