@@ -12,11 +12,9 @@
 #include <QVBoxLayout>
 
 #include "core/case/case_key.h"
-#include "core/physics/slider/surface_relations.h"
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
-#include "ui/slider/kept_distances.h"
-#include "ui/slider/part_picking.h"
+#include "ui/film/relation_rows.h"
 #include "ui/slider/wall_picture.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
@@ -250,15 +248,12 @@ void ShapePanel::fillTable()
         setNumber(0, 1, key + ".y");
         break;
     }
-    case Kind::Distance:
-    case Kind::Symmetry: {
-        const bool distance = chosen_.kind == Kind::Distance;
-        const SurfacePart part{distance ? PartKind::Distance : PartKind::Symmetry, chosen_.item};
-        caption_->setText(sentence(relationText(surface, part, true).toStdString()) + QLatin1Char(' ') +
-                          relationProblem(relationProblems(surface, case_.slider.width), part));
-        setHeaders(distance ? QStringList{tr("distance [µm]")} : QStringList{});
-        table_->setRowCount(distance ? 1 : 0);
-        if (distance) setNumber(0, 0, "abs.distance[" + std::to_string(chosen_.item + 1) + "].value");
+    case Kind::Relation: {
+        const std::string key = relationKey(surface, chosen_.item);
+        caption_->setText(relationCaption(case_, chosen_.item));
+        setHeaders(key.empty() ? QStringList() : QStringList{tr("distance [µm]")});
+        table_->setRowCount(key.empty() ? 0 : 1);
+        if (!key.empty()) setNumber(0, 0, key);
         break;
     }
     case Kind::None: setHeaders({}); break;

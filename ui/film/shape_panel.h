@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The air bearing surface as a list and a table beside its plan: rails with their recess, walls, points of interest,
-// kept distances and symmetries, and the numbers of the chosen one, each typed as a parameter is
-// (core/case/case_key.h). The last rail of the list lies on top; rails are dragged to another place. Keys: Del removes
-// what is chosen, Insert adds a corner or a point of a wall after the chosen row, the menu key has more.
+// relations, and the numbers of the chosen one, each typed as a parameter is (core/case/case_key.h). The last rail of
+// the list lies on top; rails are dragged to another place. Keys: Del removes what is chosen, Insert adds a corner or a
+// point of a wall after the chosen row, the menu key has more.
 #pragma once
 
 #include <string>
@@ -58,7 +58,7 @@ protected:
 
 private:
     static constexpr int keyRole = Qt::UserRole, kindRole = Qt::UserRole + 1; // of items
-    enum class Kind { None, Rail, Wall, Interest, Distance, Symmetry };
+    enum class Kind { None, Rail, Wall, Interest, Relation };
     struct Chosen {
         Kind kind = Kind::None;
         std::size_t item = 0;
@@ -76,7 +76,6 @@ private:
     void removeTableRows();
     void onWallEdited(const WallProfile& wall, bool row);
     void fillList();
-    void fillRelations();
     void fillTable();
     void fillRail(const Rail& rail, const std::string& key);
     void fillWall(const WallProfile& wall, const std::string& key);

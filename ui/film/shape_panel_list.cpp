@@ -7,16 +7,11 @@
 #include <QSignalBlocker>
 
 #include "core/case/case_key.h"
-#include "core/physics/slider/surface_relations.h"
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
+#include "ui/film/relation_rows.h"
 #include "ui/film/shape_panel.h"
-#include "ui/slider/kept_distances.h"
-#include "ui/slider/part_picking.h"
 #include "ui/slider/wall_picture.h"
-#include "ui/style/foreign_text.h"
-#include "ui/style/quantity_format.h"
-#include "ui/style/theme.h"
 
 namespace touchdown {
 
@@ -56,9 +51,8 @@ void ShapePanel::fillList()
     resize(rails_, surface.rails.size(), tr("Rails"));
     resize(walls_, surface.walls.size(), tr("Walls"));
     resize(interests_, surface.pointsOfInterest.size(), tr("Points of interest"));
-    const std::size_t relations = surface.distances.size() + surface.symmetries.size();
-    resize(relations_, relations, tr("Kept distances and symmetries"));
-    relations_->setHidden(relations == 0);
+    resize(relations_, relationCount(surface), tr("Kept distances and symmetries"));
+    relations_->setHidden(relationCount(surface) == 0);
     const auto fill = [&](QTreeWidgetItem* group, std::size_t i, Kind kind, const QString& name, std::size_t points) {
         QTreeWidgetItem* item = group->child(static_cast<int>(i));
         item->setText(0, name);
@@ -85,45 +79,21 @@ void ShapePanel::fillList()
     }
     for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
         fill(interests_, i, Kind::Interest, tr("P%1").arg(i + 1), 0);
-    fillRelations();
+    const auto wrong = relationProblems(surface, case_.slider.width);
+    for (std::size_t i = 0; i < relationCount(surface); ++i)
+        fillRelation(*fill(relations_, i, Kind::Relation, {}, 0), surface, i, wrong);
     filling_ = false;
-    const std::size_t counts[] = {0,
-                                  surface.rails.size(),
-                                  surface.walls.size(),
-                                  surface.pointsOfInterest.size(),
-                                  surface.distances.size(),
-                                  surface.symmetries.size()};
+    const std::size_t counts[] = {0, surface.rails.size(), surface.walls.size(), surface.pointsOfInterest.size(),
+                                  relationCount(surface)};
     if (chosen_.item >= counts[static_cast<int>(chosen_.kind)]) chosen_ = {};
     updateButtons();
-}
-
-void ShapePanel::fillRelations()
-{
-    const AirBearingSurface& surface = case_.surface;
-    const auto problems = relationProblems(surface, case_.slider.width);
-    for (int row = 0; row < relations_->childCount(); ++row) {
-        QTreeWidgetItem* item = relations_->child(row);
-        const auto place = static_cast<std::size_t>(row), distances = surface.distances.size();
-        const SurfacePart part = place < distances ? SurfacePart{PartKind::Distance, place}
-                                                   : SurfacePart{PartKind::Symmetry, place - distances};
-        item->setData(0, kindRole, static_cast<int>(place < distances ? Kind::Distance : Kind::Symmetry));
-        item->setText(0, sentence(relationText(surface, part, false).toStdString()).chopped(1));
-        item->setFirstColumnSpanned(true);
-        item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
-        const QString problem = relationProblem(problems, part);
-        item->setToolTip(
-            0, plainTip(sentence(relationText(surface, part, true).toStdString()) + QLatin1Char(' ') + problem));
-        item->setForeground(0, problem.isEmpty() ? palette().text() : QBrush(meaningColours(palette()).failure));
-    }
 }
 
 ShapePanel::Chosen ShapePanel::chosenOf(const QTreeWidgetItem* item) const
 {
     if (item == nullptr || item->parent() == nullptr) return {};
-    Chosen chosen{static_cast<Kind>(item->data(0, kindRole).toInt()),
-                  static_cast<std::size_t>(item->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(item)))};
-    if (chosen.kind == Kind::Symmetry) chosen.item -= case_.surface.distances.size(); // below the distances
-    return chosen;
+    return {static_cast<Kind>(item->data(0, kindRole).toInt()),
+            static_cast<std::size_t>(item->parent()->indexOfChild(const_cast<QTreeWidgetItem*>(item)))};
 }
 
 void ShapePanel::setSelection(const PartSelection& parts)
@@ -134,11 +104,8 @@ void ShapePanel::setSelection(const PartSelection& parts)
         const QSignalBlocker silent(list_);
         list_->clearSelection();
         for (const SurfacePart& part : parts) {
-            QTreeWidgetItem* group = isOfRail(part)                    ? rails_
-                                     : part.kind == PartKind::Interest ? interests_
-                                                                       : relations_;
-            const std::size_t above = part.kind == PartKind::Symmetry ? case_.surface.distances.size() : 0;
-            QTreeWidgetItem* item = group->child(static_cast<int>(part.item + above));
+            auto* group = isOfRail(part) ? rails_ : part.kind == PartKind::Interest ? interests_ : relations_;
+            QTreeWidgetItem* item = group->child(static_cast<int>(rowOf(case_.surface, part)));
             if (item == nullptr) continue;
             item->setSelected(true);
             if (part == *parts.begin()) {
@@ -160,8 +127,7 @@ void ShapePanel::onListSelected()
         const Chosen one = chosenOf(item);
         if (one.kind == Kind::Rail) parts.insert({PartKind::Rail, one.item});
         if (one.kind == Kind::Interest) parts.insert({PartKind::Interest, one.item});
-        if (one.kind == Kind::Distance) parts.insert({PartKind::Distance, one.item});
-        if (one.kind == Kind::Symmetry) parts.insert({PartKind::Symmetry, one.item});
+        if (one.kind == Kind::Relation) parts.insert(relationAt(case_.surface, one.item));
     }
     const Chosen current = chosenOf(list_->currentItem());
     if (current.kind != Kind::None) chosen_ = current;

@@ -37,7 +37,7 @@ Dimension dimensionOf(const SliderPlan& plan, const AirBearingSurface& surface, 
 {
     const QPointF a = plan.toPixel(middleOf(surface, distance.from)), b = plan.toPixel(middleOf(surface, distance.to));
     const QPointF middle = 0.5 * (a + b);
-    const QString text = typeset(distance.value * 1e6, 2) + QStringLiteral(" µm");
+    const QString text = lengthText(distance.value);
     if (distance.alongX) return {{a.x(), middle.y()}, {b.x(), middle.y()}, a, b, text};
     return {{middle.x(), a.y()}, {middle.x(), b.y()}, a, b, text};
 }

@@ -157,7 +157,7 @@ QString relationText(const AirBearingSurface& surface, const SurfacePart& relati
     const auto& [from, to, alongX, value] = surface.distances[relation.item];
     const bool places = whole || from.rail == to.rail;
     return translated("%1 stays %2 from %3 along %4")
-        .arg(railPlaceText(to, places), typeset(value * 1e6, 2) + QStringLiteral(" µm"), railPlaceText(from, places),
+        .arg(railPlaceText(to, places), lengthText(value), railPlaceText(from, places),
              alongX ? QStringLiteral("x") : QStringLiteral("y"));
 }
 

@@ -311,7 +311,7 @@ void SurfaceEditor::fillKeepMenu(QMenu& menu)
     for (const bool alongX : {true, false}) {
         const auto distance = selection_.offeredDistance(alongX);
         QString text = alongX ? tr("Distance along x") : tr("Distance along y");
-        if (distance) text += QStringLiteral(": %1 µm").arg(typeset(distance->value * 1e6, 2));
+        if (distance) text += QStringLiteral(": ") + lengthText(distance->value);
         if (suggested == alongX) text += QStringLiteral("\tK");
         menu.addAction(text, this, [this, alongX] { selection_.keepDistance(alongX); })
             ->setEnabled(distance.has_value());
