@@ -2,6 +2,7 @@
 #include "core/case/case_difference.h"
 
 #include "core/case/case_key.h"
+#include "core/formats/units.h"
 
 #include <algorithm>
 #include <cassert>
@@ -37,6 +38,8 @@ public:
         compareLists(before.surface.walls, after.surface.walls, {"abs.", "wall", 0, "wall"});
         compareLists(before.surface.pointsOfInterest, after.surface.pointsOfInterest,
                      {"abs.", "points_of_interest", 0, "point of interest"});
+        compareLists(before.surface.distances, after.surface.distances, {"abs.", "distance", 0, "kept distance"});
+        compareLists(before.surface.symmetries, after.surface.symmetries, {"abs.", "symmetric", 0, "kept symmetry"});
     }
 
 private:
@@ -121,6 +124,15 @@ private:
         compareValue(point.keyOf("distance"), point.label + ": distance");
         compareValue(point.keyOf("recess"), point.label + ": recess");
     }
+
+    /// Of its own kind: to set the value would move a rail, and the places of rails are listed.
+    void compareItems(const KeptDistance& before, const KeptDistance& after, const ChangePlace& distance)
+    {
+        if (before.value != after.value)
+            changes_.push_back({CaseChangeKind::Kind, distance.key(), distance.label,
+                                formatQuantity(before.value, "um"), formatQuantity(after.value, "um")});
+    }
+    void compareItems(const KeptSymmetry&, const KeptSymmetry&, const ChangePlace&) {} // its rails have other numbers
 
     void compareValue(const std::string& key, const std::string& label)
     {

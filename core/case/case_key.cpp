@@ -12,6 +12,7 @@
 
 #include "core/formats/nearest_name.h"
 #include "core/formats/words.h"
+#include "core/physics/slider/surface_relations.h"
 
 namespace touchdown {
 
@@ -239,6 +240,16 @@ Answer interestPlace(const Case&, const Place& at)
         "mm", [ point, axis ](auto& any) -> auto& { return any.surface.pointsOfInterest[point].*axis; });
 }
 
+Answer distanceValue(const Case&, const Place& at)
+{
+    const std::size_t distance = at.number - 1;
+    return length(
+        "um", [distance](const Case& from) { return from.surface.distances[distance].value; },
+        [distance](Case& to, double value) {
+            to.surface = withDistance(std::move(to.surface), distance, value, to.slider.width);
+        });
+}
+
 struct Kind {
     SurfaceNumberForm form;
     Answer (*make)(const Case&, const Place&);
@@ -262,6 +273,8 @@ const std::vector<Kind>& kinds()
          wallDistance},
         {{"abs.wall[N].recess[K]", "Recess at point K of wall N, from the zero plane."}, wallRecess},
         {{"abs.wall[N].shift", "Distance of the first point of wall N; the others are moved by as much."}, wallShift},
+        {{"abs.distance[N].value", "Kept distance N; its place `to` moves, with all that relations connect to it."},
+         distanceValue},
         {{"abs.points_of_interest[N].x", "Point of interest N, from the leading edge."}, interestPlace},
         {{"abs.points_of_interest[N].y", "Point of interest N, from the inner edge."}, interestPlace},
     };
@@ -273,10 +286,11 @@ struct List {
     const char* item;
     std::size_t count;
 };
-std::array<List, 3> listsOf(const AirBearingSurface& surface)
+std::array<List, 4> listsOf(const AirBearingSurface& surface)
 {
     return {{{"rail", "rail", surface.rails.size()},
              {"wall", "wall", surface.walls.size()},
+             {"distance", "kept distance", surface.distances.size()},
              {"points_of_interest", "point of interest", surface.pointsOfInterest.size()}}};
 }
 

@@ -12,6 +12,7 @@
 //   abs.wall[1].distance[2]        of a profile's point from the edge
 //   abs.wall[1].recess[2]          there
 //   abs.wall[1].shift              the distance of its first point; the others are moved by as much
+//   abs.distance[1].value          a kept distance; its place `to` moves
 //   abs.points_of_interest[1].x, y
 //
 // x runs from the leading edge, y from the inner edge; all are lengths [m], at most 1 m.

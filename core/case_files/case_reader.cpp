@@ -9,9 +9,10 @@
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
 #include "core/formats/toml_quantity.h"
-#include "core/physics/slider/surface_check.h"
+#include "core/physics/slider/surface_relations.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace touchdown {
@@ -243,7 +244,9 @@ private:
         for (const CaseProblem& warning : caseWarnings(c))
             document_.warnings.push_back(warning.in(document_.name, lineOf(warning.key, toml)));
         if (!usesSliderSurface(c)) return;
-        for (const auto& [key, sentence, places] : surfaceWarnings(c.surface, c.slider.length, c.slider.width))
+        std::vector<SurfaceProblem> warnings = surfaceWarnings(c.surface, c.slider.length, c.slider.width);
+        std::ranges::move(relationProblems(c.surface, c.slider.width), std::back_inserter(warnings));
+        for (const auto& [key, sentence, places] : warnings)
             document_.warnings.push_back({document_.name, lineOf(key, toml), key, sentence});
     }
 

@@ -67,7 +67,7 @@ std::string tomlValue(const Case& c, const Parameter& parameter)
     return {};
 }
 
-/// The tables [[abs.rail]] or [[abs.wall]]: equal tables at the front and at the back are kept, the tables between them
+/// The tables of one kind, as [[abs.rail]]: equal tables at the front and at the back are kept, the tables between them
 /// are changed in place, and surplus tables are removed or missing ones inserted there.
 template <typename Item>
 void putTables(TomlEditor& editor, const std::string& name, const std::vector<Item>& old, const std::vector<Item>& now)
@@ -97,6 +97,12 @@ void putSurface(TomlEditor& editor, const AirBearingSurface& old, const AirBeari
         editor.put("abs.points_of_interest", interestText(now.pointsOfInterest));
     putTables(editor, "rail", old.rails, now.rails);
     putTables(editor, "wall", old.walls, now.walls);
+}
+
+void putRelations(TomlEditor& editor, const AirBearingSurface& old, const AirBearingSurface& now)
+{
+    putTables(editor, "distance", old.distances, now.distances);
+    putTables(editor, "symmetric", old.symmetries, now.symmetries);
 }
 
 /// Rails, walls and points of interest, without the numbers of [abs].
@@ -138,6 +144,7 @@ std::string changedText(const std::string& text, const TomlDocument& toml, const
         if (bad || parameter.get(before) != parameter.get(c)) editor.put(parameter.key, tomlValue(c, parameter));
     }
     if (!keepsFile) putSurface(editor, base.value.surface, c.surface);
+    putRelations(editor, old.value.surface, c.surface); // a file of rails has none
     return editor.result();
 }
 

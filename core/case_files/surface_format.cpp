@@ -62,6 +62,12 @@ std::string walls(const Rail& rail)
     return list(elements);
 }
 
+std::string placeText(const RailPlace& place)
+{
+    return (place.edge ? "\"edge " : "\"corner ") + std::to_string(place.corner + 1) + " of rail " +
+           std::to_string(place.rail + 1) + '"';
+}
+
 } // namespace
 
 std::vector<SurfaceRow> surfaceRows(const Rail& rail)
@@ -75,6 +81,20 @@ std::vector<SurfaceRow> surfaceRows(const Rail& rail)
 std::vector<SurfaceRow> surfaceRows(const WallProfile& wall)
 {
     return {{"distance", quantities(wall.distance, recessUnit)}, {"recess", quantities(wall.recess, recessUnit)}};
+}
+
+std::vector<SurfaceRow> surfaceRows(const KeptDistance& distance)
+{
+    return {{"from", placeText(distance.from)},
+            {"to", placeText(distance.to)},
+            {"along", distance.alongX ? "\"x\"" : "\"y\""},
+            {"value", formatTomlQuantity(distance.value, recessUnit)}};
+}
+
+std::vector<SurfaceRow> surfaceRows(const KeptSymmetry& symmetry)
+{
+    const std::string rail = std::to_string(symmetry.rail + 1), image = std::to_string(symmetry.image + 1);
+    return {{"rails", symmetry.rail == symmetry.image ? '[' + rail + ']' : '[' + rail + ", " + image + ']'}};
 }
 
 std::string interestText(const std::vector<SurfacePoint>& points) { return places(points); }
@@ -94,6 +114,8 @@ std::string formatSurface(const AirBearingSurface& surface)
     for (const Rail& rail : surface.rails) text += "\n" + surfaceTable("rail", surfaceRows(rail));
     for (std::size_t i = 0; i < surface.walls.size(); ++i)
         text += "\n# wall " + std::to_string(i + 1) + "\n" + surfaceTable("wall", surfaceRows(surface.walls[i]));
+    for (const KeptDistance& each : surface.distances) text += "\n" + surfaceTable("distance", surfaceRows(each));
+    for (const KeptSymmetry& each : surface.symmetries) text += "\n" + surfaceTable("symmetric", surfaceRows(each));
     return text;
 }
 

@@ -1,41 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/case_files/surface_text.h"
 
-#include "core/formats/nearest_name.h"
-#include "core/formats/toml_quantity.h"
+#include "core/case_files/relation_text.h"
+#include "core/case_files/surface_tables.h"
 #include "core/formats/words.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace touchdown {
 
 namespace {
 
-constexpr double farthest = 1.0; // of any length [m]
 constexpr std::string_view interestKey = "abs.points_of_interest";
 
-/// "abs.rail[12].recess" -> 12 and "recess"; nothing when the key is not of this kind.
-struct Place {
-    std::size_t number; // from 1
-    std::string_view leaf;
-};
-std::optional<Place> placeOf(std::string_view key, std::string_view kind)
-{
-    if (!key.starts_with(kind) || key.size() == kind.size() || key[kind.size()] != '[') return {};
-    const std::size_t close = key.find(']', kind.size());
-    if (close == std::string_view::npos) return {};
-    Place place{0, key.substr(close + 1)};
-    std::from_chars(key.data() + kind.size() + 1, key.data() + close, place.number);
-    if (place.leaf.starts_with('.')) place.leaf.remove_prefix(1);
-    return place;
-}
-
-class SurfaceReader {
+class SurfaceReader : private SurfaceTables {
 public:
-    SurfaceReader(const TomlDocument& toml, AirBearingSurface& surface) : toml_(toml), surface_(surface) {}
+    SurfaceReader(const TomlDocument& toml, AirBearingSurface& surface) : SurfaceTables(toml), surface_(surface) {}
 
     std::vector<InputProblem> read()
     {
@@ -45,12 +27,12 @@ public:
         wallLines_.assign(surface_.walls.size(), {});
         for (const TomlEntry& entry : toml_.entries) {
             if (entry.key == interestKey) readInterest(entry);
-            if (const auto place = placeOf(entry.key, "abs.rail"); place && goodRails) readRailKey(entry, *place);
-            if (const auto place = placeOf(entry.key, "abs.wall"); place && goodWalls) readWallKey(entry, *place);
+            if (const auto place = tablePlace(entry.key, "abs.rail"); place && goodRails) readRailKey(entry, *place);
+            if (const auto place = tablePlace(entry.key, "abs.wall"); place && goodWalls) readWallKey(entry, *place);
         }
         if (goodRails) finishRails(goodWalls);
         if (goodWalls) finishWalls();
-        return std::move(problems_);
+        return takeProblems();
     }
 
 private:
@@ -63,57 +45,7 @@ private:
         const TomlEntry* recess = nullptr;
     };
 
-    void add(int line, std::string_view key, std::string message)
-    {
-        problems_.push_back({"", line, std::string(key), std::move(message)});
-    }
-
-    /// Makes room for as many as there are tables; false when they are not to be looked at.
-    template <typename Item>
-    bool readTables(std::string_view kind, std::string_view name, std::size_t most, std::vector<Item>& items)
-    {
-        std::size_t count = 0;
-        bool mentioned = false;
-        for (const TomlTable& table : toml_.tables) {
-            if (table.key == kind) {
-                mentioned = true;
-                if (table.kind != TomlTableKind::Array) {
-                    add(table.line, kind,
-                        "is one table; write [[" + std::string(kind) + "]] for each " + std::string(name));
-                    return false;
-                }
-            } else if (const auto place = placeOf(table.key, kind)) {
-                if (place->leaf.empty())
-                    count = std::max(count, place->number);
-                else if (place->leaf.find('.') == std::string_view::npos)
-                    add(table.line, table.key, "unknown table");
-            }
-        }
-        for (const TomlEntry& entry : toml_.entries) {
-            if (entry.key != kind) continue;
-            const auto* array = std::get_if<TomlArray>(&entry.value);
-            if (array == nullptr || !array->elements.empty()) {
-                add(entry.line, kind,
-                    "is not a table; write [[" + std::string(kind) + "]] for each " + std::string(name));
-                return false;
-            }
-            mentioned = true;
-        }
-        if (count > most) {
-            add(0, kind, counted(count, name) + " are too many; at most " + std::to_string(most) + " are possible");
-            return false;
-        }
-        if (mentioned) items.assign(count, {});
-        return true;
-    }
-
-    void unknown(const TomlEntry& entry, const Place& place, const std::vector<std::string>& names)
-    {
-        if (place.leaf.find('.') == std::string_view::npos) // else its table has been named
-            add(entry.line, entry.key, "unknown key" + didYouMean(nearestName(place.leaf, names)));
-    }
-
-    void readRailKey(const TomlEntry& entry, const Place& place)
+    void readRailKey(const TomlEntry& entry, const TablePlace& place)
     {
         Rail& rail = surface_.rails.at(place.number - 1);
         RailLines& lines = railLines_[place.number - 1];
@@ -127,7 +59,7 @@ private:
             unknown(entry, place, {"recess", "points", "walls"});
     }
 
-    void readWallKey(const TomlEntry& entry, const Place& place)
+    void readWallKey(const TomlEntry& entry, const TablePlace& place)
     {
         WallProfile& wall = surface_.walls.at(place.number - 1);
         WallLines& lines = wallLines_[place.number - 1];
@@ -137,20 +69,6 @@ private:
             readLengths(*(lines.recess = &entry), wall.recess, mostWallPoints);
         else
             unknown(entry, place, {"distance", "recess"});
-    }
-
-    std::optional<double> length(const TomlValue& value, int line, const std::string& key, const char* unit)
-    {
-        const auto number = tomlQuantity(value, "m", unit);
-        if (const auto* problem = std::get_if<UnitProblem>(&number)) {
-            add(line, key, problem->message);
-            return {};
-        }
-        const double metres = std::get<double>(number) + 0.0;
-        if (std::abs(metres) <= farthest) return metres;
-        add(line, key,
-            formatQuantity(metres, "m") + " is out of range: allowed is at most " + formatQuantity(farthest, "m"));
-        return {};
     }
 
     /// False once a number is wrong: one problem of a list is enough.
@@ -313,28 +231,9 @@ private:
         }
     }
 
-    static std::string numbered(std::string_view kind, std::size_t number)
-    {
-        return std::string(kind) + '[' + std::to_string(number) + ']';
-    }
-    const TomlTable* tableOf(std::string_view kind, std::size_t number) const
-    {
-        const auto found = std::ranges::find(toml_.tables, numbered(kind, number), &TomlTable::key);
-        return found == toml_.tables.end() ? nullptr : &*found;
-    }
-    /// False for items that came from elsewhere.
-    bool mentions(std::string_view kind, std::size_t number) const { return tableOf(kind, number) != nullptr; }
-    int lineOf(std::string_view kind, std::size_t number) const { return tableOf(kind, number)->line; }
-    bool wrong(std::string_view key) const
-    {
-        return std::ranges::find(problems_, key, &InputProblem::key) != problems_.end();
-    }
-
-    const TomlDocument& toml_;
     AirBearingSurface& surface_;
     std::vector<RailLines> railLines_;
     std::vector<WallLines> wallLines_;
-    std::vector<InputProblem> problems_;
     std::size_t pointCount_ = 0; // of all rails
 };
 
@@ -342,13 +241,17 @@ private:
 
 bool isSurfaceKey(std::string_view key)
 {
-    return key == interestKey || key == "abs.rail" || key == "abs.wall" || key.starts_with("abs.rail.") ||
-           key.starts_with("abs.wall.") || placeOf(key, "abs.rail") || placeOf(key, "abs.wall");
+    const auto isOf = [key](const std::string& kind) {
+        return key == kind || key.starts_with(kind + '.') || tablePlace(key, kind);
+    };
+    return key == interestKey || isOf("abs.rail") || isOf("abs.wall") || isOf("abs.distance") || isOf("abs.symmetric");
 }
 
 std::vector<InputProblem> readSurface(const TomlDocument& toml, AirBearingSurface& surface)
 {
-    return SurfaceReader(toml, surface).read();
+    std::vector<InputProblem> problems = SurfaceReader(toml, surface).read();
+    std::ranges::move(readRelations(toml, surface), std::back_inserter(problems));
+    return problems;
 }
 
 std::string_view surfaceHelp()
@@ -359,7 +262,12 @@ std::string_view surfaceHelp()
            "0, ...] (the wall on the edge from each point to the next, 0 for none; one number for all). Where rails "
            "overlap, the last one counts. A wall is a table [[abs.wall]] with distance = [...] (normal to the edge, "
            "ascending, negative inside) and recess = [...] (below the zero plane, one for each distance); the first "
-           "table is wall 1. abs.points_of_interest = [[x, y], ...] lists points where the spacing is reported. "
+           "table is wall 1. The editor keeps two kinds of relations: a table [[abs.distance]] with from and to "
+           "(\"corner "
+           "3 of rail 1\" or \"edge 2 of rail 1\"), along = \"x\" or \"y\" and value = \"80 um\" (to minus from), and "
+           "a table [[abs.symmetric]] with rails = [1, 2] (mirror images about the centre line; one rail alone is its "
+           "own image); results do not depend on them. abs.points_of_interest = [[x, y], ...] lists points where the "
+           "spacing is reported. "
            "abs.rails = \"rail.dat\" reads [abs] and the size of the slider from a CML file beside the case instead; "
            "values in the case override it.";
 }

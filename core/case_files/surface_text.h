@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Rails, walls and points of interest of a case file. The numbers of [abs] are parameters: see core/case/parameters.h.
+// Rails, walls, relations and points of interest of a case file. The numbers of [abs] are parameters: see
+// core/case/parameters.h.
 //
 //   [abs]
 //   points_of_interest = [["1.24 mm", "0.5 mm"]]
@@ -13,6 +14,15 @@
 //   [[abs.wall]]                       # wall 1
 //   distance = ["-2 um", "0 um", "3 um"]
 //   recess = ["0.2 um", "1 um", "2 um"]
+//
+//   [[abs.distance]]                   # a distance that edits keep
+//   from = "corner 3 of rail 1"        # counted from 1; edge 2 runs from corner 2 to the next
+//   to = "edge 1 of rail 2"            # both its corners
+//   along = "x"                        # or "y"
+//   value = "80 um"                    # to minus from
+//
+//   [[abs.symmetric]]
+//   rails = [1, 2]                     # stay mirror images about the centre line; [3]: symmetric in itself
 #pragma once
 
 #include "core/formats/input_problem.h"
@@ -34,7 +44,8 @@ inline constexpr std::size_t mostInterestPoints = 100;
 /// abs.rails = "rail.dat": the surface from a CML file; values in the case override it.
 inline constexpr std::string_view railFileKey = "abs.rails";
 
-/// Whether a key belongs to a rail, a wall or the points of interest: "abs.rail[2].recess", "abs.points_of_interest".
+/// Whether a key belongs to a rail, a wall, a relation or the points of interest: "abs.rail[2].recess",
+/// "abs.points_of_interest".
 bool isSurfaceKey(std::string_view key);
 
 /// Reads them into `surface` and replaces those that the text contains. The problems name no file.

@@ -117,6 +117,11 @@ std::vector<std::string> caseSeeds()
         random.change(c, probability);
         seeds.push_back(formatCase(c));
     }
+    Case c = defaultsOf(ModelKind::Film);
+    c.surface = test::cmlSurface();
+    c.surface.distances = {{{0, 1, true}, {1, 3, true}, true, 100e-6}, {{0, 0, false}, {2, 4, false}, false, 0.0}};
+    c.surface.symmetries = {{0, 1}, {2, 2}};
+    seeds.push_back(formatCase(c));
     return seeds;
 }
 

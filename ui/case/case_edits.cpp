@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/case/model_defaults.h"
+#include "core/physics/slider/surface_relations.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 
@@ -90,7 +91,7 @@ void CaseEdits::setAll(const Case& value, const QString& text, int merge) { push
 void CaseEdits::setSurface(const AirBearingSurface& surface, const QString& text, int merge)
 {
     State after = state_;
-    after.value.surface = surface;
+    after.value.surface = keepingRelations(state_.value.surface, surface, state_.value.slider.width);
     push(text, std::move(after), merge);
 }
 

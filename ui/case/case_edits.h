@@ -48,7 +48,7 @@ public:
     void resetAll();
     /// All values at once, as one edit. Edits in a row with the same `merge` other than 0 are one for undo.
     void setAll(const Case& value, const QString& text, int merge = 0);
-    /// The surface alone.
+    /// The surface alone; its kept distances and symmetries are solved.
     void setSurface(const AirBearingSurface& surface, const QString& text, int merge = 0);
 
     bool changed(const Parameter& parameter) const;

@@ -14,6 +14,7 @@
 #include "core/case/case_key.h"
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
+#include "ui/film/relation_rows.h"
 #include "ui/slider/wall_picture.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
@@ -87,6 +88,7 @@ ShapePanel::ShapePanel(QWidget* parent)
     table_->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(table_, &QWidget::customContextMenuRequested, this, &ShapePanel::onTableMenu);
     caption_->setContentsMargins(4, 4, 4, 0);
+    caption_->setWordWrap(true);
     caption_->setBuddy(table_);
     problem_->setWordWrap(true);
     problem_->hide();
@@ -256,6 +258,14 @@ void ShapePanel::fillTable()
         const std::string key = "abs.points_of_interest[" + std::to_string(chosen_.item + 1) + "]";
         setNumber(0, 0, key + ".x");
         setNumber(0, 1, key + ".y");
+        break;
+    }
+    case Kind::Relation: {
+        const std::string key = relationKey(surface, chosen_.item);
+        caption_->setText(relationCaption(case_, chosen_.item));
+        setHeaders(key.empty() ? QStringList() : QStringList{tr("distance [µm]")});
+        table_->setRowCount(key.empty() ? 0 : 1);
+        if (!key.empty()) setNumber(0, 0, key);
         break;
     }
     case Kind::None: setHeaders({}); break;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The air bearing surface as a list and a table beside its plan: rails with their recess, walls, points of interest,
-// and the numbers of the chosen one, each typed as a parameter is (core/case/case_key.h). The last rail of the list
-// lies on top; rails are dragged to another place. Keys: Del removes what is chosen, Insert adds a corner or a point
-// of a wall after the chosen row, the menu key has more.
+// relations, and the numbers of the chosen one, each typed as a parameter is (core/case/case_key.h). The last rail of
+// the list lies on top; rails are dragged to another place. Keys: Del removes what is chosen, Insert adds a corner or a
+// point of a wall after the chosen row, the menu key has more.
 #pragma once
 
 #include <string>
@@ -58,7 +58,7 @@ protected:
 
 private:
     static constexpr int keyRole = Qt::UserRole, kindRole = Qt::UserRole + 1; // of items
-    enum class Kind { None, Rail, Wall, Interest };
+    enum class Kind { None, Rail, Wall, Interest, Relation };
     struct Chosen {
         Kind kind = Kind::None;
         std::size_t item = 0;
@@ -105,7 +105,7 @@ private:
     QWidget* lower_;      // what belongs to the chosen part
     QBoxLayout* numbers_; // table and profile of a wall, likewise
     PartTree* list_;
-    QTreeWidgetItem *rails_ = nullptr, *walls_ = nullptr, *interests_ = nullptr;
+    QTreeWidgetItem *rails_ = nullptr, *walls_ = nullptr, *interests_ = nullptr, *relations_ = nullptr;
     QTableWidget* table_;
     QLabel* caption_;
     QLabel* problem_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The list of rails, walls and points of interest.
+// The list of rails, walls, points of interest and relations.
 #include <QEvent>
 #include <QHeaderView>
 #include <QMenu>
@@ -9,6 +9,7 @@
 #include "core/case/case_key.h"
 #include "ui/case/parameter_text.h"
 #include "ui/film/part_tree.h"
+#include "ui/film/relation_rows.h"
 #include "ui/film/shape_panel.h"
 #include "ui/slider/wall_picture.h"
 
@@ -29,7 +30,7 @@ void ShapePanel::buildList()
     list_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     for (const int column : {1, 2}) list_->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     list_->header()->setStretchLastSection(false);
-    for (QTreeWidgetItem** group : {&rails_, &walls_, &interests_}) {
+    for (QTreeWidgetItem** group : {&rails_, &walls_, &interests_, &relations_}) {
         *group = new QTreeWidgetItem(list_);
         (*group)->setFlags(Qt::ItemIsEnabled);
         (*group)->setExpanded(true);
@@ -50,6 +51,8 @@ void ShapePanel::fillList()
     resize(rails_, surface.rails.size(), tr("Rails"));
     resize(walls_, surface.walls.size(), tr("Walls"));
     resize(interests_, surface.pointsOfInterest.size(), tr("Points of interest"));
+    resize(relations_, relationCount(surface), tr("Kept distances and symmetries"));
+    relations_->setHidden(relationCount(surface) == 0);
     const auto fill = [&](QTreeWidgetItem* group, std::size_t i, Kind kind, const QString& name, std::size_t points) {
         QTreeWidgetItem* item = group->child(static_cast<int>(i));
         item->setText(0, name);
@@ -76,8 +79,12 @@ void ShapePanel::fillList()
     }
     for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)
         fill(interests_, i, Kind::Interest, tr("P%1").arg(i + 1), 0);
+    const auto wrong = relationProblems(surface, case_.slider.width);
+    for (std::size_t i = 0; i < relationCount(surface); ++i)
+        fillRelation(*fill(relations_, i, Kind::Relation, {}, 0), surface, i, wrong);
     filling_ = false;
-    const std::size_t counts[] = {0, surface.rails.size(), surface.walls.size(), surface.pointsOfInterest.size()};
+    const std::size_t counts[] = {0, surface.rails.size(), surface.walls.size(), surface.pointsOfInterest.size(),
+                                  relationCount(surface)};
     if (chosen_.item >= counts[static_cast<int>(chosen_.kind)]) chosen_ = {};
     updateButtons();
 }
@@ -97,8 +104,8 @@ void ShapePanel::setSelection(const PartSelection& parts)
         const QSignalBlocker silent(list_);
         list_->clearSelection();
         for (const SurfacePart& part : parts) {
-            QTreeWidgetItem* group = part.kind == PartKind::Interest ? interests_ : rails_;
-            QTreeWidgetItem* item = group->child(static_cast<int>(part.item));
+            auto* group = isOfRail(part) ? rails_ : part.kind == PartKind::Interest ? interests_ : relations_;
+            QTreeWidgetItem* item = group->child(static_cast<int>(rowOf(case_.surface, part)));
             if (item == nullptr) continue;
             item->setSelected(true);
             if (part == *parts.begin()) {
@@ -120,6 +127,7 @@ void ShapePanel::onListSelected()
         const Chosen one = chosenOf(item);
         if (one.kind == Kind::Rail) parts.insert({PartKind::Rail, one.item});
         if (one.kind == Kind::Interest) parts.insert({PartKind::Interest, one.item});
+        if (one.kind == Kind::Relation) parts.insert(relationAt(case_.surface, one.item));
     }
     const Chosen current = chosenOf(list_->currentItem());
     if (current.kind != Kind::None) chosen_ = current;
@@ -150,7 +158,7 @@ void ShapePanel::onListMenu(const QPoint& at)
     const QTreeWidgetItem* item = list_->itemAt(at);
     const Chosen one = chosenOf(item ? item : list_->currentItem());
     const QPoint place = list_->viewport()->mapToGlobal(at);
-    if (one.kind == Kind::Rail || one.kind == Kind::Interest) emit menuWanted(place);
+    if (one.kind != Kind::None && one.kind != Kind::Wall) emit menuWanted(place);
     if (one.kind != Kind::Wall) return;
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/slider/kept_distances.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/rail_drawing.h"
 #include "ui/style/quantity_format.h"
@@ -145,6 +146,13 @@ struct EditPainter {
                 painter.drawEllipse(plan.toPixel(plan.surface().pointsOfInterest[part.item]), 9.0, 9.0);
                 continue;
             }
+            if (part.kind == PartKind::Distance) continue;
+            if (part.kind == PartKind::Symmetry) {
+                const auto [one, other] = plan.surface().symmetries[part.item];
+                painter.setPen(QPen(mark, 2.6, Qt::DashLine));
+                for (const std::size_t each : {one, other}) painter.drawPolygon(outline(rails[each]));
+                continue;
+            }
             const Rail& rail = rails[part.item];
             painter.setPen(QPen(mark, part.kind == PartKind::Rail ? 2.6 : 1.4));
             painter.drawPolygon(outline(rail));
@@ -281,6 +289,8 @@ void paintEditMarks(QPainter& painter, const SurfaceView& plan, const EditMarks&
         paint.links();
     }
     paint.selection();
+    if (!plan.onPaper())
+        paintKeptDistances(painter, plan, plan.surface(), marks.selection.parts(), marks.warnings, theme);
     paint.problems();
     paint.snap();
     paint.shift();

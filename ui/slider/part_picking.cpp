@@ -7,8 +7,11 @@
 
 #include <QCoreApplication>
 
+#include "core/physics/slider/surface_relations.h"
+#include "ui/slider/kept_distances.h"
 #include "ui/slider/rail_drawing.h"
 #include "ui/slider/slider_plan.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -41,11 +44,16 @@ private:
 
 bool isOf(const PartSelection& parts, std::size_t rail)
 {
-    return std::ranges::any_of(
-        parts, [rail](const SurfacePart& part) { return part.kind != PartKind::Interest && part.item == rail; });
+    return std::ranges::any_of(parts, [rail](const SurfacePart& part) { return isOfRail(part) && part.item == rail; });
 }
 
 QString translated(const char* text) { return QCoreApplication::translate("SurfaceEditor", text); }
+
+QString railPlaceText(const RailPlace& place, bool whole)
+{
+    const PartKind kind = place.edge ? PartKind::Edge : PartKind::Corner;
+    return partText(whole ? SurfacePart{kind, place.rail, place.corner} : SurfacePart{PartKind::Rail, place.rail});
+}
 
 } // namespace
 
@@ -67,6 +75,7 @@ std::optional<SurfacePart> partAt(const SliderPlan& plan, const AirBearingSurfac
         }
     }
     if (corner.part()) return corner.part();
+    if (const auto distance = keptDistanceAt(plan, surface, pixel)) return SurfacePart{PartKind::Distance, *distance};
     if (edge.part()) return edge.part();
     if (const auto rail = railAt(surface, plan.toSlider(pixel))) return SurfacePart{PartKind::Rail, *rail};
     return {};
@@ -98,7 +107,7 @@ PartSelection railsOf(const PartSelection& parts)
 {
     PartSelection rails;
     for (const SurfacePart& part : parts)
-        if (part.kind != PartKind::Interest) rails.insert({PartKind::Rail, part.item});
+        if (isOfRail(part)) rails.insert({PartKind::Rail, part.item});
     return rails;
 }
 
@@ -126,6 +135,8 @@ QString partText(const SurfacePart& part)
     case PartKind::Edge: return translated("edge %1 of rail %2").arg(index, item);
     case PartKind::Corner: return translated("corner %1 of rail %2").arg(index, item);
     case PartKind::Interest: return translated("point of interest %1").arg(item);
+    case PartKind::Distance: return translated("kept distance %1").arg(item);
+    case PartKind::Symmetry: return translated("kept symmetry %1").arg(item);
     }
     return {};
 }
@@ -134,6 +145,20 @@ QString selectionText(const PartSelection& parts)
 {
     if (parts.size() == 1) return partText(*parts.begin());
     return translated("%1 parts").arg(parts.size());
+}
+
+QString relationText(const AirBearingSurface& surface, const SurfacePart& relation, bool whole)
+{
+    if (relation.kind == PartKind::Symmetry) {
+        const auto [rail, image] = surface.symmetries[relation.item];
+        if (rail == image) return translated("rail %1 stays symmetric").arg(rail + 1);
+        return translated("rails %1 and %2 stay mirror images").arg(rail + 1).arg(image + 1);
+    }
+    const auto& [from, to, alongX, value] = surface.distances[relation.item];
+    const bool places = whole || from.rail == to.rail;
+    return translated("%1 stays %2 from %3 along %4")
+        .arg(railPlaceText(to, places), lengthText(value), railPlaceText(from, places),
+             alongX ? QStringLiteral("x") : QStringLiteral("y"));
 }
 
 QString snapText(SnapTarget target, const SurfacePart& corner)
@@ -151,6 +176,9 @@ QString snapText(SnapTarget target, const SurfacePart& corner)
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near)
 {
     if (part.kind == PartKind::Interest) return surface.pointsOfInterest[part.item];
+    if (part.kind == PartKind::Distance) return middleOf(surface, surface.distances[part.item].to);
+    if (part.kind == PartKind::Symmetry)
+        return placeOf(surface, {PartKind::Corner, surface.symmetries[part.item].image}, near);
     const std::vector<RailPoint>& points = surface.rails[part.item].points;
     std::size_t corner = part.index;
     if (part.kind == PartKind::Rail) {

@@ -15,8 +15,8 @@ namespace touchdown {
 
 class SliderPlan;
 
-/// The nearest corner or point of interest within 8 px, else the nearest edge within 5 px, else the top that is seen.
-/// Parts of rails in `preferred` come before those of others.
+/// The nearest corner or point of interest within 8 px, else a kept distance, else the nearest edge within 5 px, else
+/// the top that is seen. Parts of rails in `preferred` come before those of others.
 std::optional<SurfacePart> partAt(const SliderPlan& plan, const AirBearingSurface& surface, const QPointF& pixel,
                                   const PartSelection& preferred);
 
@@ -35,10 +35,15 @@ std::set<std::size_t> sameRails(const AirBearingSurface& before, const AirBearin
 QString partText(const SurfacePart& part);
 QString selectionText(const PartSelection& parts);
 
+/// "rail 2 stays 80 µm from rail 1 along y", or with its edges and corners where `whole`; "rails 1 and 2 stay mirror
+/// images".
+QString relationText(const AirBearingSurface& surface, const SurfacePart& relation, bool whole);
+
 /// What holds a place that snaps: "corner 2 of rail 3", "centre line", "border"; empty for the raster or nothing.
 QString snapText(SnapTarget target, const SurfacePart& corner);
 
-/// The place of a corner, of an edge's first corner, or of a point of interest; of a rail the corner nearest to `near`.
+/// The place of a corner, of an edge's first corner, of a point of interest, or of a relation; of a rail the corner
+/// nearest to `near`.
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near);
 
 /// The ends of an edge that alone is selected; else the selected corners and points of interest.

@@ -30,6 +30,8 @@ class SliderPlan : public PictureWidget {
 public:
     explicit SliderPlan(QWidget* parent = nullptr);
 
+    /// It is being painted on paper.
+    bool onPaper() const { return paper_; }
     void setSlider(double length, double width); // [m]
     /// A pad or a piece of the disk instead of the slider; its top is the smallest y [m].
     void setPiece(const QRectF& area);

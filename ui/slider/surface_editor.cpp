@@ -11,11 +11,13 @@
 #include "core/numerics/cell_grid.h"
 #include "core/physics/slider/meeting_walls.h"
 #include "core/physics/slider/short_edges.h"
+#include "core/physics/slider/surface_relations.h"
 #include "ui/plot/picture_widget.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/array_dialog.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/wall_menu.h"
+#include "ui/style/quantity_format.h"
 
 namespace touchdown {
 
@@ -44,7 +46,7 @@ SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), gestures_(*
     setAccessibleDescription(
         tr("Arrow keys move what is selected by 1 µm, with Shift by 10 µm, with Alt by 0.1 µm. Ctrl+A selects all "
            "rails, N and B the next and previous one, E and C the next edge and corner of a rail, Del removes, Ctrl+D "
-           "copies, Shift+M makes mirrored copies, L breaks or joins the "
+           "copies, Shift+M makes mirrored copies, K keeps the distance of two selected parts, L breaks or joins the "
            "pair, Page Up and Page Down change the order of overlap, M measures between two selected corners, F shows "
            "everything, the menu key has more."));
 }
@@ -87,6 +89,7 @@ void SurfaceEditor::showSurface(const AirBearingSurface& surface, double length,
 std::vector<SurfaceProblem> SurfaceEditor::findWarnings(const AirBearingSurface& surface) const
 {
     std::vector<SurfaceProblem> found = surfaceWarnings(surface, area().width(), area().height());
+    std::ranges::move(relationProblems(surface, area().height()), std::back_inserter(found));
     std::ranges::move(meetingWalls(surface), std::back_inserter(found));
     if (gridOf_) std::ranges::move(shortEdges(surface, gridOf_(surface)), std::back_inserter(found));
     return found;
@@ -179,6 +182,9 @@ bool SurfaceEditor::actByKey(const QKeyEvent& event)
         if (const PartSelection rails = selection_.rails(); rails.size() == 1)
             selection_.togglePair(rails.begin()->item);
         return true;
+    case Qt::Key_K:
+        if (const auto alongX = selection_.suggestedAxis()) selection_.keepDistance(*alongX);
+        return true;
     case Qt::Key_N: return selection_.selectRail(1), true;
     case Qt::Key_B: return selection_.selectRail(-1), true;
     case Qt::Key_E: return selection_.selectAround(PartKind::Edge, shift), true;
@@ -223,7 +229,8 @@ void SurfaceEditor::contextMenuEvent(QContextMenuEvent* event)
     }
     const QPointF pixel = event->pos();
     const auto part = partAt(*this, committed(), pixel, selection());
-    if (part && !selection().contains(*part) && !selection().contains({PartKind::Rail, part->item})) select({*part});
+    const bool ofSelected = part && isOfRail(*part) && selection().contains({PartKind::Rail, part->item});
+    if (part && !selection().contains(*part) && !ofSelected) select({*part});
     popUpMenu(event->globalPos(), part && part->kind == PartKind::Edge ? std::optional(toSlider(pixel)) : std::nullopt);
 }
 
@@ -263,6 +270,7 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     arrange->setEnabled(some);
     fillArrangeMenu(*arrange);
     add(tr("Make symmetric"), {}, selection_.lopsided(), [this] { selection_.makeSymmetric(); });
+    fillKeepMenu(*menu->addMenu(tr("Keep")));
     for (const PairLink& link : selection_.pairLinks())
         if (one && link.holds(rails.begin()->item))
             add(link.broken ? tr("Join the pair") : tr("Break the pair"), QStringLiteral("L"), true,
@@ -295,6 +303,24 @@ void SurfaceEditor::fillArrangeMenu(QMenu& menu)
     menu.addSeparator();
     add(tr("Equal gaps along x"), rails > 2, [this] { selection_.distribute(true); });
     add(tr("Equal gaps along y"), rails > 2, [this] { selection_.distribute(false); });
+}
+
+void SurfaceEditor::fillKeepMenu(QMenu& menu)
+{
+    const auto suggested = selection_.suggestedAxis();
+    for (const bool alongX : {true, false}) {
+        const auto distance = selection_.offeredDistance(alongX);
+        QString text = alongX ? tr("Distance along x") : tr("Distance along y");
+        if (distance) text += QStringLiteral(": ") + lengthText(distance->value);
+        if (suggested == alongX) text += QStringLiteral("\tK");
+        menu.addAction(text, this, [this, alongX] { selection_.keepDistance(alongX); })
+            ->setEnabled(distance.has_value());
+    }
+    const auto symmetry = selection_.offeredSymmetry();
+    const bool pair = symmetry && symmetry->rail != symmetry->image;
+    menu.addAction(pair ? tr("Mirror images") : tr("Symmetric"), this, [this] { selection_.keepSymmetric(); })
+        ->setEnabled(symmetry.has_value());
+    menu.menuAction()->setEnabled(suggested || symmetry);
 }
 
 void SurfaceEditor::askForArray()

@@ -8,9 +8,9 @@
 // keeps to x or y, Ctrl lets go of the snap, Esc gives back, a number typed meanwhile is the distance in µm; double
 // click on an edge inserts a corner; click on the link of a pair breaks or joins it. The middle button or Space with
 // the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with Shift by 10 µm, with
-// Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirrored copy), L (break or join the pair), Page Up and
-// Down (order of overlap), N and B (next and previous rail), E and C (next edge and corner of the rail, with Shift the
-// previous one), F (fit); V, R, P, M choose the tool.
+// Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirrored copy), K (keep the distance of two parts), L
+// (break or join the pair), Page Up and Down (order of overlap), N and B (next and previous rail), E and C (next edge
+// and corner of the rail, with Shift the previous one), F (fit); V, R, P, M choose the tool.
 #pragma once
 
 #include <functional>
@@ -85,6 +85,7 @@ private:
     bool moveByKey(const QKeyEvent& event);
     bool actByKey(const QKeyEvent& event);
     void fillArrangeMenu(QMenu& menu);
+    void fillKeepMenu(QMenu& menu);
     void askForArray();
     void showSurface(const AirBearingSurface& surface, double length, double width);
     std::vector<SurfaceProblem> findWarnings(const AirBearingSurface& surface) const;

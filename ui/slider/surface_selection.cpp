@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/physics/slider/surface_check.h"
+#include "core/physics/slider/surface_relations.h"
 #include "core/physics/slider/surface_symmetry.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/rail_drawing.h"
@@ -133,8 +134,10 @@ bool SurfaceSelection::commit(const AirBearingSurface& surface, const QString& t
 
 AirBearingSurface SurfaceSelection::moved(SurfaceShift by) const
 {
-    return pairs_ ? movedInPairs(surface_, parts_, by, width_, pairReach, single_)
-                  : touchdown::moved(surface_, parts_, by);
+    return keepingRelations(surface_,
+                            pairs_ ? movedInPairs(surface_, parts_, by, width_, pairReach, single_)
+                                   : touchdown::moved(surface_, parts_, by),
+                            width_);
 }
 
 SurfaceShift SurfaceSelection::shiftOf(SurfaceShift by) const
@@ -206,6 +209,53 @@ void SurfaceSelection::flip()
     both.merge(partsOfKinds(parts_, PartKind::Interest, PartKind::Interest));
     if (both.empty() || held_) return;
     commit(mirrored(surface_, both, width_), tr("flip %1").arg(selectionText(both)));
+}
+
+std::optional<KeptDistance> SurfaceSelection::offeredDistance(bool alongX) const
+{
+    return drawnDistance(surface_, parts_, alongX);
+}
+
+std::optional<bool> SurfaceSelection::suggestedAxis() const
+{
+    const auto x = offeredDistance(true), y = offeredDistance(false);
+    if (!x && !y) return {};
+    return x && (!y || x->value >= y->value);
+}
+
+void SurfaceSelection::keepDistance(bool alongX)
+{
+    const auto distance = offeredDistance(alongX);
+    if (!distance || held_) return;
+    const auto same = [&](const KeptDistance& each) {
+        return each.alongX == alongX && ((each.from == distance->from && each.to == distance->to) ||
+                                         (each.from == distance->to && each.to == distance->from));
+    };
+    AirBearingSurface surface = surface_;
+    const auto place = std::ranges::find_if(surface.distances, same) - surface.distances.begin();
+    const SurfacePart kept{PartKind::Distance, static_cast<std::size_t>(place)};
+    if (!has(surface, kept)) surface.distances.push_back(*distance);
+    commit(surface, tr("keep a distance along %1").arg(alongX ? QStringLiteral("x") : QStringLiteral("y")));
+    if (has(surface_, kept)) select({kept});
+}
+
+std::optional<KeptSymmetry> SurfaceSelection::offeredSymmetry() const
+{
+    if (parts_.empty() || parts_.size() > 2 || rails() != parts_) return {};
+    const KeptSymmetry symmetry{parts_.begin()->item, parts_.rbegin()->item};
+    if (!exists(surface_, symmetry)) return {};
+    const bool kept = std::ranges::find(surface_.symmetries, symmetry) != surface_.symmetries.end();
+    return kept ? std::nullopt : std::optional(symmetry);
+}
+
+void SurfaceSelection::keepSymmetric()
+{
+    const auto symmetry = offeredSymmetry();
+    if (!symmetry || held_) return;
+    const QString text = tr("keep %1 symmetric").arg(selectionText(parts_));
+    commit(withSymmetry(surface_, *symmetry, width_), text);
+    const SurfacePart kept{PartKind::Symmetry, surface_.symmetries.size() - 1};
+    if (has(surface_, kept)) select({kept});
 }
 
 bool SurfaceSelection::lopsided() const { return madeSymmetric(surface_, rails(), width_, pairReach) != surface_; }

@@ -54,6 +54,7 @@ public:
     void togglePair(std::size_t rail);
 
     void hold(bool held) { held_ = held; }
+    /// Kept distances and symmetries are solved.
     AirBearingSurface moved(SurfaceShift by) const;
     /// The shift of the selected parts: a single edge moves normal to itself.
     SurfaceShift shiftOf(SurfaceShift by) const;
@@ -69,6 +70,14 @@ public:
     void align(Alignment to);
     void distribute(bool alongX);
     void array(int count, SurfaceShift step);
+    /// The distance of two selected parts along an axis.
+    std::optional<KeptDistance> offeredDistance(bool alongX) const;
+    /// The axis along which they are farther apart is x; nothing where they have no distance.
+    std::optional<bool> suggestedAxis() const;
+    void keepDistance(bool alongX);
+    /// One or two selected rails, which may stay mirror images.
+    std::optional<KeptSymmetry> offeredSymmetry() const;
+    void keepSymmetric();
     bool lopsided() const;
     /// The selected rails get mirror images where they have none.
     void makeSymmetric();

@@ -81,8 +81,7 @@ std::optional<int> commonWall(const AirBearingSurface& surface, const PartSelect
     std::set<int> walls;
     for (const SurfacePart& part : parts) {
         if (!has(surface, part)) continue;
-        const std::vector<RailPoint>* points =
-            part.kind == PartKind::Interest ? nullptr : &surface.rails[part.item].points;
+        const std::vector<RailPoint>* points = isOfRail(part) ? &surface.rails[part.item].points : nullptr;
         if (part.kind == PartKind::Edge) walls.insert(points->at(part.index).wall);
         if (part.kind == PartKind::Rail)
             for (const RailPoint& point : *points) walls.insert(point.wall);

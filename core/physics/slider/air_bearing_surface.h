@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,28 @@ struct WallProfile {
     bool operator==(const WallProfile&) const = default;
 };
 
+/// A corner of a rail, or an edge: both its corners.
+struct RailPlace {
+    std::size_t rail = 0;
+    std::size_t corner = 0; // of an edge its first
+    bool edge = false;
+    bool operator==(const RailPlace&) const = default;
+};
+
+/// A distance that edits keep: `to` minus `from`, along x or y. An edge is at one place along that axis.
+struct KeptDistance {
+    RailPlace from, to;
+    bool alongX = true;
+    double value = 0.0; // [m]
+    bool operator==(const KeptDistance&) const = default;
+};
+
+/// Two rails whose outlines stay mirror images about the centre line; a rail with itself is symmetric.
+struct KeptSymmetry {
+    std::size_t rail = 0, image = 0;
+    bool operator==(const KeptSymmetry&) const = default;
+};
+
 struct AirBearingSurface {
     std::vector<Rail> rails; // where tops overlap, the last rail counts
     std::vector<WallProfile> walls;
@@ -53,6 +76,8 @@ struct AirBearingSurface {
     double taperLength = 0.0;                   // [m]
     double taperAngle = 0.0;                    // [rad]
     std::vector<SurfacePoint> pointsOfInterest; // where the spacing is reported
+    std::vector<KeptDistance> distances;        // for edits alone (core/physics/slider/surface_relations.h)
+    std::vector<KeptSymmetry> symmetries;       // likewise
     bool operator==(const AirBearingSurface&) const = default;
 };
 

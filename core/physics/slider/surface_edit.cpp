@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "core/physics/slider/corner_numbers.h"
+
 namespace touchdown {
 
 namespace {
@@ -23,7 +25,7 @@ Corners cornersOf(const AirBearingSurface& surface, const PartSelection& parts)
 {
     Corners corners;
     for (const SurfacePart& part : parts) {
-        if (part.kind == PartKind::Interest || !has(surface, part)) continue;
+        if (!isOfRail(part) || !has(surface, part)) continue;
         const Rail& rail = surface.rails[part.item];
         if (part.kind == PartKind::Rail)
             for (std::size_t i = 0; i < rail.points.size(); ++i) corners.insert({part.item, i});
@@ -40,13 +42,6 @@ PartSelection only(const PartSelection& parts, PartKind kind)
     std::ranges::copy_if(parts, std::inserter(some, some.end()),
                          [kind](const SurfacePart& part) { return part.kind == kind; });
     return some;
-}
-
-/// To 1e-15 m, so that a place has few digits in a file.
-double tidy(double place)
-{
-    constexpr double perMetre = 1e15;
-    return std::abs(place) < 1.0 ? std::round(place * perMetre) / perMetre : place;
 }
 
 double turned(double y, double width) { return tidy(width - y); }
@@ -114,9 +109,19 @@ void shiftEdge(Rail& rail, std::size_t edge, SurfaceShift by)
 
 } // namespace
 
+double tidy(double place)
+{
+    constexpr double perMetre = 1e15;
+    return std::abs(place) < 1.0 ? std::round(place * perMetre) / perMetre : place;
+}
+
+bool isOfRail(const SurfacePart& part) { return part.kind <= PartKind::Corner; }
+
 bool has(const AirBearingSurface& surface, const SurfacePart& part)
 {
     if (part.kind == PartKind::Interest) return part.item < surface.pointsOfInterest.size();
+    if (part.kind == PartKind::Distance) return part.item < surface.distances.size();
+    if (part.kind == PartKind::Symmetry) return part.item < surface.symmetries.size();
     if (part.item >= surface.rails.size()) return false;
     return part.kind == PartKind::Rail || part.index < surface.rails[part.item].points.size();
 }
@@ -147,8 +152,11 @@ AirBearingSurface withCorner(AirBearingSurface surface, std::size_t rail, std::s
     Rail& changed = surface.rails.at(rail);
     const Rail before = changed;
     const RailPoint corner{tidy(at.x), tidy(at.y), before.points.at(edge).wall};
+    CornerNumbers numbers(surface);
     changed.points.insert(changed.points.begin() + static_cast<std::ptrdiff_t>(edge) + 1, corner);
+    numbers.insert(rail, edge + 1);
     keepPlane(before, changed);
+    numbers.apply(surface);
     return surface;
 }
 
@@ -157,27 +165,36 @@ AirBearingSurface without(AirBearingSurface surface, const PartSelection& parts)
     Corners corners;
     std::set<std::size_t> rails;
     for (const SurfacePart& part : parts) {
-        if (part.kind == PartKind::Interest || !has(surface, part)) continue;
+        if (!isOfRail(part) || !has(surface, part)) continue;
         if (part.kind == PartKind::Rail)
             rails.insert(part.item);
         else
             corners.insert(
                 {part.item, part.kind == PartKind::Edge ? after(surface.rails[part.item], part.index) : part.index});
     }
+    const auto removeItems = [&](PartKind kind, auto& items) {
+        const PartSelection some = only(parts, kind);
+        for (auto part = some.rbegin(); part != some.rend(); ++part)
+            if (part->item < items.size()) items.erase(items.begin() + static_cast<std::ptrdiff_t>(part->item));
+    };
+    removeItems(PartKind::Interest, surface.pointsOfInterest);
+    removeItems(PartKind::Distance, surface.distances);
+    removeItems(PartKind::Symmetry, surface.symmetries);
     // From the last to the first, so that the numbers of the others hold.
+    CornerNumbers numbers(surface);
     for (auto each = corners.rbegin(); each != corners.rend(); ++each) {
         Rail& rail = surface.rails[each->first];
         const Rail before = rail;
         rail.points.erase(rail.points.begin() + static_cast<std::ptrdiff_t>(each->second));
+        numbers.erase(each->first, each->second);
         keepPlane(before, rail);
         if (rail.points.size() < 3) rails.insert(each->first);
     }
-    for (auto rail = rails.rbegin(); rail != rails.rend(); ++rail)
+    for (auto rail = rails.rbegin(); rail != rails.rend(); ++rail) {
         surface.rails.erase(surface.rails.begin() + static_cast<std::ptrdiff_t>(*rail));
-    const PartSelection interests = only(parts, PartKind::Interest);
-    for (auto part = interests.rbegin(); part != interests.rend(); ++part)
-        if (has(surface, *part))
-            surface.pointsOfInterest.erase(surface.pointsOfInterest.begin() + static_cast<std::ptrdiff_t>(part->item));
+        numbers.eraseRail(*rail);
+    }
+    numbers.apply(surface);
     return surface;
 }
 
@@ -207,11 +224,17 @@ AirBearingSurface mirrored(AirBearingSurface surface, const PartSelection& parts
 
 AirBearingSurface reordered(AirBearingSurface surface, std::size_t rail, std::size_t place)
 {
-    const auto at = [&](std::size_t i) { return surface.rails.begin() + static_cast<std::ptrdiff_t>(i); };
-    if (rail < place)
-        std::rotate(at(rail), at(rail) + 1, at(place) + 1);
-    else
-        std::rotate(at(place), at(rail), at(rail) + 1);
+    CornerNumbers numbers(surface);
+    const auto move = [rail, place](auto& rails) {
+        const auto at = [&](std::size_t i) { return rails.begin() + static_cast<std::ptrdiff_t>(i); };
+        if (rail < place)
+            std::rotate(at(rail), at(rail) + 1, at(place) + 1);
+        else
+            std::rotate(at(place), at(rail), at(rail) + 1);
+    };
+    move(surface.rails);
+    move(numbers.rails());
+    numbers.apply(surface);
     return surface;
 }
 

@@ -3,7 +3,9 @@
 // What an editor does to an air bearing surface: functions from a surface to a changed one. They check nothing, so that
 // a shape may pass through an impossible one while it is drawn (core/physics/slider/surface_check.h tells what is
 // wrong); they keep the numbers that they do not change, bit for bit, and round places that they change to 1e-15 m.
-// Rails, edges and corners count from 0; edge i runs from corner i to the next one.
+// Rails, edges and corners count from 0; edge i runs from corner i to the next one. Kept distances and symmetries stay
+// with their corners; one whose part is removed is removed, too. Nothing here solves them
+// (core/physics/slider/surface_relations.h).
 #pragma once
 
 #include <cstdint>
@@ -15,19 +17,25 @@
 
 namespace touchdown {
 
-enum class PartKind : std::uint8_t { Rail, Edge, Corner, Interest };
+enum class PartKind : std::uint8_t { Rail, Edge, Corner, Interest, Distance, Symmetry };
 
 /// A part of a surface that can be selected.
 struct SurfacePart {
     PartKind kind = PartKind::Rail;
-    std::size_t item = 0;  // rail, or point of interest
+    std::size_t item = 0;  // rail, point of interest, kept distance or symmetry
     std::size_t index = 0; // edge or corner of the rail
     auto operator<=>(const SurfacePart&) const = default;
 };
 using PartSelection = std::set<SurfacePart>;
 
+/// A rail, an edge or a corner: `item` is a rail.
+bool isOfRail(const SurfacePart& part);
+
 /// Whether the surface has this part.
 bool has(const AirBearingSurface& surface, const SurfacePart& part);
+
+/// To 1e-15 m, so that a place has few digits in a file.
+double tidy(double place);
 
 /// A direction and a distance along x and y [m].
 struct SurfaceShift {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/physics/slider/corner_numbers.h"
 #include "core/physics/slider/rail_outline.h"
 
 namespace touchdown {
@@ -99,20 +100,27 @@ AirBearingSurface madeSymmetric(AirBearingSurface surface, const PartSelection& 
 {
     const double centre = 0.5 * width;
     const auto images = mirrorImages(surface, width, reach);
+    CornerNumbers numbers(surface);
     // From the last to the first, so that the numbers of the others hold.
     for (auto part = rails.rbegin(); part != rails.rend(); ++part) {
         if (part->kind != PartKind::Rail || !has(surface, *part) || images[part->item]) continue;
         Rail& rail = surface.rails[part->item];
         const auto [low, high] = std::ranges::minmax(rail.points, {}, &RailPoint::y);
         if (low.y < centre - reach && high.y > centre + reach) {
-            if (auto symmetric = symmetricFromHalf(rail, width)) rail = std::move(*symmetric);
+            if (auto symmetric = symmetricFromHalf(rail, width)) {
+                rail = std::move(*symmetric);
+                numbers.rails()[part->item].assign(rail.points.size(), {});
+            }
             continue;
         }
         AirBearingSurface image;
         image.rails = {rail};
         image = mirrored(std::move(image), {{PartKind::Rail, 0}}, width);
-        surface.rails.insert(surface.rails.begin() + static_cast<std::ptrdiff_t>(part->item) + 1, image.rails[0]);
+        const auto next = static_cast<std::ptrdiff_t>(part->item) + 1;
+        surface.rails.insert(surface.rails.begin() + next, image.rails[0]);
+        numbers.rails().insert(numbers.rails().begin() + next, {image.rails[0].points.size(), CornerNumbers::Old{}});
     }
+    numbers.apply(surface);
     return surface;
 }
 

@@ -8,6 +8,8 @@ namespace touchdown {
 
 bool sameFilm(const Case& a, Case b)
 {
+    b.surface.distances = a.surface.distances;
+    b.surface.symmetries = a.surface.symmetries;
     if (b.surface.walls != a.surface.walls && withoutUnusedWalls(a.surface) == withoutUnusedWalls(b.surface))
         b.surface = a.surface;
     b.title = a.title;
