@@ -25,7 +25,7 @@ namespace {
 
 std::string wallKey(std::size_t wall) { return "abs.wall[" + std::to_string(wall + 1) + "]"; }
 
-/// "rail 3, point 2, x" of "abs.rail[3].point[2].x".
+/// "rail 3, corner 2, x" of "abs.rail[3].point[2].x".
 std::string words(const Parameter& parameter)
 {
     std::string text;
