@@ -14,12 +14,12 @@ namespace touchdown {
 
 namespace {
 
-/// An item of a list: "abs.rail[2].point[4]", "rail 2, point 4".
+/// An item of a list: "abs.rail[2].point[4]", "rail 2, corner 4".
 struct ChangePlace {
     std::string owner; // "abs.rail[2]."
     std::string list;  // "point"
     std::size_t number = 0;
-    std::string label; // "rail 2, point 4"
+    std::string label; // "rail 2, corner 4"
 
     /// The same item of another list: "abs.rail[2].wall[4]".
     std::string keyOf(const std::string& otherList) const
@@ -86,8 +86,8 @@ private:
         else
             for (std::size_t i = 1; i <= after.recess.size(); ++i)
                 compareValue(rail.key() + ".recess[" + std::to_string(i) + ']',
-                             rail.label + ": recess at point " + std::to_string(i));
-        compareLists(before.points, after.points, {rail.key() + '.', "point", 0, rail.label + ", point"});
+                             rail.label + ": recess at corner " + std::to_string(i));
+        compareLists(before.points, after.points, {rail.key() + '.', "point", 0, rail.label + ", corner"});
     }
 
     void compareItems(const RailPoint&, const RailPoint&, const ChangePlace& point)

@@ -127,7 +127,7 @@ private slots:
         QCOMPARE(shown(caseChanges(before, after)), found);
     }
 
-    void labelsNameRailAndPoint()
+    void labelsNameRailAndCorner()
     {
         const Case before = filmCase();
         Case after = before;
@@ -135,7 +135,7 @@ private slots:
         after.surface.rails[2].recess[0] = 0.2e-6;
         const auto changes = caseChanges(before, after);
         QCOMPARE(changes.size(), std::size_t(2));
-        QCOMPARE(changes[0].label, std::string("rail 2, point 4: x"));
+        QCOMPARE(changes[0].label, std::string("rail 2, corner 4: x"));
         QCOMPARE(changes[1].label, std::string("rail 3: recess"));
     }
 

@@ -100,12 +100,10 @@ QWidget* ResultPage::buildTable()
     tools->setContentsMargins(6, 0, 6, 2);
     tools->addStretch(1);
     tools->addWidget(copy_);
-    if (words_.file) {
-        save_ = quietButton(tr("Save…"), tr("Save all numbers of the %1 as comma-separated values").arg(words_.result),
-                            tr("Save the numbers of the %1").arg(words_.result), part);
-        connect(save_, &QToolButton::clicked, this, &ResultPage::chooseSave);
-        tools->addWidget(save_);
-    }
+    save_ = quietButton(tr("Save…"), tr("Save all numbers of the %1 as comma-separated values").arg(words_.result),
+                        tr("Save the numbers of the %1").arg(words_.result), part);
+    connect(save_, &QToolButton::clicked, this, &ResultPage::chooseSave);
+    tools->addWidget(save_);
     auto* layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -122,8 +120,7 @@ void ResultPage::showNotes()
     start_->setText(active ? tr("Stop") : words_.start);
     start_->setEnabled(controller_->state() != CalculationController::State::Stopping);
     if (setup_) setup_->setEnabled(!active);
-    copy_->setEnabled(table_->rowCount() > 0);
-    if (save_) save_->setEnabled(table_->rowCount() > 0);
+    for (QToolButton* button : {copy_, save_}) button->setEnabled(table_->rowCount() > 0);
     pages_->introduce(words_.title, active ? words_.awaited : words_.introduction);
     setTextColour(stale_, colours.warning);
     stale_->setVisible(notes.stale);

@@ -57,7 +57,6 @@ protected:
         QString calculation, running;         // of the progress: "search for modes", "Searching"
         QString start, startTip;              // of the button
         QString title, introduction, awaited; // while there is no result: before and during the calculation
-        bool file = false;                    // the rows can be saved from the page
     };
     struct Notes {
         QString remark;

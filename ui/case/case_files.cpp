@@ -220,7 +220,7 @@ void CaseFiles::whenSettled(const std::function<void()>& next)
     emit aboutToUse();
     if (askAboutResults_ && askAboutResults_(next)) return;
     withdrawQuestion(window_, QStringLiteral("unsavedChanges"));
-    if (!modified()) return next();
+    if (!hasChangesToSave()) return next();
     auto* box = new QMessageBox(QMessageBox::Question, tr("Unsaved changes"),
                                 tr("The case \"%1\" has changed.").arg(inOneLine(shortName())),
                                 QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window_);
@@ -243,6 +243,12 @@ bool CaseFiles::modified() const
 {
     // Values that were changed and changed back leave nothing to save.
     return !edits_.undoStack().isClean() && (edits_.anyBadEntry() || edits_.value() != saved_);
+}
+
+bool CaseFiles::hasChangesToSave() const
+{
+    const bool isSample = file_.isEmpty() && !sample_.isEmpty();
+    return modified() && !(isSample && !edits_.anyBadEntry() && isKept_ && isKept_(edits_.value()));
 }
 
 QString CaseFiles::shortName() const

@@ -102,6 +102,10 @@ public:
     void setResultsQuestion(ResultsQuestion question) { askAboutResults_ = std::move(question); }
 
     bool modified() const;
+    /// Whether leaving the case would lose changes: not those of a sample whose values a result has. `isKept` looks for
+    /// them in the results; without it, none has them.
+    bool hasChangesToSave() const;
+    void setKeptTest(std::function<bool(const Case&)> isKept) { isKept_ = std::move(isKept); }
     /// The changes so far are nothing to ask about.
     void leaveUnsaved();
     QString file() const { return file_; }
@@ -183,6 +187,7 @@ private:
     std::vector<std::unique_ptr<WatchedFile>> named_; // by the case: rails, a measured surface
     std::function<void()> afterSave_;
     ResultsQuestion askAboutResults_;
+    std::function<bool(const Case&)> isKept_;
     QPointer<QMessageBox> outside_; // the question about files outside a folder
     QSet<QString> allowed_;         // see permission()
 };

@@ -5,47 +5,18 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QHash>
 #include <QScrollBar>
 #include <QVBoxLayout>
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "ui/case/case_edits.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/readable.h"
 #include "ui/style/theme.h"
 
 namespace touchdown {
-
-namespace {
-
-QString groupTitle(const std::string& name)
-{
-    static const QHash<QString, QString> titles{{"", CasePanel::tr("Model")},
-                                                {"springs", CasePanel::tr("Air bearing springs")},
-                                                {"pad", CasePanel::tr("Contact pad")},
-                                                {"approach", CasePanel::tr("Approach and retraction")},
-                                                {"elastic", CasePanel::tr("Elastic contact")},
-                                                {"adhesion", CasePanel::tr("Intermolecular adhesion")},
-                                                {"asperity", CasePanel::tr("Asperities")},
-                                                {"meniscus", CasePanel::tr("Menisci")},
-                                                {"disk.surface", CasePanel::tr("Disk surface")},
-                                                {"ono_yamane", CasePanel::tr("Contact and adhesion")},
-                                                {"initial", CasePanel::tr("Start")},
-                                                {"run", CasePanel::tr("Run and numerics")},
-                                                {"spectrum", CasePanel::tr("Spectrum")},
-                                                {"abs", CasePanel::tr("Air bearing surface")},
-                                                {"film", CasePanel::tr("Film and grid")},
-                                                {"steady", CasePanel::tr("Static attitude")}};
-    const QString key = QString::fromStdString(name);
-    // A group that is missing in this list is shown by its key.
-    QString text = titles.value(key, QString(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
-    text[0] = text[0].toUpper();
-    return text;
-}
-
-} // namespace
 
 CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     : QWidget(parent),

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include <QHash>
 #include <QRegularExpression>
 
 #include "core/case/case_difference.h"
@@ -74,7 +75,7 @@ bool isMove(const CaseChange& change, const std::vector<MovedPoints>& moved)
     return std::ranges::any_of(moved, concerns);
 }
 
-/// "rail 3 moved by 2, −0.5 µm", "rail 3, points 1, 2 moved by 2, 0 µm", "rail 3, edge 2 moved by ...", "rail 3
+/// "rail 3 moved by 2, −0.5 µm", "rail 3, corners 1, 2 moved by 2, 0 µm", "rail 3, edge 2 moved by ...", "rail 3
 /// mirrored".
 QString moveText(const MovedPoints& moved)
 {
@@ -85,7 +86,7 @@ QString moveText(const MovedPoints& moved)
     for (const std::size_t point : moved.points) points << QString::number(point + 1);
     if (moved.how == How::Edge) what += tr(", edge %1").arg(points.front());
     if (moved.how == How::Points)
-        what += (points.size() == 1 ? tr(", point %1") : tr(", points %1")).arg(points.join(QStringLiteral(", ")));
+        what += (points.size() == 1 ? tr(", corner %1") : tr(", corners %1")).arg(points.join(QStringLiteral(", ")));
     // A part of a length that is 1e-5 of it is one of rounding.
     const double least = 1e-5 * std::hypot(moved.x, moved.y);
     QLocale locale;
@@ -126,6 +127,31 @@ QStringList changesAs(const Case& before, const Case& after, const ValueChange& 
 }
 
 } // namespace
+
+QString groupTitle(const std::string& name)
+{
+    static const QHash<QString, QString> titles{{"", tr("Model")},
+                                                {"springs", tr("Air bearing springs")},
+                                                {"pad", tr("Contact pad")},
+                                                {"approach", tr("Approach and retraction")},
+                                                {"elastic", tr("Elastic contact")},
+                                                {"adhesion", tr("Intermolecular adhesion")},
+                                                {"asperity", tr("Asperities")},
+                                                {"meniscus", tr("Menisci")},
+                                                {"disk.surface", tr("Disk surface")},
+                                                {"ono_yamane", tr("Contact and adhesion")},
+                                                {"initial", tr("Start")},
+                                                {"run", tr("Run and numerics")},
+                                                {"spectrum", tr("Spectrum")},
+                                                {"abs", tr("Air bearing surface")},
+                                                {"film", tr("Film and grid")},
+                                                {"steady", tr("Static attitude")}};
+    const QString key = QString::fromStdString(name);
+    // A group that is missing in this list is shown by its key.
+    QString text = titles.value(key, QString(key).replace(QLatin1Char('_'), QLatin1Char(' ')));
+    text[0] = text[0].toUpper();
+    return text;
+}
 
 QString editorText(const Case& c, const Parameter& parameter, const QLocale& locale)
 {

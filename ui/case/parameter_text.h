@@ -20,9 +20,12 @@ std::string entryText(const QString& typed, const Parameter& parameter, const QL
 /// The value with its unit, or the readable name of a choice, for a sentence: "7 nm", "Ono & Yamane".
 QString valueText(const Case& c, const Parameter& parameter, const QLocale& locale = QLocale());
 
+/// The heading of a group of parameters: "Air bearing springs" of "springs".
+QString groupTitle(const std::string& name);
+
 /// The changes of core/case/case_difference.h in words: "take-off height 5 nm → 8 nm",
 /// "rail 3: recess 0.1 µm → 0.2 µm", "rail 4 added"; points that were moved together are one change:
-/// "rail 3, points 1, 2 moved by 2, 0 µm".
+/// "rail 3, corners 1, 2 moved by 2, 0 µm".
 QStringList caseDifference(const Case& before, const Case& after);
 /// The same as short names of `after`: "d_e 8 nm", "contact none", "rail 3: recess 0.2 µm", "rail 4 added".
 QStringList shortDifference(const Case& before, const Case& after);

@@ -118,7 +118,8 @@ SolutionComparison comparisonOf(const std::vector<const SolutionRecord*>& soluti
             const bool known = std::isfinite(value);
             const double error = number.error(each->result);
             row.values << (known ? valueText(number, value, error, locale) : QString());
-            row.differences << (each == &base || !known || !std::isfinite(reference)
+            const bool bothFound = notFoundText(each->result).isEmpty() && notFoundText(base.result).isEmpty();
+            row.differences << (each == &base || !known || !std::isfinite(reference) || !bothFound
                                     ? QString()
                                     : differenceText(number, value - reference, value, error, locale));
         }

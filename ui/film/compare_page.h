@@ -13,8 +13,8 @@
 
 namespace touchdown {
 
-/// A number of each solution in words; differences are empty in the column that the others are compared with, and
-/// where a number is not known.
+/// A number of each solution in words; differences are empty in the column that the others are compared with, where a
+/// number is not known, and where a search found no state.
 struct ComparedRow {
     QString name; // "Minimum spacing"
     QStringList values, differences;

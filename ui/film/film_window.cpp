@@ -17,6 +17,7 @@
 #include "ui/slider/attitude_sections.h"
 #include "ui/slider/attitude_table.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -322,8 +323,7 @@ QString FilmWindow::reasonToWait() const
 {
     const auto found =
         std::ranges::find_if(fruitless_, [this](const StaticSolution& each) { return isEdited(each.solved, {}); });
-    if (found != fruitless_.end())
-        return tr("It does not fly so: %1").arg(QString::fromStdString(found->state.message));
+    if (found != fruitless_.end()) return tr("It does not fly so: %1").arg(inWindowWords(found->state.message));
     const SurfacePoint load{0.5 * edited_.slider.length + edited_.suspension.offsetX,
                             0.5 * edited_.slider.width + edited_.suspension.offsetY};
     const SuspensionCase& suspension = edited_.suspension;

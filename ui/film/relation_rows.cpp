@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/film/relation_rows.h"
 
+#include <algorithm>
+
 #include <QTreeWidget>
 
 #include "ui/slider/kept_distances.h"
@@ -20,6 +22,16 @@ QString captionOf(const AirBearingSurface& surface, const SurfacePart& relation,
 }
 
 } // namespace
+
+bool sameRows(const AirBearingSurface& one, const AirBearingSurface& other)
+{
+    const auto sameRail = [](const Rail& a, const Rail& b) {
+        return a.kind == b.kind && a.recess == b.recess && a.points.size() == b.points.size();
+    };
+    return relationCount(one) + relationCount(other) == 0 && one.walls == other.walls &&
+           std::ranges::equal(one.rails, other.rails, sameRail) &&
+           one.pointsOfInterest.size() == other.pointsOfInterest.size();
+}
 
 std::size_t relationCount(const AirBearingSurface& surface)
 {

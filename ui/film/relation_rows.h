@@ -13,6 +13,10 @@
 
 namespace touchdown {
 
+/// Whether the list of parts reads the same for both: where corners are is shown in the table alone, unless a relation
+/// may be broken.
+bool sameRows(const AirBearingSurface& one, const AirBearingSurface& other);
+
 std::size_t relationCount(const AirBearingSurface& surface);
 /// The relation of a row that exists.
 SurfacePart relationAt(const AirBearingSurface& surface, std::size_t row);

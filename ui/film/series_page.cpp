@@ -16,6 +16,7 @@
 #include "ui/film/series_setup.h"
 #include "ui/style/loss_question.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -75,7 +76,7 @@ SeriesPage::SeriesPage(SteadyController::Solver solver, QWidget* parent)
            tr("Series of static states"),
            tr("How the slider flies at other radii, skews, speeds or altitudes: choose above what varies, and press "
               "<i>Solve the series</i>."),
-           tr("The first state is not ready yet."), true},
+           tr("The first state is not ready yet.")},
           setup_, plots_, {520, 160});
     table()->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table()->horizontalHeader()->setStretchLastSection(true);
@@ -195,7 +196,7 @@ void SeriesPage::onFinished(bool stopped)
     words << timeText(seconds);
     if (missing > 0)
         showProblem(tr("The first state without a solution: %1.")
-                        .arg(QString::fromStdString(std::ranges::find_if_not(states_, isKnown)->result.message)));
+                        .arg(inWindowWords(std::ranges::find_if_not(states_, isKnown)->result.message)));
     progress().conclude(stopped ? "cancelled" : "completed", words.join(QStringLiteral(" · ")));
     showNotes();
 }

@@ -26,17 +26,7 @@ namespace {
 
 std::string wallKey(std::size_t wall) { return "abs.wall[" + std::to_string(wall + 1) + "]"; }
 
-/// Whether the list reads the same: where the corners are is shown in the table alone.
-bool sameList(const AirBearingSurface& one, const AirBearingSurface& other)
-{
-    const auto sameRail = [](const Rail& a, const Rail& b) {
-        return a.kind == b.kind && a.recess == b.recess && a.points.size() == b.points.size();
-    };
-    return std::ranges::equal(one.rails, other.rails, sameRail) && one.walls == other.walls &&
-           one.pointsOfInterest.size() == other.pointsOfInterest.size();
-}
-
-/// "rail 3, point 2, x" of "abs.rail[3].point[2].x".
+/// "rail 3, corner 2, x" of "abs.rail[3].point[2].x".
 std::string words(const Parameter& parameter)
 {
     std::string text;
@@ -167,7 +157,7 @@ void ShapePanel::setCase(const Case& c)
 {
     const bool filled = list_->topLevelItemCount() > 0 && rails_->childCount() > 0;
     const bool same = filled && c.surface == case_.surface;
-    const bool sameParts = filled && sameList(c.surface, case_.surface);
+    const bool sameParts = filled && sameRows(c.surface, case_.surface);
     case_ = c;
     if (same) return;
     say({});

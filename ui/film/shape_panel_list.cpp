@@ -21,7 +21,7 @@ void ShapePanel::buildList()
     connect(list_, &QWidget::customContextMenuRequested, this, &ShapePanel::onListMenu);
     connect(list_, &PartTree::reordered, this, &ShapePanel::onReordered);
     list_->setColumnCount(3);
-    list_->setHeaderLabels({tr("Part"), tr("Recess [µm]"), tr("Points")});
+    list_->setHeaderLabels({tr("Part"), tr("Recess [µm]"), tr("Corners")});
     list_->setAccessibleName(tr("Rails, walls and points of interest"));
     list_->setUniformRowHeights(true);
     list_->setIndentation(12);
@@ -74,7 +74,7 @@ void ShapePanel::fillList()
     }
     const int height = list_->fontMetrics().height();
     for (std::size_t i = 0; i < surface.walls.size(); ++i) {
-        QTreeWidgetItem* item = fill(walls_, i, Kind::Wall, tr("Wall %1").arg(i + 1), surface.walls[i].distance.size());
+        QTreeWidgetItem* item = fill(walls_, i, Kind::Wall, tr("Wall %1").arg(i + 1), 0);
         item->setIcon(0, QIcon(wallPixmap(surface.walls[i], {2 * height, height}, palette(), devicePixelRatioF())));
     }
     for (std::size_t i = 0; i < surface.pointsOfInterest.size(); ++i)

@@ -22,7 +22,7 @@ std::size_t fieldSize(const SteadyResult& state)
 
 constexpr qsizetype mostChanges = 3; // in a name
 
-/// "rail 2, point 2: +3.1, 0 µm" of "rail 2, point 2 moved by 3.1, 0 µm": a name that is cut loses its end first.
+/// "rail 2, corner 2: +3.1, 0 µm" of "rail 2, corner 2 moved by 3.1, 0 µm": a name that is cut loses its end first.
 QString shiftFirst(const QString& change)
 {
     const QString verb = QStringLiteral(" moved by ");

@@ -16,6 +16,7 @@
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/theme.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -255,7 +256,7 @@ void SurfacePage::open(const Case& c)
 void SurfacePage::showFlight(const SteadyResult& state, const std::optional<SteadyResult>& reference, bool preview)
 {
     if (state.status != SteadyStatus::Converged) {
-        showObstacle(tr("It does not fly so: %1").arg(QString::fromStdString(state.message)));
+        showObstacle(tr("It does not fly so: %1").arg(inWindowWords(state.message)));
         return;
     }
     const bool compared = reference && reference->status == SteadyStatus::Converged;

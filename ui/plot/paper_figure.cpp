@@ -98,7 +98,7 @@ QString PaperFigure::problem() const
         if (painter.area().width() < leastAcross)
             return tr("%1 is too narrow for its axes: make the figure wider, its font smaller or its columns fewer.")
                 .arg(name);
-        if (painter.area().height() < std::max(leastUp, PlotFrame::leastTitle * painter.heightOfTitle()))
+        if (painter.area().height() < std::max(leastUp, PlotFrame::leastOnPaper * painter.heightOfTitle()))
             return tr("%1 is too low for its axes and legend: make the figure higher or its font smaller.").arg(name);
         std::vector<CurveStyle> styles;
         for (const LegendEntry& entry : painter.legend().entries) {
@@ -108,6 +108,24 @@ QString PaperFigure::problem() const
         }
     }
     return {};
+}
+
+QString PaperFigure::remark() const
+{
+    QStringList panels;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+        const auto* plot = qobject_cast<const PlotWidget*>(cells_[i].panel);
+        if (plot == nullptr) continue;
+        const PlotTheme theme = paperTheme(format_.colours);
+        const std::size_t missing = PlotPainter(*plot, theme, sheetOf(cells_[i])).labelsWithoutRoom();
+        if (missing > 0)
+            panels << (cells_.size() > 1 ? tr("%1 in panel (%2)").arg(missing).arg(letter(i))
+                                         : QString::number(missing));
+    }
+    if (panels.isEmpty()) return {};
+    return tr("Labels of lines that are cut or left out: %1. A wider figure, a smaller font or fewer lines give them "
+              "room.")
+        .arg(panels.join(QStringLiteral(", ")));
 }
 
 Picture PaperFigure::picture() const

@@ -36,6 +36,9 @@ public:
     QSizeF size() const;
     /// A title, a number or a curve has no room, or two curves look alike: a sentence; "" where all can be read.
     QString problem() const;
+    /// How many labels of reference lines are cut or left out, as text is never smaller than nine tenths of the font:
+    /// a sentence; "" where none is.
+    QString remark() const;
     Picture picture() const;
 
     /// Writes the figure, and the numbers of its panels beside it: figure.pdf, figure-a.csv, figure-b.csv. All of them

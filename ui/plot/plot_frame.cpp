@@ -19,11 +19,12 @@ QFont titleFont(const QFont& text)
 }
 
 /// Smaller where it has no room; shortened only where it could not be read any more.
-void paintFitting(QPainter& painter, const QRectF& box, const QString& text, QFont font)
+void paintFitting(QPainter& painter, const QRectF& box, const QString& text, QFont font, double least)
 {
     const double wanted = QFontMetricsF(font).horizontalAdvance(text);
     if (wanted > box.width())
-        font.setPixelSize(static_cast<int>(font.pixelSize() * std::max(PlotFrame::leastTitle, box.width() / wanted)));
+        font.setPixelSize(std::max(static_cast<int>(std::lround(least * font.pixelSize())),
+                                   static_cast<int>(font.pixelSize() * box.width() / wanted)));
     painter.setFont(font);
     painter.drawText(box, Qt::AlignCenter, QFontMetricsF(font).elidedText(text, Qt::ElideRight, box.width()));
 }
@@ -62,7 +63,9 @@ QRectF PlotFrame::curveArea(const QSizeF& size, const QFont& font, bool xNumbers
 {
     const QFontMetricsF numbers(plotNumberFont(font));
     double right = numbers.horizontalAdvance(QStringLiteral("00.0")) / 2.0 + gap;
-    if (labels.width > 0.0) right = std::max(right, std::min(leader + labels.width + 2.0, mostLabels * size.width()));
+    if (labels.width > 0.0)
+        right = std::max(
+            right, std::min(leader + labels.width + 2.0, (labels.paper ? mostOnPaper : mostLabels) * size.width()));
     QRectF area = areaWithin(size, font, QStringLiteral("\u2212000.000"), right, xNumbers);
     if (labels.above) area.setTop(std::min(area.top() + std::ceil(numbers.height() + leader), area.bottom() - 20.0));
     return area;
@@ -114,13 +117,13 @@ void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool 
     painter.setPen(theme.text);
     if (xTitle) {
         const double top = area.bottom() + tickLength + QFontMetricsF(numberFont).height() + 2.0;
-        paintFitting(painter, QRectF(area.left(), top, area.width(), height + 2.0), x->text(), textFont);
+        paintFitting(painter, QRectF(area.left(), top, area.width(), height + 2.0), x->text(), textFont, least);
     }
     painter.save();
     painter.translate(gap, area.center().y());
     painter.rotate(-90.0);
     const double length = area.height() + height; // may reach a little over the ends
-    paintFitting(painter, QRectF(-length / 2.0, 0.0, length, height), y->text(), textFont);
+    paintFitting(painter, QRectF(-length / 2.0, 0.0, length, height), y->text(), textFont, least);
     painter.restore();
 }
 

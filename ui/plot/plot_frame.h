@@ -25,14 +25,17 @@ double alignedPixel(double pixel);
 struct LabelRoom {
     double width = 0.0; // of the widest at the right [px]
     bool above = false; // a row of them
+    bool paper = false; // they may take more of the width, as they are not made smaller
 };
 
 struct PlotFrame {
-    static constexpr double gap = 6.0;         // between things that belong together [px]
-    static constexpr double tickLength = 4.0;  // [px]
-    static constexpr double leastTitle = 0.7;  // size of an axis title where it has no room, of its usual one
-    static constexpr double leader = 7.0;      // from a reference line to its label [px]
-    static constexpr double mostLabels = 0.18; // of the width is for labels at the right
+    static constexpr double gap = 6.0;          // between things that belong together [px]
+    static constexpr double tickLength = 4.0;   // [px]
+    static constexpr double leastTitle = 0.7;   // size of an axis title where it has no room, of its usual one
+    static constexpr double leastOnPaper = 0.9; // the same there: 7 pt beside a text of 8 pt
+    static constexpr double leader = 7.0;       // from a reference line to its label [px]
+    static constexpr double mostLabels = 0.18;  // of the width is for labels at the right
+    static constexpr double mostOnPaper = 0.35; // the same there
 
     /// The area within `size`, with room for `widestNumber` at its left and `right` pixels at its right. It depends on
     /// size and font only, so that stacked plots agree and a live plot does not move.
@@ -60,6 +63,7 @@ struct PlotFrame {
     double titleWidth(const QString& title, double width) const;
 
     QRectF area;
+    double least = leastTitle; // size of an axis title
     QFont textFont;
     QFont numberFont;
     const PlotAxis* x;

@@ -70,7 +70,7 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
       y_(namedAxis(plot.yAxis(), plot.title())),
       title_(plot.yAxis().label.title.isEmpty() ? QString() : plot.title()),
       area_(PlotFrame::curveArea(sheet.size, sheet.font, true,
-                                 {std::max(plot.labelRoom(sheet.font).width, sheet.labelWidth)})),
+                                 {std::max(plot.labelRoom(sheet.font).width, sheet.labelWidth), false, true})),
       frame_(area_, sheet.font, x_, y_, mostUp)
 {
     constexpr double gap = PlotFrame::gap;
@@ -81,6 +81,7 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
     const double above = plot.labelRoom(sheet.font).above ? PlotFrame::leader + frame_.numberHeight() : 0.0;
     area_.setTop(std::min(std::max(top + paperLegend_.height, gap + row) + gap + above, area_.bottom() - 1.0));
     frame_ = PlotFrame(area_, sheet.font, x_, y_, mostUp);
+    frame_.least = PlotFrame::leastOnPaper;
 }
 
 double PlotPainter::heightOfTitle() const

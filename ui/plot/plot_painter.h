@@ -62,9 +62,11 @@ public:
     /// On the screen beside the title.
     Legend legend() const;
     /// None over another nor over the pointer of a mark. A label without such a place is left out. Those of reference
-    /// lines stand outside the area in the order of the lines, smaller where they have no room, at last cut in the
-    /// middle; the others inside.
+    /// lines stand outside the area in the order of the lines, on the screen smaller where they have no room, at last
+    /// cut in the middle; the others inside.
     std::vector<PlotLabel> labels() const;
+    /// Labels of reference lines that are cut or left out.
+    std::size_t labelsWithoutRoom() const;
     static constexpr double aroundLabel = 4.0; // wider than its text is a label [px]
     /// The triangles that point at marks.
     std::vector<QRectF> pointers() const;

@@ -110,7 +110,7 @@ std::vector<PlotLabel> PlotPainter::labelsOfLines(bool upright) const
         needed = upright ? needed + width + PlotFrame::gap : std::max(needed, width);
     }
     QFont font = frame_.numberFont;
-    if (needed > room)
+    if (needed > room && !paper_)
         font.setPixelSize(static_cast<int>(font.pixelSize() * std::max(PlotFrame::leastTitle, room / needed)));
     const QFontMetricsF metrics(font);
     const double height = metrics.height();
@@ -137,6 +137,16 @@ std::vector<PlotLabel> PlotPainter::labelsOfLines(bool upright) const
                                : QLineF(area_.right(), wanted[i].at, label.box.left(), *places[i]);
     }
     return placed;
+}
+
+std::size_t PlotPainter::labelsWithoutRoom() const
+{
+    const std::vector<PlotLabel> shown = labels();
+    const auto whole = std::ranges::count_if(
+        shown, [](const PlotLabel& each) { return !each.line.isEmpty() && each.text == each.line; });
+    const auto wanted = std::ranges::count_if(
+        plot_.referenceLines(), [this](const ReferenceLine& line) { return !line.label.isEmpty() && isSeen(line); });
+    return static_cast<std::size_t>(wanted - whole);
 }
 
 /// The marks whose point is inside the area; QRectF contains what is not finite, too.

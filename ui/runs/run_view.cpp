@@ -2,6 +2,7 @@
 #include "ui/runs/run_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QHBoxLayout>
 #include <QVBoxLayout>
@@ -17,6 +18,7 @@
 #include "ui/runs/quantity_list.h"
 #include "ui/runs/replay_bar.h"
 #include "ui/runs/run_maps.h"
+#include "ui/runs/run_record.h"
 #include "ui/runs/runs_model.h"
 #include "ui/runs/side_view.h"
 #include "ui/style/foreign_text.h"
@@ -26,6 +28,8 @@ namespace touchdown {
 namespace {
 
 constexpr int linesOfPlot = 7, linesOfSideView = 10; // that can be read, in lines of text
+constexpr double earlyEvents = 0.04;                 // of a run: behind them little is to be seen
+constexpr double behindEvents = 1.5;                 // shown, of the time of the last one
 constexpr double firstPart = 0.3e-3;                 // of the default case [s]: it is at rest after a sixth of its 2 ms
 
 QWidget* withReplay(QWidget* view, QWidget* replay)
@@ -70,6 +74,7 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
         connect(&runs_, changed, this, &RunView::showHint);
     connect(&runs_, &RunsModel::dataChanged, this, [this] { // a run has ended: the replay passes through all of it
         for (ReplayBar* replay : {replay_, replayAbove_}) replay->showTime(plots_->group()->cursor(0));
+        lookAtEvents();
     });
     auto* plotsAndList = new QWidget(this);
     auto* plotsLayout = new QHBoxLayout(plotsAndList);
@@ -132,9 +137,9 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
 void RunView::setCase(const Case& c)
 {
     model_ = c.model;
-    if (openedDuration_ > 0.0 && c.run.duration != openedDuration_) {
-        openedDuration_ = 0.0;
-        showTime();
+    if (c.run.duration != duration_) {
+        duration_ = c.run.duration;
+        forgetTime();
     }
     const bool maps = recordsFields(c);
     const bool flatUnderSprings = c.model == ModelKind::Springs && c.diskSurface.kind == DiskSurfaceKind::Flat;
@@ -179,16 +184,37 @@ std::optional<PlotRange> RunView::replayed() const
 
 void RunView::opened(const QString& sample, const Case& c)
 {
-    const bool first = sample == QLatin1String(defaultCaseName);
-    openedDuration_ = first ? c.run.duration : 0.0;
+    duration_ = c.run.duration;
+    forgetTime();
+    if (sample == QLatin1String(defaultCaseName)) firstTime_ = PlotRange{0.0, firstPart};
     runs_.setOpened(c);
+    showTime();
+}
+
+void RunView::forgetTime()
+{
+    firstTime_.reset();
+    eventsSeen_ = false;
+    showTime();
+}
+
+/// The first run that comes to rest early decides what is shown of all runs of this duration.
+void RunView::lookAtEvents()
+{
+    const RunRecord* run = runs_.newestShown();
+    if (!run || !run->finished() || run->events.empty() || firstTime_ || stage_ || eventsSeen_) return;
+    if (plots_->group()->follow() == PlotGroup::Follow::Frozen) return;
+    eventsSeen_ = true;
+    const double last = run->events.back().time;
+    if (last > earlyEvents * run->value.run.duration) return;
+    const double unit = std::pow(10.0, std::floor(std::log10(last)));
+    firstTime_ = PlotRange{0.0, std::ceil(behindEvents * last / unit) * unit};
     showTime();
 }
 
 void RunView::showTime()
 {
-    std::optional<PlotRange> range;
-    if (openedDuration_ > 0.0) range = PlotRange{0.0, firstPart};
+    std::optional<PlotRange> range = firstTime_;
     if (stage_ && stage_->time) range = stage_->time;
     plots_->group()->setFirstRange(range);
 }

@@ -95,13 +95,17 @@ private:
     bool roomForSide() const;
     void shareHeight();
     void showTime();
+    void forgetTime();
+    void lookAtEvents();
     /// What to do, where there is nothing to see.
     void showHint();
     std::optional<PlotRange> replayed() const;
 
     RunsModel& runs_;
     ModelKind model_ = ModelKind::Springs;
-    double openedDuration_ = 0.0; // of the default case, while its first part is shown [s]
+    double duration_ = 0.0;              // of the case [s]
+    std::optional<PlotRange> firstTime_; // shown of runs of this duration, where it is a part [s]
+    bool eventsSeen_ = false;            // of a run of this duration: they chose firstTime_, or the whole run
     LivePlots* plots_;
     LiveSpectrum* spectrum_;
     std::optional<PlotStage> stage_;

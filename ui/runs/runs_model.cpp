@@ -210,7 +210,7 @@ QStringList RunsModel::details(int row) const
     if (const QString end = run.summary ? endText(run) : QString(); !end.isEmpty())
         lines << sentence(end.toStdString());
     lines << tr("Samples: %L1").arg(run.sampleCount());
-    if (run.summary) lines << QString::fromStdString(run.summary->message);
+    if (run.summary) lines << sentence(run.summary->message);
     return lines;
 }
 

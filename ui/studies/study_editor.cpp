@@ -16,6 +16,7 @@
 #include "ui/style/readable.h"
 #include "ui/style/result_table.h"
 #include "ui/style/theme.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -285,9 +286,9 @@ void StudyEditor::showProblems()
         const bool ofTheText = problem.file == plan_.name && problem.line > 0;
         if (ofTheText) marked.push_back(problem.line);
         if (static_cast<std::size_t>(lines.size()) >= mostProblems) continue;
-        QString text = escaped(QString::fromStdString(problem.message));
-        if (!problem.key.empty())
-            text = QStringLiteral("<code>%1</code>: %2").arg(escaped(QString::fromStdString(problem.key)), text);
+        QString text = inWindowWords(problem.message);
+        if (!problem.key.empty()) text = QStringLiteral("%1: %2").arg(keyLabel(problem.key), text);
+        text = escaped(text);
         if (ofTheText)
             text = QStringLiteral("<a href='%1' style='color:%2'>%3</a>: ")
                        .arg(problem.line)

@@ -5,10 +5,16 @@
 #include <map>
 #include <variant>
 
+#include <QRegularExpression>
+
 #include "core/case/case_key.h"
+#include "core/case/parameters.h"
 #include "core/simulation/static_state/steady_quantities.h"
+#include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
+#include "ui/style/translate.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -139,6 +145,26 @@ QString fieldLabel(const std::string& key)
     return text;
 }
 
+QString columnLabel(const std::string& key)
+{
+    const std::string name = withoutNumbers(key);
+    if (takesCaseKey(name)) return tr("Number");
+    if (name == "parameter.minimum") return tr("From");
+    if (name == "parameter.maximum") return tr("To");
+    if (name == "target.value") return tr("Wanted");
+    return fieldLabel(leafOf(name));
+}
+
+QString keyLabel(const std::string& key)
+{
+    const std::string name = withoutNumbers(key);
+    for (const std::string table : {"set", "method.set"})
+        if (name.starts_with(table + '.')) return labelOfKey(settingKey(name, table));
+    if (const QString label = labelOfKey(key); !label.isEmpty()) return label;
+    static const QRegularExpression number(QStringLiteral("\\[(\\d+)\\]"));
+    return fieldLabel(QString::fromStdString(key).replace(number, QStringLiteral(" \\1")).toStdString());
+}
+
 bool takesCaseKey(const std::string& key)
 {
     return key == "parameter" || key == "map.x" || key == "map.y" || key.ends_with(".key");
@@ -159,7 +185,7 @@ std::vector<std::pair<QString, std::string>> caseNumbers(const Case& c)
     std::map<QString, int> times;
     for (const auto& [label, key] : all) ++times[label];
     for (auto& [label, key] : all)
-        if (times[label] > 1) label += QStringLiteral(" (%1)").arg(QString::fromStdString(key));
+        if (times[label] > 1) label += QStringLiteral(" (%1)").arg(groupTitle(ownerOf(key)));
     return all;
 }
 

@@ -42,6 +42,10 @@ TomlDocument withDefaultLists(TomlDocument toml, const StudyForm& form);
 const TomlEntry* entryOf(const TomlDocument& toml, const std::string& key);
 /// "time_limit" as "Time limit", "map.x_from" as "Map: x from".
 QString fieldLabel(const std::string& key);
+/// Of a field of a row: "target[2].value" as "Wanted".
+QString columnLabel(const std::string& key);
+/// Of any key that a problem of a text names: "method[2].name" as "Method 2: name", set."run.step" as "Time step".
+QString keyLabel(const std::string& key);
 
 /// Whether the value of this key of a study is a key of the case.
 bool takesCaseKey(const std::string& key);

@@ -138,15 +138,13 @@ void StudyFormView::fill(Row& row, const TomlDocument& toml, const QString& give
         const bool isNumber = row.key.kind == StudyKeyKind::Number;
         row.shown = isNumber ? readable(text) : QString::fromStdString(text);
         const auto number = std::ranges::find(numbers_, text, [](const auto& each) { return each.second; });
-        const bool hasLabel = takesCaseKey(row.key.key) && number != numbers_.end();
-        if (hasLabel) row.shown = number->first;
+        if (takesCaseKey(row.key.key) && number != numbers_.end()) row.shown = number->first;
         row.isBare = entry != nullptr && !std::holds_alternative<std::string>(entry->value);
         const bool beingTyped = line->hasFocus() && line->isModified();
         if (line->text() != row.shown && !beingTyped) {
             line->setText(row.shown);
             line->setCursorPosition(0);
         }
-        if (row.help != nullptr) row.help->setText(sentence(row.key.help + (hasLabel ? ": " + text : "")));
     }
 }
 

@@ -63,7 +63,7 @@ QWidget* StudyFormView::makeTable(const FormList& list, std::size_t number)
     int line = 0;
     for (const StudyKey& cell : fields_.cells) {
         if (tableOf(cell.key) != table) continue;
-        const QString name = takesCaseKey(cell.key) ? tr("Number") : fieldLabel(leafOf(cell.key));
+        const QString name = columnLabel(cell.key);
         const bool isNumber = cell.kind == StudyKeyKind::Number || cell.kind == StudyKeyKind::Integer;
         const Row& row = addRow(cell, name);
         problems.push_back(row.problem);

@@ -17,6 +17,7 @@
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/style/theme.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -35,12 +36,18 @@ void StudyFormView::show(const StudyForm& form, const TomlDocument& toml, const 
     if (!toml.problem.empty()) return; // the fields stay as they were until the text can be read
     FormFields fields = fieldsOf(form, toml, c);
     auto numbers = caseNumbers(c);
+    const TomlDocument shown = withDefaultLists(toml, form);
+    for (const TomlEntry& entry : shown.entries) { // what a method varies need not be a single number
+        const auto* key = std::get_if<std::string>(&entry.value);
+        const QString label = key && takesCaseKey(withoutNumbers(entry.key)) ? labelOfKey(*key) : QString();
+        const auto isListed = [&](const auto& each) { return each.first == label || each.second == *key; };
+        if (!label.isEmpty() && std::ranges::none_of(numbers, isListed)) numbers.emplace_back(label, *key);
+    }
     if (fields != fields_ || numbers != numbers_) {
         fields_ = std::move(fields);
         numbers_ = std::move(numbers);
         build();
     }
-    const TomlDocument shown = withDefaultLists(toml, form);
     for (Row& row : rows_) fill(row, shown, givenTitle);
     QStringList others;
     const auto named = [&others](const std::string& key) {
@@ -125,7 +132,7 @@ StudyFormView::Row& StudyFormView::addRow(const StudyKey& key, const QString& na
     for (QWidget* part : {static_cast<QWidget*>(row.label), row.input}) part->setToolTip(plainTip(tip));
     row.input->installEventFilter(this);
     row.input->setObjectName(QString::fromStdString(key.key));
-    row.input->setAccessibleName(fieldLabel(key.key));
+    row.input->setAccessibleName(keyLabel(key.key));
     rows_.push_back(std::move(row));
     return rows_.back();
 }
@@ -148,10 +155,10 @@ void StudyFormView::mark(const std::vector<InputProblem>& problems, const std::s
         const auto found = std::ranges::find_if(problems, isHere);
         label->setText(found == problems.end() ? QString()
                        : before.isEmpty()      ? sentence(found->message)
-                                               : before + QLatin1Char(' ') + readable(found->message));
+                                               : before + QLatin1Char(' ') + inWindowWords(found->message));
         label->setVisible(found != problems.end());
     };
-    for (Row& row : rows_) markOne(row.key.key, row.problem, row.key.inList ? fieldLabel(leafOf(row.key.key)) : "");
+    for (Row& row : rows_) markOne(row.key.key, row.problem, row.key.inList ? columnLabel(row.key.key) : "");
     for (const auto& [key, label] : notes_) markOne(key, label, fieldLabel(key));
 }
 
@@ -180,8 +187,10 @@ void StudyFormView::colour()
 
 bool StudyFormView::eventFilter(QObject* watched, QEvent* event)
 {
-    // The wheel scrolls the form unless the input has the focus.
-    if (event->type() == QEvent::Wheel && !qobject_cast<QWidget*>(watched)->hasFocus()) {
+    // The wheel scrolls the form and changes no input, not even the one with the focus.
+    if (event->type() == QEvent::Wheel) {
+        const auto isInput = [watched](const Row& row) { return row.input == watched; };
+        if (std::ranges::none_of(rows_, isInput)) return QScrollArea::eventFilter(watched, event); // a scroll bar
         event->ignore();
         return true;
     }

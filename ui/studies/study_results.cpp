@@ -16,12 +16,12 @@
 #include "ui/plot/picture_widget.h"
 #include "ui/studies/study_chart_view.h"
 #include "ui/studies/study_table.h"
-#include "ui/studies/study_words.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
 #include "ui/style/save_dialog.h"
 #include "ui/style/theme.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 

@@ -11,7 +11,7 @@
 #include <QRegularExpression>
 
 #include "core/formats/units.h"
-#include "ui/style/readable.h"
+#include "ui/style/window_words.h"
 
 namespace touchdown {
 
@@ -87,7 +87,7 @@ QString sentence(std::string_view reason)
     static const QRegularExpression name(QStringLiteral("^\\w*(_|\\.\\w)"));
     if (!name.match(text).hasMatch()) text[0] = text[0].toUpper();
     if (!text.endsWith(QLatin1Char('.'))) text += QLatin1Char('.');
-    return readable(text.toStdString());
+    return inWindowWords(text.toStdString());
 }
 
 QString readout(double value, std::string_view displayUnit, int decimals, const QLocale& locale)

@@ -26,7 +26,7 @@ QString typesetChange(double value, int decimals, QLocale locale = QLocale());
 /// The number with a true minus sign instead of a hyphen.
 QString trueMinus(QString number);
 
-/// A reason as the core writes it ("must be >= 0 kg") as a complete sentence, with the characters of print.
+/// A reason as the core writes it ("must be >= 0 kg") as a complete sentence, in the words of the window.
 QString sentence(std::string_view reason);
 
 /// A read-out in the display unit, with a true minus sign: "7.000 nm" for 7e-9 with three decimals.

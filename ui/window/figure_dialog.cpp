@@ -295,8 +295,8 @@ void FigureDialog::changed()
         height_->setValue(size.height());
     }
     const auto oneDigit = [](double number) { return QLocale().toString(number, 'f', 1); };
-    remark_->setText(problem.isEmpty() ? tr("%1 mm × %2 mm").arg(oneDigit(size.width()), oneDigit(size.height()))
-                                       : escaped(problem));
+    const QString sizeText = tr("%1 mm × %2 mm.").arg(oneDigit(size.width()), oneDigit(size.height()));
+    remark_->setText(escaped(problem.isEmpty() ? (sizeText + QLatin1Char(' ') + figure.remark()).trimmed() : problem));
     export_->setEnabled(problem.isEmpty());
     showPreview();
 }

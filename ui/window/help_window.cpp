@@ -6,8 +6,10 @@
 
 #include <QFile>
 #include <QHBoxLayout>
+#include <QScreen>
 #include <QShortcut>
 #include <QSplitter>
+#include <QStyle>
 
 #include "core/case/parameters.h"
 #include "core/formats/csv_cell.h"
@@ -106,9 +108,23 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
 void HelpWindow::open(Page page)
 {
     contents_->setCurrentRow(static_cast<int>(page));
+    if (isHidden()) placeOnScreen();
     show();
     raise();
     activateWindow();
+}
+
+/// In the middle of the window that it belongs to, with its frame within the screen.
+void HelpWindow::placeOnScreen()
+{
+    const int title = 2 * style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this); // of other styles, too
+    const QWidget& owner = parentWidget() ? *parentWidget() : *this;
+    const QRect room = owner.screen()->availableGeometry().adjusted(8, 8, -8, -8 - title);
+    resize(size().boundedTo(room.size()));
+    QRect place(QPoint(), size());
+    place.moveCenter(owner.frameGeometry().center());
+    move(std::clamp(place.left(), room.left(), room.right() + 1 - width()),
+         std::clamp(place.top(), room.top(), room.bottom() + 1 - height()));
 }
 
 QString HelpWindow::html(Page page) const

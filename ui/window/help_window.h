@@ -25,6 +25,7 @@ public:
 
 private:
     QString html(Page page) const;
+    void placeOnScreen();
 
     QString shortcuts_;
     QListWidget* contents_;

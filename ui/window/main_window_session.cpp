@@ -55,6 +55,7 @@ void MainWindow::connectSession()
     });
     files_->setResultsQuestion(
         [this](const std::function<void()>& next) { return closing_->asksBeforeAnotherCase(next); });
+    files_->setKeptTest([this](const Case& c) { return isInResults(*this, c); });
     connect(actions_->sessions, &QMenu::aboutToShow, this, &MainWindow::listSessions);
     actions_->reopen->setChecked(QSettings().value(reopenKey, true).toBool());
     connect(actions_->reopen, &QAction::triggered, this, [](bool on) { QSettings().setValue(reopenKey, on); });

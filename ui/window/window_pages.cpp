@@ -327,11 +327,13 @@ void WindowPages::bringPanesBack(const QByteArray& arrangement)
     panesHidden_ = false;
 }
 
-/// Its text is long, the list of runs is short.
+/// Its text is long, the list of runs is short; a study has a form.
 void WindowPages::makeRoomForGuide()
 {
     for (const auto& [guide, dock] : guides_)
-        if (!dock->isHidden()) parts_.window.resizeDocks({dock, runs_, values_}, {600, 150, 150}, Qt::Vertical);
+        if (!dock->isHidden())
+            parts_.window.resizeDocks({dock, runs_, values_, study_},
+                                      {shown_ == Page::Studies ? 260 : 600, 150, 150, 640}, Qt::Vertical);
 }
 
 void WindowPages::arrangeAtFirst()

@@ -28,7 +28,7 @@ ClosingQuestion::ClosingQuestion(Workbench& bench, QWidget& window) : QObject(&w
 bool ClosingQuestion::nothingLost(bool kept)
 {
     const UnsavedWork work = unsavedWork(bench_);
-    if (work.empty()) return true;
+    if (work.empty() || (kept && work.onlyChangesOfSample())) return true;
     if (asking_ && asking_->isVisible()) {
         asking_->raise();
         asking_->activateWindow();

@@ -21,7 +21,8 @@ public:
     ClosingQuestion(Workbench& bench, QWidget& window);
 
     /// Whether nothing would be lost. Else asks, without blocking the window, and emits `answered` if it may close.
-    /// `kept`: what is not saved stays in the folder of the session for a while.
+    /// `kept`: what is not saved stays in the folder of the session for a while, which is enough for the changes of a
+    /// sample.
     bool nothingLost(bool kept);
     /// Whether another case would take results away. Then asks about them, and about changes of the case, and calls
     /// `next` if the case may be left.

@@ -80,10 +80,21 @@ bool hasNotesOnFiles(Workbench& bench)
     return noted(bench.runWindow().runs()) || noted(bench.film().solutions());
 }
 
+bool isInResults(Workbench& bench, const Case& c)
+{
+    const auto holds = [&c](const RecordList& list) {
+        for (int row = 0; row < list.count(); ++row)
+            if (list.listed(row).value == c) return true;
+        return false;
+    };
+    return holds(bench.runWindow().runs()) || holds(bench.film().solutions());
+}
+
 UnsavedWork unsavedWork(Workbench& bench)
 {
     UnsavedWork work;
-    if (bench.files().modified()) work.editedCase = bench.files().shortName();
+    if (bench.files().hasChangesToSave()) work.editedCase = bench.files().shortName();
+    work.ofSample = !bench.files().sample().isEmpty();
     const RunRecord* underWay = bench.runWindow().runUnderWay();
     if (underWay) work.underWay << tr("run %1, which is under way").arg(underWay->number);
     work.underWay << filmUnderWay(bench);

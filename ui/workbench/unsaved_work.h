@@ -15,8 +15,11 @@
 
 namespace touchdown {
 
+struct Case;
+
 struct UnsavedWork {
     QString editedCase;               // its name; empty: there is nothing to save of it
+    bool ofSample = false;            // the case
     QStringList underWay;             // calculations, as parts of a sentence
     std::vector<int> runs, solutions; // numbers
     std::vector<std::string> studies; // kinds
@@ -25,12 +28,20 @@ struct UnsavedWork {
     bool modes = false;
 
     bool empty() const { return editedCase.isEmpty() && drafts.empty() && underWay.isEmpty() && !anyResult(); }
+    bool onlyChangesOfSample() const
+    {
+        UnsavedWork rest = *this;
+        rest.editedCase.clear();
+        return ofSample && rest.empty();
+    }
     bool anyResult() const { return !runs.empty() || !solutions.empty() || !studies.empty() || series > 0 || modes; }
 };
 
 UnsavedWork unsavedWork(Workbench& bench);
 /// The part of it that is lost when another case is opened: changes, series, modes, and what the film calculates.
 UnsavedWork workOfCase(Workbench& bench);
+/// Whether a run or a solution in the lists has these values.
+bool isInResults(Workbench& bench, const Case& c);
 /// Whether a result that lies in a file of the user has a note: only a session keeps notes.
 bool hasNotesOnFiles(Workbench& bench);
 /// One line for each kind of work, with count and names.

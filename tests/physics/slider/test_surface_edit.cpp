@@ -146,6 +146,16 @@ private slots:
         QCOMPARE(more.rails[0].recess[0], 1e-6);
         const AirBearingSurface fewer = without(surface, {{PartKind::Corner, 0, 1}});
         QVERIFY(near(fewer.rails[0].recess[1], 3e-6) && near(fewer.rails[0].recess[2], 2e-6));
+        // The same of a plane that slopes along both, away from the origin: z = 0.5 um + 4e-3 x + 7e-3 y.
+        const auto plane = [](const RailPoint& at) { return 0.5e-6 + 4e-3 * at.x + 7e-3 * at.y; };
+        Rail sloping{RailKind::Ramp, {{2e-5, 3e-5, 0}, {1.2e-4, 5e-5, 0}, {9e-5, 1.4e-4, 0}, {1e-5, 1.1e-4, 0}}, {}};
+        for (std::size_t k = 0; k < 3; ++k) sloping.recess[k] = plane(sloping.points[k]);
+        AirBearingSurface alone;
+        alone.rails = {sloping};
+        for (const AirBearingSurface& each :
+             {withCorner(alone, 0, 0, {7e-5, 3.5e-5}), withCorner(alone, 0, 1, {1.1e-4, 9e-5}),
+              without(alone, {{PartKind::Corner, 0, 0}}), without(alone, {{PartKind::Corner, 0, 1}})})
+            for (std::size_t k = 0; k < 3; ++k) QVERIFY(near(each.rails[0].recess[k], plane(each.rails[0].points[k])));
         // Mirror images have the same top, whatever corner comes first.
         surface.rails.push_back({RailKind::Ramp,
                                  {{1e-4, width, 0}, {1e-4, width - 1e-4, 0}, {0, width - 1e-4, 0}, {0, width, 0}},

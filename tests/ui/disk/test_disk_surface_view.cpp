@@ -238,7 +238,7 @@ void TestDiskSurfaceView::badRequestsAreSentences()
     c.diskSurface.rms = -1e-9;
     showCase(c);
     QVERIFY(view_->empty());
-    QVERIFY2(view_->text().contains(QStringLiteral("rms")), qPrintable(view_->text()));
+    QVERIFY2(view_->text().contains(QStringLiteral("Roughness")), qPrintable(view_->text()));
     c.diskSurface.kind = DiskSurfaceKind::File;
     c.diskSurface.file = "there_is_no_such.txt";
     showCase(c);

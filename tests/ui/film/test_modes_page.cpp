@@ -6,8 +6,11 @@
 #include <thread>
 
 #include <QClipboard>
+#include <QFile>
+#include <QFileDialog>
 #include <QGuiApplication>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/support/small_slider.h"
@@ -37,6 +40,7 @@ private slots:
     void aFailureSaysWhy();
     void refusesACaseThatContradictsItself();
     void copiesTheTable();
+    void savesTheNumbers();
     void speedAndPause();
     void anotherCaseForgets();
     void aRealCase();
@@ -185,7 +189,7 @@ void TestModesPage::refusesACaseThatContradictsItself()
     page_->setCase(c);
     button()->click();
     QVERIFY(!page_->controller().active());
-    QVERIFY(remarks()->text().contains(QStringLiteral("steady.skews")));
+    QVERIFY(remarks()->text().contains(QStringLiteral("skew")));
 }
 
 void TestModesPage::copiesTheTable()
@@ -197,6 +201,25 @@ void TestModesPage::copiesTheTable()
     QCOMPARE(lines.size(), 4); // heads, two modes, the end
     QCOMPARE(lines[0].split(QLatin1Char('\t')).size(), page_->table()->columnCount());
     QVERIFY(lines[2].startsWith(QStringLiteral("2\tPitch\t200.0\t1.23\t")));
+}
+
+void TestModesPage::savesTheNumbers()
+{
+    auto* save = namedWidget<QToolButton>(*page_, QStringLiteral("Save the numbers of the modes"));
+    QVERIFY(save && !save->isEnabled());
+    find();
+    QVERIFY(save->isEnabled() && save->isVisible());
+    save->click();
+    auto* dialog = page_->findChild<QFileDialog*>();
+    QVERIFY(dialog);
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("modes.csv"));
+    emit dialog->fileSelected(file);
+    dialog->close();
+    QFile written(file);
+    QVERIFY(written.open(QIODevice::ReadOnly));
+    QCOMPARE(written.readAll(), page_->csv());
+    QVERIFY(!page_->unsaved());
 }
 
 void TestModesPage::speedAndPause()

@@ -164,11 +164,15 @@ private slots:
         const Case c = sampleFilmCase();
         SteadyResult lost = sampleResult(c);
         lost.status = SteadyStatus::NotConverged;
+        lost.minimumSpacing *= 2.0;
         model.add(c, sampleResult(c));
         model.add(c, lost);
         const SolutionComparison all = comparisonOf(model.compared(), -1);
         QCOMPARE(all.states, (QStringList{QString(), notFoundText(lost)}));
         QVERIFY(!notFoundText(lost).isEmpty());
+        for (const int baseline : {1, 2}) // neither has a difference to the other
+            for (const ComparedRow& row : comparisonOf(model.compared(), baseline).rows)
+                QVERIFY2(row.differences.join(QString()).isEmpty(), qPrintable(row.name));
         ComparePage page;
         page.setSolutions(model.compared(), -1);
         page.copy();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/curve_picture.h"
 
+#include <array>
 #include <cmath>
 #include <deque>
 #include <memory>
@@ -33,14 +34,14 @@ private slots:
     void drawsAgainWhenTheDiskIsRead();
 
 private:
-    void add(int run, bool leads);
+    void add(double run, bool leads);
 
     std::deque<MinMaxPyramid> data_;
     std::unique_ptr<PlotWidget> plot_;
 };
 
 /// Level lines: run k at k nm.
-void TestCurvePicture::add(int run, bool leads)
+void TestCurvePicture::add(double run, bool leads)
 {
     MinMaxPyramid& data = data_.emplace_back();
     for (int k = 0; k <= 1000; ++k) data.append(std::vector{1e-6 * k}, std::vector{1e-9 * run});
@@ -118,28 +119,38 @@ void TestCurvePicture::holdsNeitherTheNewestNorWhatGrows()
     QCOMPARE(held(), earlier - 2);
 }
 
+/// A line of one pixel may share its colour between two rows: its ink, the colour that it takes from the paper summed
+/// over the rows, is that of a line of its width in the pale colour, wherever it stands.
 void TestCurvePicture::showsPaleLines()
 {
-    const QImage image = plot_->grab().toImage().convertToFormat(QImage::Format_RGB32);
-    const auto lineAt = [&](double height, const QColor& colour) {
-        const int y = static_cast<int>(std::lround(plot_->toPixel(0.0, height).y() * image.devicePixelRatio()));
-        const int x = image.width() / 2;
-        for (int row = y - 2; row <= y + 2; ++row) {
-            const QColor pixel = image.pixelColor(x, row);
-            const int apart = std::abs(pixel.red() - colour.red()) + std::abs(pixel.green() - colour.green()) +
-                              std::abs(pixel.blue() - colour.blue());
-            if (apart < 70) return true;
-        }
-        return false;
+    const auto image = [this] {
+        plot_->refreshNow();
+        return plot_->grab().toImage().convertToFormat(QImage::Format_RGB32);
     };
-    QVERIFY(lineAt(21e-9, plot_->theme().colour({0, 0})));
-    QVERIFY(!lineAt(5e-9, plot_->theme().colour({0, 0})));
-    // A line of one pixel may share two rows.
-    const QColor pale = plot_->theme().paleColour({0, 0}), paper = plot_->theme().plotArea;
-    const QColor half((pale.red() + paper.red()) / 2, (pale.green() + paper.green()) / 2,
-                      (pale.blue() + paper.blue()) / 2);
-    QVERIFY(lineAt(5e-9, pale) || lineAt(5e-9, half));
-    QVERIFY(!lineAt(25.5e-9, pale) && !lineAt(25.5e-9, half));
+    const auto show = [this](double run, bool on) {
+        const QString id = QStringLiteral("run %1").arg(run);
+        plot_->updateCurves([&](PlotCurve& curve) { curve.visible = curve.id == id ? on : curve.visible; });
+    };
+    const QColor paper = plot_->theme().plotArea;
+    const auto part = [](const QColor& colour) { return std::array{colour.redF(), colour.greenF(), colour.blueF()}; };
+    for (const double run : {4.3, 4.5, 7.0, 11.8}) { // also on a line of the grid
+        if (run != 7.0) add(run, false);
+        const QImage with = image();
+        show(run, false);
+        const QImage without = image();
+        show(run, true);
+        const QColor pale = plot_->theme().paleColour({0, 0});
+        const int y = static_cast<int>(std::lround(plot_->toPixel(0.0, 1e-9 * run).y() * with.devicePixelRatio()));
+        const int x = with.width() / 2;
+        double ink = 0.0, whole = 0.0;
+        for (std::size_t k = 0; k < 3; ++k) whole += std::pow(part(paper)[k] - part(pale)[k], 2);
+        for (int row = y - 3; row <= y + 3; ++row)
+            for (std::size_t k = 0; k < 3; ++k)
+                ink += (part(without.pixelColor(x, row))[k] - part(with.pixelColor(x, row))[k]) *
+                       (part(paper)[k] - part(pale)[k]) / whole;
+        const double width = plot_->theme().width;
+        QVERIFY2(ink > 0.85 * width && ink < 1.1 * width, qPrintable(QStringLiteral("%1: %2").arg(run).arg(ink)));
+    }
 }
 
 void TestCurvePicture::takesOtherDataAtTheSamePlace()

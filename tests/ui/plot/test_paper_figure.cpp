@@ -37,6 +37,7 @@ private slots:
     void init();
     void sizesAreThoseOfTheFormat();
     void fontHasItsSize();
+    void noTextIsTooSmall();
     void panelsStandBelowAndBesideEachOther();
     void everyAxisHasATitleAndTwoNumbers();
     void screenStaysAsItIs();
@@ -130,6 +131,39 @@ void TestPaperFigure::fontHasItsSize()
         QVERIFY(std::abs(*sizes.rbegin() - points) < 0.01); // titles and legend
         QVERIFY(*sizes.begin() > 0.9 * points);             // numbers
     }
+}
+
+/// However many labels there are, no text is smaller than 7 pt beside one of 8 pt; those without room are told.
+void TestPaperFigure::noTextIsTooSmall()
+{
+    static const QRegularExpression fonts("<text[^>]*font-size=\"([0-9.]+)\"");
+    FigureFormat format;
+    format.data = false;
+    for (const int panels : {1, 2, 4})
+        for (const int labels : {0, 2, 5, 20}) {
+            std::vector<ReferenceLine> lines;
+            for (int i = 0; i < labels; ++i) {
+                const bool upright = i % 2 == 1;
+                const double part = (i + 0.5) / labels;
+                lines.push_back(
+                    {upright ? 3e-3 * part : 1e-9 + 4e-9 * part, QStringLiteral("take-off at %1 nm").arg(i), upright});
+            }
+            plot_->setReferenceLines(lines);
+            std::vector<QWidget*> chosen;
+            for (int i = 0; i < panels; ++i) chosen.push_back(i % 2 == 0 ? plot_.get() : second_.get());
+            format.columns = panels == 4 ? 2 : 1;
+            const PaperFigure figure(chosen, format);
+            const double pixels = figure.picture().size.width() / (85.0 / 25.4 * 72.0); // for a point
+            const QString text = svg(figure);
+            for (auto match = fonts.globalMatch(text); match.hasNext();)
+                QVERIFY(match.next().captured(1).toDouble() / pixels >= 7.0);
+            int whole = 0;
+            for (int i = 0; i < labels; ++i) whole += text.contains(QStringLiteral("take-off at %1 nm<").arg(i));
+            QCOMPARE(figure.remark().isEmpty(), whole == labels);
+            if (labels == 20)
+                QVERIFY2(figure.remark().contains(QString::number(20 - whole)), qPrintable(figure.remark()));
+            if (labels == 2 && panels < 4) QCOMPARE(whole, 2);
+        }
 }
 
 void TestPaperFigure::panelsStandBelowAndBesideEachOther()

@@ -99,7 +99,8 @@ private slots:
             for (const auto& [painter, size] :
                  {std::pair(&onScreen, QSizeF(plot.size())), std::pair(&onPaper, sheet)}) {
                 const QRectF& area = painter->area();
-                QVERIFY(size.width() - area.right() <= PlotFrame::mostLabels * size.width() + 1.0);
+                const double most = painter == &onPaper ? PlotFrame::mostOnPaper : PlotFrame::mostLabels;
+                QVERIFY(size.width() - area.right() <= most * size.width() + 1.0);
                 double lowest = 1.0;   // value of the last label at the right
                 double highest = -1.0; // of the last label above
                 double bottom = area.top(), right = 0.0;

@@ -131,8 +131,8 @@ void TestRunsPanel::saysWhatChanged()
     QCOMPARE(caseDifference(before, after), QStringList{QStringLiteral("rail 1 moved by 2, 0\u00a0µm")});
     after.surface.rails[0].points[0].y -= 0.5e-6;
     QCOMPARE(caseDifference(before, after),
-             (QStringList{QStringLiteral("rail 1, point 1 moved by 2, \u22120.5\u00a0µm"),
-                          QStringLiteral("rail 1, points 2, 3 moved by 2, 0\u00a0µm")}));
+             (QStringList{QStringLiteral("rail 1, corner 1 moved by 2, \u22120.5\u00a0µm"),
+                          QStringLiteral("rail 1, corners 2, 3 moved by 2, 0\u00a0µm")}));
     // So are the ends of an edge, which slide along the edges beside it, and a mirrored rail.
     after = before;
     after.surface.rails[0].points = {{1e-6, 1e-6}, {1e-3, 1e-6}, {1e-3, 1e-3}}; // the first edge, 1 µm up
@@ -207,6 +207,15 @@ void TestRunsPanel::namesWhatChangedSinceTheCaseWasOpened()
     QCOMPARE(text(0, Qt::DisplayRole), QStringLiteral("1  ftd1, dₑ 8\u00a0nm"));
     QCOMPARE(text(0, RunsModel::ChangesRole), QStringLiteral("take-off height 5\u00a0nm → 8\u00a0nm"));
     model.add(ranRecord(2, [](Case& c) { c.title = "ftd1"; }));
+    QCOMPARE(text(0, Qt::DisplayRole), QStringLiteral("1  dₑ 8\u00a0nm"));
+    QCOMPARE(text(1, Qt::DisplayRole), QStringLiteral("2  ftd1"));
+    // Opened again with other values, as it was saved: the runs of the list keep their names.
+    opened.onoYamane.takeOff = 8e-9;
+    model.setOpened(opened);
+    model.add(ranRecord(3, [](Case& c) {
+        c.title = "ftd1";
+        c.springs.flyingHeight = 20e-9;
+    }));
     QCOMPARE(text(0, Qt::DisplayRole), QStringLiteral("1  dₑ 8\u00a0nm"));
     QCOMPARE(text(1, Qt::DisplayRole), QStringLiteral("2  ftd1"));
 }

@@ -40,6 +40,8 @@ private slots:
     void endsWithoutATraceWhenAllIsSaved();
     void keepsTheNoteOfASavedRun();
     void bringsBackWhatWasClosedWithoutSaving();
+    void keepsTheChangesOfASample();
+    void asksForTheChangesOfAFile();
     void startsWithTheDefaultCaseIfWanted();
     void removesTheOldestClosedSessions();
     void goesOnInMemoryWhenTheDiskIsFull();
@@ -158,6 +160,30 @@ void TestSessionClosing::bringsBackWhatWasClosedWithoutSaving()
     QTRY_VERIFY(!session().restoring());
     QCOMPARE(window_->runs().record(1).number, 2);
     QCOMPARE(SessionFolder::all().size(), 1);
+}
+
+void TestSessionClosing::keepsTheChangesOfASample()
+{
+    start();
+    window_->edits().enter(*findParameter("springs.flying_height"), QStringLiteral("4"));
+    window_->close();
+    QVERIFY(!window_->isVisible()); // without a question
+    start();
+    QMenu* menu = window_->actions().sessions;
+    emit menu->aboutToShow();
+    menu->actions().front()->trigger();
+    QTRY_COMPARE(window_->edits().value().springs.flyingHeight, 4e-9);
+}
+
+void TestSessionClosing::asksForTheChangesOfAFile()
+{
+    start();
+    const QString file = data_->filePath(QStringLiteral("mine.toml"));
+    QCOMPARE(window_->files().write(file), QString());
+    window_->edits().enter(*findParameter("springs.flying_height"), QStringLiteral("4"));
+    window_->close();
+    QVERIFY(window_->isVisible());
+    answer(*window_, "closing", QStringLiteral("Close without saving"));
 }
 
 void TestSessionClosing::startsWithTheDefaultCaseIfWanted()

@@ -9,6 +9,7 @@
 #include <QFile>
 #include <QLineEdit>
 #include <QPointer>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QWheelEvent>
@@ -302,12 +303,17 @@ private slots:
     }
     void theWheelScrolls()
     {
+        editor_->resize(360, 420);
         auto* cases = qobject_cast<QComboBox*>(editor_->form()->field("case"));
-        cases->clearFocus();
+        QTRY_VERIFY(editor_->form()->verticalScrollBar()->maximum() > 100);
+        cases->setFocus();
         QWheelEvent event(QPointF(5, 5), cases->mapToGlobal(QPointF(5, 5)), QPoint(), QPoint(0, -120), Qt::NoButton,
                           Qt::NoModifier, Qt::NoScrollPhase, false);
-        QApplication::sendEvent(cases, &event);
+        event.ignore();
+        for (QWidget* at = cases; at != editor_.get() && !event.isAccepted(); at = at->parentWidget())
+            QApplication::sendEvent(at, &event); // as it goes on from one to the next
         QCOMPARE(cases->currentIndex(), 0);
+        QVERIFY(editor_->form()->verticalScrollBar()->value() > 0);
     }
     void aList()
     {

@@ -9,6 +9,7 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QCompleter>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QToolButton>
@@ -18,6 +19,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/named_widget.h"
 #include "ui/studies/study_editor.h"
+#include "ui/studies/study_form_fields.h"
 
 using namespace touchdown;
 
@@ -126,6 +128,27 @@ private slots:
         // What stood there stands there, apart from empty lines.
         QCOMPARE(editor_->toText().split(u'\n', Qt::SkipEmptyParts), text.split(u'\n', Qt::SkipEmptyParts));
     }
+    /// Words, not keys, above the numbers and in the problems.
+    void words()
+    {
+        take(QStringLiteral("[[parameter]]\nkey = \"suspension.preload\"\nminimum = \"2 gf\"\nmaximum = \"1 gf\"\n"
+                            "[[target]]\nquantity = \"pitch\"\nvalue = \"150 urad\"\ntolerance = \"1 urad\"\n"));
+        QStringList labels;
+        for (const QLabel* label : editor_->form()->findChildren<QLabel*>()) labels << label->text();
+        for (const char* wanted : {"Number", "From", "To", "Quantity", "Wanted", "Tolerance"})
+            QVERIFY2(labels.contains(QLatin1String(wanted)), wanted);
+        QVERIFY(!labels.contains(QStringLiteral("Minimum")) && !labels.contains(QStringLiteral("Value")));
+        QVERIFY2(editor_->form()->problemOf("parameter[1].maximum").startsWith(QStringLiteral("To ")),
+                 qPrintable(editor_->form()->problemOf("parameter[1].maximum")));
+        QVERIFY2(editor_->problems().contains(QStringLiteral("Parameter 1: maximum: ")),
+                 qPrintable(editor_->problems()));
+        take(QStringLiteral("set = { \"film.nodes\" = \"many\" }\n"));
+        QVERIFY2(editor_->problems().contains(QStringLiteral("Nodes: ")) &&
+                     !editor_->problems().contains(QStringLiteral("film.nodes")),
+                 qPrintable(editor_->problems()));
+        for (const auto& [label, key] : caseNumbers(openCase("film_pico").value))
+            QVERIFY2(!label.contains(QString::fromStdString(key)), qPrintable(label));
+    }
     /// Several keys of one parameter stand in place of the one; a list without headers stays in the text.
     void otherShapes()
     {
@@ -144,7 +167,13 @@ private slots:
     {
         editor_->setKind(QStringLiteral("work-precision"));
         take(QStringLiteral("[[method]]\nname = \"mine\"\nset = { \"run.steps\" = \"fixed\" }\nkey = \"run.step\"\n"
-                            "values = [\"1 us\", \"2 us\"]\n"));
+                            "values = [\"1 us\", \"2 us\"]\n"
+                            "[[method]]\nname = \"nodes\"\nkey = \"film.nodes\"\nvalues = [49, 97]\n"));
+        QCOMPARE(line(QStringLiteral("method[2].key"))->text(), QStringLiteral("Nodes"));
+        QLineEdit* key = line(QStringLiteral("method[2].key"));
+        key->setText(QStringLiteral("film.nodes")); // the key itself may be typed
+        emit key->editingFinished();
+        QVERIFY(editor_->toText().contains(QStringLiteral("key = \"film.nodes\"")));
         QCOMPARE(line(QStringLiteral("method[1].name"))->text(), QStringLiteral("mine"));
         QCOMPARE(line(QStringLiteral("method[1].values"))->text(), QStringLiteral("1 us, 2 us"));
         QCOMPARE(editor_->form()->field("method[1].set"), nullptr);

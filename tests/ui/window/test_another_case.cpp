@@ -122,6 +122,48 @@ private slots:
         QVERIFY(!question(*window_, "anotherCase"));
         QCOMPARE(window_->files().file(), file_);
     }
+    /// A run or a solution of these values brings them back; who has a file wants them in it.
+    void asksForChangesThatNoResultHas_data()
+    {
+        QTest::addColumn<QString>("source");
+        QTest::addColumn<QString>("result");
+        QTest::addColumn<bool>("asks");
+        QTest::newRow("a sample, a run") << "fig10a"
+                                         << "run" << false;
+        QTest::newRow("a sample, a solution") << "fig10a"
+                                              << "solution" << false;
+        QTest::newRow("a sample, nothing") << "fig10a"
+                                           << "" << true;
+        QTest::newRow("a sample, other values") << "fig10a"
+                                                << "other" << true;
+        QTest::newRow("a sample, a wrong entry") << "fig10a"
+                                                 << "wrong" << true;
+        QTest::newRow("a file, a run") << file_ << "run" << true;
+    }
+    void asksForChangesThatNoResultHas()
+    {
+        QFETCH(const QString, source);
+        QFETCH(const QString, result);
+        QFETCH(const bool, asks);
+        window_->files().openNow(source);
+        const auto enter = [&](const char* key, const char* text) {
+            window_->edits().enter(*findParameter(key), QString::fromLatin1(text));
+        };
+        enter("run.duration", "10 us");
+        enter("springs.flying_height", "4");
+        if (result == "solution")
+            window_->film().solutions().add(window_->edits().value(), test::sampleSteady());
+        else if (!result.isEmpty()) {
+            window_->startRun();
+            QTRY_VERIFY(!window_->controller().active());
+        }
+        if (result == "other") enter("springs.flying_height", "5");
+        if (result == "wrong") enter("springs.flying_height", "much");
+        QVERIFY(window_->isWindowModified());
+        window_->files().open(QStringLiteral("fig12a"));
+        QCOMPARE(question(*window_, "unsavedChanges") != nullptr, asks);
+        QCOMPARE(window_->files().sample() == QStringLiteral("fig12a"), !asks);
+    }
     /// Runs, solutions and studies stay.
     void asksNothingOfWhatStays()
     {

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QtTest>
 
 #include "core/case/parameters.h"
@@ -17,6 +18,7 @@
 #include "ui/runs/live_plots.h"
 #include "ui/runs/live_spectrum.h"
 #include "ui/runs/run_controller.h"
+#include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
 #include "ui/window/main_window.h"
 
@@ -58,15 +60,36 @@ private slots:
         QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
         runToEnd();
         QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
-        // Another case is shown whole; so is another duration.
+        // Another case comes to rest as early; another duration is shown whole.
         window_->files().openNow(QStringLiteral("fig11a"));
         runToEnd();
-        QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
+        QVERIFY(spacing->xAxis().range().high < 0.2e-3);
         window_->files().openNow(QStringLiteral("fig10a"));
         QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.3e-3}));
         edit("run.duration", QStringLiteral("1 ms"));
         runToEnd();
         QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 1e-3}));
+    }
+    /// A run whose events end early is shown up to a little behind them; later runs, and what was chosen, stay.
+    void aRunThatComesToRestEarly()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("mine.toml"));
+        QCOMPARE(window_->files().write(file), QString());
+        window_->files().openNow(file);
+        PlotGroup* plots = window_->runView().plots()->group();
+        const PlotWidget* spacing = window_->runView().plots()->plot(QStringLiteral("spacing"));
+        runToEnd();
+        const double last = window_->runs().record(0).events.back().time;
+        QVERIFY(last < 0.04 * 2e-3);
+        QCOMPARE(spacing->xAxis().range().low, 0.0);
+        QVERIFY(spacing->xAxis().range().high >= last && spacing->xAxis().range().high < 0.2 * 2e-3);
+        plots->fit();
+        runToEnd();
+        QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 2e-3}));
+        edit("run.duration", QStringLiteral("0.1 ms")); // most of it has events
+        runToEnd();
+        QCOMPARE(spacing->xAxis().range(), (PlotRange{0.0, 0.1e-3}));
     }
     /// Empty plots say what to do, in the first of them, until there is a run.
     void emptyPlotsSayWhatToDo()

@@ -306,6 +306,12 @@ void TestMainWindow::opensHelp()
     f.window.actions().help->trigger();
     auto* help = f.window.findChild<HelpWindow*>();
     QVERIFY(help && help->isVisible());
+    const QRect screen = f.window.screen()->availableGeometry();
+    QVERIFY(screen.contains(help->frameGeometry()));
+    help->close();
+    f.window.move(screen.right() - 300, screen.bottom() - 300);
+    f.window.actions().help->trigger();
+    QTRY_VERIFY(help->isVisible() && screen.contains(help->frameGeometry()));
     help->open(HelpWindow::Page::Equations);
     QVERIFY(help->text().contains(QStringLiteral("M z″")));
     help->open(HelpWindow::Page::Parameters);

@@ -13,10 +13,13 @@
 #include "tests/ui/window_fixture.h"
 #include "ui/case/case_panel.h"
 #include "ui/guides/guides.h"
+#include "ui/guides/lesson_pane.h"
 #include "ui/guides/live_runs.h"
 #include "ui/guides/live_values.h"
 #include "ui/guides/marked_slider.h"
 #include "ui/runs/run_view.h"
+#include "ui/studies/study_form_view.h"
+#include "ui/studies/study_window.h"
 
 using namespace touchdown;
 
@@ -40,6 +43,28 @@ private slots:
     }
     void init() { QSettings().clear(); }
 
+    /// Beside the lesson the form of a study can be read.
+    void leavesRoomForTheFormOfAStudy_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("least");
+        QTest::newRow("desktop") << QSize(1600, 960) << 250;
+        QTest::newRow("laptop") << QSize(1280, 690) << 150;
+    }
+    void leavesRoomForTheFormOfAStudy()
+    {
+        QFETCH(const QSize, size);
+        QFETCH(const int, least);
+        Fixture f;
+        f.window.resize(size);
+        f.window.actions().lesson->trigger(); // shows the page of runs
+        f.window.setPage(MainWindow::Page::Studies);
+        const QWidget* form = f.window.studies().editor()->form();
+        const QWidget* lesson = f.window.guides().pane(LessonPane::Kind::Lesson);
+        QTRY_VERIFY2(form->isVisible() && form->height() >= least, qPrintable(QString::number(form->height())));
+        QVERIFY(lesson->isVisible() && lesson->height() >= 150);
+        QCOMPARE(f.window.size(), size);
+    }
     /// A key in the text leads to its field; each step shows what its runs gave.
     void leadsToFieldsAndResults()
     {

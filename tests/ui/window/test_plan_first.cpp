@@ -131,6 +131,31 @@ private slots:
         window.actions().alone->trigger();
         QTRY_COMPARE(geometry(), before);
     }
+    /// What is wanted while the page is alone brings the panes back, and stays.
+    void aPaneOpenedMeanwhileStays()
+    {
+        MainWindow window;
+        open(window, {1400, 900});
+        const auto pane = [&](const char* name) { return window.findChild<QDockWidget*>(QString::fromLatin1(name)); };
+        window.actions().lesson->trigger();
+        QTRY_VERIFY(pane("lesson") && pane("lesson")->isVisible());
+        window.actions().surface->trigger(); // the lesson shows the page of runs
+        pane("solutions")->close();
+        pane("shape")->close();
+        QAction* alone = window.actions().alone;
+        alone->trigger();
+        QVERIFY(!pane("lesson")->isVisible() && !pane("parameters")->isVisible());
+        emit window.film().view()->shape()->panelWanted();
+        QVERIFY(!alone->isChecked());
+        QTRY_VERIFY(pane("lesson")->isVisible() && pane("parameters")->isVisible());
+        QVERIFY(!pane("shape")->isHidden());
+        QVERIFY(pane("solutions")->isHidden());
+        alone->trigger();
+        alone->trigger();
+        QTRY_VERIFY(pane("lesson")->isVisible());
+        QVERIFY(!pane("shape")->isHidden());
+        QVERIFY(pane("solutions")->isHidden());
+    }
 
 private:
     const QFont font_ = QApplication::font();

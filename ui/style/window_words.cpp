@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/studies/study_words.h"
+#include "ui/style/window_words.h"
 
 #include <QRegularExpression>
 
@@ -36,6 +36,14 @@ QString labelOf(const QString& name)
 }
 
 } // namespace
+
+QString labelOfKey(const std::string& key)
+{
+    QString label = labelOf(QString::fromStdString(key));
+    if (const Parameter* root = findParameter(key); label.isEmpty() && root != nullptr) label = readable(root->label);
+    if (!label.isEmpty()) label[0] = label[0].toUpper();
+    return label;
+}
 
 QString inWindowWords(std::string_view sentence)
 {

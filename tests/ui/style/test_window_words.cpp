@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/studies/study_words.h"
+#include "ui/style/window_words.h"
 
 #include <QtTest>
 
 #include "tests/support/test_program.h"
+#include "ui/style/quantity_format.h"
 
 using namespace touchdown;
 
-namespace test_study_words {
+namespace test_window_words {
 
-class TestStudyWords : public QObject {
+class TestWindowWords : public QObject {
     Q_OBJECT
 
 private slots:
@@ -36,10 +37,23 @@ private slots:
         QFETCH(const QString, written);
         QTEST(inWindowWords(written.toStdString()), "shown");
     }
+    void sentences()
+    {
+        QCOMPARE(sentence("the roll stops at -4.093 urad, more film.nodes are needed"),
+                 QStringLiteral("The roll stops at −4.093 µrad, more nodes are needed."));
+        QCOMPARE(sentence("suspension.preload must be > 0 N"), QStringLiteral("Preload must be > 0 N."));
+    }
+    void labels()
+    {
+        QCOMPARE(labelOfKey("suspension.preload"), QStringLiteral("Preload"));
+        QCOMPARE(labelOfKey("abs.rail[2].width"), QStringLiteral("Rail 2: width"));
+        QCOMPARE(labelOfKey("contact"), QStringLiteral("Contact"));
+        QCOMPARE(labelOfKey("steps"), QString());
+    }
 };
 
-TOUCHDOWN_TEST(TestStudyWords)
+TOUCHDOWN_TEST(TestWindowWords)
 
-} // namespace test_study_words
+} // namespace test_window_words
 
-#include "test_study_words.moc"
+#include "test_window_words.moc"
