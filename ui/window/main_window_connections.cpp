@@ -81,6 +81,7 @@ void MainWindow::connectFiles()
     connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
     connect(actions_->importCml, &QAction::triggered, files_, &CaseFiles::chooseImport);
     connect(actions_->exportCml, &QAction::triggered, files_, &CaseFiles::chooseExport);
+    connect(actions_->exportDxf, &QAction::triggered, files_, &CaseFiles::chooseDrawing);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
     connect(casePanel_, &CasePanel::galleryWanted, this, &MainWindow::showGallery);

@@ -46,7 +46,7 @@ std::vector<StudyValue> readValues(const Hdf5Group& table, const std::string& na
     std::vector<StudyValue> values;
     if (dataset.holdsTexts()) {
         for (std::string& text : dataset.texts())
-            values.push_back(text.empty() ? StudyValue() : StudyValue(std::move(text)));
+            text.empty() ? values.emplace_back() : values.emplace_back(std::move(text));
         return values;
     }
     const std::vector<double> numbers = dataset.column();
