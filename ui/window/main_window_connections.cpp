@@ -102,6 +102,13 @@ void MainWindow::connectFiles()
     connect(actions_->figure, &QAction::triggered, this, &MainWindow::makeFigure);
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
+    SurfaceEditor* editor = film_->view()->shape()->editor();
+    connect(actions_->underlay, &QAction::triggered, editor, &SurfaceEditor::placeUnderlay);
+    connect(&editor->underlay(), &Underlay::failed, this,
+            [this](const QString& sentence) { messages_->show(MessageStrip::Kind::Failure, sentence); });
+    const auto caseName = [this] { return files_->file().isEmpty() ? files_->shortName() : files_->file(); };
+    connect(files_, &CaseFiles::opened, this, [editor, caseName] { editor->underlay().openCase(caseName()); });
+    connect(files_, &CaseFiles::saved, this, [editor, caseName] { editor->underlay().renameCase(caseName()); });
     connect(files_, &CaseFiles::aboutToUse, this, &MainWindow::takeTyped);
     // `remark`: what is not as in the file; empty: all is.
     const auto tellFile = [this](const QString& what, const QString& path, const QString& remark = {}) {
