@@ -13,8 +13,10 @@
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
+#include "core/formats/dxf_surface.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
+#include "core/formats/text_file.h"
 #include "core/formats/words.h"
 #include "core/simulation/static_state/high_disk.h"
 #include "core/studies/study/sample_study.h"
@@ -110,13 +112,13 @@ std::string writeToml(CaseDocument& document, const fs::path& to)
 }
 
 /// Why the files that `to` names must not be replaced; "" if there are none, or they may be.
-std::string replacementProblem(const CaseDocument& document, const fs::path& to, bool toml, bool force)
+std::string replacementProblem(const CaseDocument& document, const fs::path& to, bool oneFile, bool force)
 {
     std::error_code none;
-    for (const fs::path& file : toml ? std::vector{to} : replacedCmlFiles(to)) {
+    for (const fs::path& file : oneFile ? std::vector{to} : replacedCmlFiles(to)) {
         for (const fs::path& input : document.inputs())
             if (fs::equivalent(file, input, none)) return file.string() + " is what is converted; name another target";
-        if (!toml && !force) return file.string() + " exists; --force replaces it";
+        if (!oneFile && !force) return file.string() + " exists; --force replaces it";
     }
     return {};
 }
@@ -133,6 +135,14 @@ std::string writeCml(CaseDocument& document, const fs::path& to)
              ": kept in the comments of run.dat, where the established program does not see them: " +
              joined(output.keptKeys));
     return {};
+}
+
+std::string writeDxf(const CaseDocument& document, const fs::path& to)
+{
+    const Case& c = document.value;
+    if (c.model != ModelKind::Film) return document.name + ": has no slider with rails, of which a drawing is made";
+    const std::string problem = writeTextFile(to, dxfText(c.surface, c.slider.length, c.slider.width));
+    return problem.empty() ? problem : to.string() + ' ' + problem;
 }
 
 } // namespace
@@ -209,10 +219,10 @@ int convertCommand(const CommandArguments& arguments, const std::string& to, boo
     // Values without effect are kept, so that converting back loses nothing.
     CaseDocument document = openCaseToKeep(arguments);
     if (!document.valid()) return refuse(document.problems, false);
-    const bool toml = fs::path(to).extension() == ".toml";
-    if (const std::string problem = replacementProblem(document, to, toml, force); !problem.empty())
+    const bool toml = fs::path(to).extension() == ".toml", dxf = fs::path(to).extension() == ".dxf";
+    if (const std::string problem = replacementProblem(document, to, toml || dxf, force); !problem.empty())
         return refuse({{"", 0, "", problem}}, false);
-    const std::string problem = toml ? writeToml(document, to) : writeCml(document, to);
+    const std::string problem = toml ? writeToml(document, to) : dxf ? writeDxf(document, to) : writeCml(document, to);
     if (problem.empty()) return exitDone;
     complain(problem);
     return exitWrongInput;

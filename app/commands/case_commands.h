@@ -43,7 +43,8 @@ int listCommand(bool json);
 /// Every problem of a case, or of a study and its case.
 int validateCommand(const CommandArguments& arguments);
 /// Between case files and the files of the established slider program (CML), both ways: the name is that of any case;
-/// `to` is a case file if it ends with .toml, an archive if it ends with .cml, else a folder.
+/// `to` is a case file if it ends with .toml, an archive if it ends with .cml, a drawing of the surface if it ends with
+/// .dxf, else a folder.
 /// Files of the established program that stand there are replaced only with `force`; a file that is read never is.
 int convertCommand(const CommandArguments& arguments, const std::string& to, bool force);
 

@@ -253,7 +253,10 @@ int commandLine(int argc, char** argv)
     convert
         .add_option("FROM", arguments.name, "A case file, a sample case, a folder with a rail.dat, or a .cml archive")
         ->required();
-    convert.add_option("TO", to, "A .toml case file, a .cml archive, or a folder for rail.dat and run.dat")
+    convert
+        .add_option("TO", to,
+                    "A .toml case file, a .cml archive, a .dxf drawing of the surface, or a folder for rail.dat and "
+                    "run.dat")
         ->required()
         ->check(emptyNameProblem);
     bool force = false;

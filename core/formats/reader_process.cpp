@@ -153,7 +153,7 @@ void ReaderProcess::fail()
     process_ = -1;
     const bool slow = late_ || (ended > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU);
     throw ReaderFailure(slow ? "is damaged: reading it did not come to an end in the time that a file of its size needs"
-                             : "is damaged: the HDF5 library fails on it");
+                             : "is damaged: the library that reads it fails on it");
 }
 
 std::optional<ReaderTask> beginReader(int argc, const char* const* argv)

@@ -3,9 +3,9 @@
 // A second process of this program that reads one file of another person.
 //
 // The HDF5 library (1.10) trusts a file: a single wrong byte can make it read outside its memory, loop for ever or ask
-// for gigabytes. So a second process opens the file, with limits of memory and computing time that grow with the size
-// of the file. It sends what it read as plain values. Where it crashes or reaches a limit, the file is damaged, and the
-// program continues.
+// for gigabytes; so does the library of DXF drawings. So a second process opens the file, with limits of memory and
+// computing time that grow with the size of the file. It sends what it read as plain values. Where it crashes or
+// reaches a limit, the file is damaged, and the program continues.
 //
 // The second process is this program again, with arguments that no person gives. Each program that reads such files
 // begins with runReader (core/studies/reader_program.h).
@@ -44,7 +44,7 @@ public:
 };
 
 struct ReaderTask {
-    std::string reader; // "surface", "run", ...
+    std::string reader; // "surface", "run", "drawing", ...
     std::filesystem::path file;
     std::string argument; // of the reader
 };

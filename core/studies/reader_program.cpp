@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/formats/cml_text.h"
+#include "core/formats/dxf_drawing.h"
 #include "core/formats/reader_process.h"
 #include "core/formats/surfaces/height_map_hdf5.h"
 #include "core/results/file_header.h"
@@ -43,6 +44,7 @@ std::optional<int> runReader(int argc, const char* const* argv)
     if (task->reader == "run") answer(readResultsDirectly(task->file));
     if (task->reader == "steady") answer(readSteadyDirectly(task->file));
     if (task->reader == "study") answer(readStudyDirectly(task->file));
+    if (task->reader == "drawing") answer(readDxfDirectly(task->file));
     if (task->reader == "format") answer(formatDirectly(task->file));
     return 0;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// This program as the second process that reads an HDF5 file of another person: core/formats/reader_process.h.
+// This program as the second process that reads an HDF5 file or a drawing of another person:
+// core/formats/reader_process.h.
 #pragma once
 
 #include <optional>

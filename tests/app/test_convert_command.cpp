@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "core/case/parameters.h"
+#include "core/formats/dxf_drawing.h"
 #include "tests/support/cml_sample.h"
 #include "tests/support/command_process.h"
 #include "tests/support/test_program.h"
@@ -42,6 +43,17 @@ private slots:
             QVERIFY2(parameter.get(first.value) == parameter.get(last.value), parameter.key.c_str());
         QVERIFY(first.value.surface == last.value.surface);
         QCOMPARE(folder_->touchdown({"validate", "b.cml"}).out, QByteArray("b.cml: valid\n"));
+    }
+    void drawsTheSurface()
+    {
+        QCOMPARE(folder_->touchdown({"convert", "slider", "a.dxf"}).code, 0);
+        const Drawing drawing = readDxf(folder_->path("a.dxf").toStdString());
+        QCOMPARE(drawing.problem, std::string());
+        QCOMPARE(drawing.paths.size(), cmlSurface().rails.size() + 1); // and the border
+        const Outcome springs = folder_->touchdown({"convert", "fig10a", "b.dxf"});
+        QCOMPARE(springs.code, 2);
+        QVERIFY(springs.err.contains("no slider with rails"));
+        QVERIFY(!QFileInfo::exists(folder_->path("b.dxf")));
     }
     void commentsOfACaseFileStay()
     {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/studies/reader_program.h"
 #include "tests/fuzz/fuzzed_readers.h"
 
 namespace {
@@ -29,6 +30,7 @@ void writeSeeds(const std::filesystem::path& folder)
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv)
 {
+    if (const auto code = touchdown::runReader(*argc, *argv)) std::exit(*code);
     const std::string_view word = *argc > 1 ? (*argv)[1] : "";
     const auto all = touchdown::fuzz::readers();
     if (word == "names") {

@@ -17,6 +17,7 @@
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml/cml_parameters.h"
 #include "core/case_files/cml_case.h"
+#include "core/formats/dxf_surface.h"
 #include "core/formats/quotation.h"
 #include "core/formats/surfaces/height_map_file.h"
 #include "core/formats/toml_document.h"
@@ -24,6 +25,7 @@
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/cml_sample.h"
+#include "tests/support/dxf_sample.h"
 #include "tests/support/random_case.h"
 
 namespace touchdown::fuzz {
@@ -218,6 +220,28 @@ std::vector<std::string> archiveSeeds()
     return {bytes};
 }
 
+// ---- Drawings
+// ---------------------------------------------------------------------------------------------------------
+
+/// In a second process, as the program does: its library trusts a file.
+void readDrawing(Bytes bytes)
+{
+    const std::filesystem::path path = scratch(".dxf", bytes);
+    const Drawing drawing = readDxf(path);
+    std::filesystem::remove(path);
+    if (!drawing.problem.empty()) return isSentence({"a.dxf", 0, "", drawing.problem});
+    mustHold(drawing.remark.empty() || findInvalidUtf8(drawing.remark) == std::string::npos, "a remark is UTF-8");
+    mustHold(std::isfinite(drawing.unit) && drawing.unit >= 0.0, "a unit is a length");
+    for (const DrawnPath& drawn : drawing.paths) {
+        mustHold(drawn.points.size() > 1 && findInvalidUtf8(drawn.layer) == std::string::npos, "a line has two points");
+        mustHold(std::ranges::all_of(drawn.points,
+                                     [](const SurfacePoint& p) { return std::isfinite(p.x) && std::isfinite(p.y); }),
+                 "places are finite");
+    }
+}
+
+std::vector<std::string> drawingSeeds() { return {dxfText(test::cmlSurface(), 1.25e-3, 1e-3), test::dxfSample()}; }
+
 // ---- Measured surfaces as text
 // ---------------------------------------------------------------------------------------
 
@@ -278,6 +302,7 @@ std::span<const FuzzedReader> readers()
         FuzzedReader{"run", readRun, runSeeds},
         FuzzedReader{"dynamics", readDynamics, dynamicsSeeds},
         FuzzedReader{"archive", readArchive, archiveSeeds},
+        FuzzedReader{"drawing", readDrawing, drawingSeeds},
         FuzzedReader{"surface", readSurfaceText, surfaceSeeds},
         FuzzedReader{"surface-hdf5", readSurfaceFile, changeSeeds},
         FuzzedReader{"run-hdf5", readRunFile, changeSeeds},

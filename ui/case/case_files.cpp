@@ -14,6 +14,8 @@
 #include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
+#include "core/formats/dxf_surface.h"
+#include "core/formats/text_file.h"
 #include "core/studies/study_plan.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/loss_question.h"
@@ -213,6 +215,24 @@ void CaseFiles::exportTo(const QString& path)
     QStringList warnings;
     for (const std::string& key : output.keptKeys) warnings << QString::fromStdString(key);
     emit exported(QFileInfo(path).absoluteFilePath(), warnings);
+}
+
+void CaseFiles::chooseDrawing()
+{
+    const QString name = QFileInfo(shortName()).completeBaseName() + QStringLiteral(".dxf");
+    askAndSave(&window_, tr("Save the surface as a drawing"), {tr("DXF drawing (*.dxf)")},
+               QFileInfo(file_).absoluteDir().filePath(name),
+               [this](const QString& path) { return exportDrawing(path); });
+}
+
+QString CaseFiles::exportDrawing(const QString& path)
+{
+    emit aboutToUse();
+    const Case& c = edits_.value();
+    const std::string problem = writeTextFile(pathOf(path), dxfText(c.surface, c.slider.length, c.slider.width));
+    if (!problem.empty()) return inOneLine(QFileInfo(path).fileName()) + ' ' + QString::fromStdString(problem);
+    emit exported(QFileInfo(path).absoluteFilePath(), {});
+    return {};
 }
 
 void CaseFiles::whenSettled(const std::function<void()>& next)

@@ -72,6 +72,9 @@ public:
     void chooseExport();
     /// Writes files of the established program: an archive if the name ends with .cml, else a folder.
     void exportTo(const QString& path);
+    /// Writes the outlines of the surface as a DXF drawing. Returns the problem in a sentence, or "".
+    QString exportDrawing(const QString& path);
+    void chooseDrawing();
     void save();
     void saveAs();
     /// As save(); then calls `next`, unless the user chooses no file or it cannot be written.

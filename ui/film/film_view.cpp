@@ -253,9 +253,11 @@ void FilmView::showFields()
 {
     if (!state_) {
         maps_->setFields({}, {});
+        shape_->setPressure({});
         return;
     }
     std::vector<std::vector<double>> fields = shownFields(state_->value, state_->result);
+    shape_->setPressure(fields.front());
     if (base_ && difference_->isChecked()) {
         FieldDifference difference = fieldDifference(state_->value, state_->result, base_->value, base_->result);
         for (std::vector<double>* field : {&difference.pressure, &difference.gap, &difference.recess})
@@ -328,7 +330,8 @@ void FilmView::showPage()
     setTextColour(note_, meaningColours(palette()).warning);
     note_->setText(notes.join(QLatin1Char(' ')));
     note_->setVisible(mapped && !notes.isEmpty());
-    // The minimum spacing is that of the solved surface.
+    // Minimum spacing and pressure are those of the solved surface.
+    shape_->setPressureStale(stale_);
     const bool known = state_ && !stale_ && state_->result.status == SteadyStatus::Converged;
     if (known)
         surface()->setMinimumSpacing(

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -155,13 +156,11 @@ ShapePanel::ShapePanel(QWidget* parent)
 
 void ShapePanel::setCase(const Case& c)
 {
-    const bool filled = list_->topLevelItemCount() > 0 && rails_->childCount() > 0;
-    const bool same = filled && c.surface == case_.surface;
-    const bool sameParts = filled && sameRows(c.surface, case_.surface);
-    case_ = c;
-    if (same) return;
+    const AirBearingSurface before = std::exchange(case_, c).surface;
+    const bool filled = rails_->childCount() > 0;
+    if (filled && c.surface == before) return;
     say({});
-    if (!sameParts) fillList();
+    if (!filled || !sameRows(c.surface, before)) fillList();
     fillTable();
 }
 

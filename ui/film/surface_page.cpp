@@ -44,6 +44,8 @@ SurfacePage::SurfacePage(QWidget* parent)
       panel_(new ShapePanel(this)),
       follow_(new QCheckBox(tr("Fol&low"), this)),
       influence_(new QCheckBox(tr("&Influence"), this)),
+      pressure_(new QCheckBox(tr("Press&ure"), this)),
+      drawing_(new QCheckBox(tr("&Drawing"), this)),
       flight_(new QLabel(this))
 {
     follow_->setObjectName(QStringLiteral("follow"));
@@ -55,6 +57,31 @@ SurfacePage::SurfacePage(QWidget* parent)
     influence_->setToolTip(
         plainTip(tr("Show what a deeper recess of each rail and a shift of each edge would do to the minimum "
                     "spacing (I)")));
+    pressure_->setObjectName(QStringLiteral("pressure"));
+    pressure_->setEnabled(false);
+    pressure_->setToolTip(plainTip(tr("Show the pressure of the solution under the outlines (U)")));
+    drawing_->setObjectName(QStringLiteral("drawing"));
+    drawing_->setToolTip(plainTip(tr("Show the drawing under the plan (D)")));
+    drawing_->hide(); // until there is one
+    // Each has the colours and the bar for itself.
+    connect(pressure_, &QCheckBox::toggled, this, [this](bool on) {
+        if (on) influence_->setChecked(false);
+        editor_->showPressure(on, pressureStale_);
+    });
+    connect(influence_, &QCheckBox::toggled, this, [this](bool on) {
+        if (on) pressure_->setChecked(false);
+    });
+    connect(drawing_, &QCheckBox::toggled, this, [this](bool on) {
+        UnderlayPlace place = editor_->underlay().place();
+        place.shown = on;
+        editor_->underlay().setPlace(place);
+    });
+    connect(&editor_->underlay(), &Underlay::changed, this, [this] {
+        drawing_->setChecked(editor_->underlay().shown());
+        if (drawing_->isHidden() != editor_->underlay().loaded()) return;
+        drawing_->setVisible(editor_->underlay().loaded());
+        fit();
+    });
     connect(this, &SurfacePage::influenceWanted, this, [this] {
         influencing_ = influencingParts();
         editor_->setInfluence({});
@@ -144,8 +171,12 @@ QWidget* SurfacePage::buildTools()
                     false, [this](bool on) { editor_->setPairs(on); });
     layout->addWidget(follow_);
     layout->addWidget(influence_);
+    layout->addWidget(pressure_);
+    layout->addWidget(drawing_);
     setTabOrder(pairs_, follow_);
     setTabOrder(follow_, influence_);
+    setTabOrder(influence_, pressure_);
+    setTabOrder(pressure_, drawing_);
     layout->addStretch(1);
     return row;
 }
@@ -163,6 +194,8 @@ void SurfacePage::keyPressEvent(QKeyEvent* event)
     QCheckBox* box = event->key() == Qt::Key_S   ? snap_
                      : event->key() == Qt::Key_Y ? pairs_
                      : event->key() == Qt::Key_I ? influence_
+                     : event->key() == Qt::Key_U ? pressure_
+                     : event->key() == Qt::Key_D ? drawing_
                      : event->key() == Qt::Key_G ? grid_
                                                  : nullptr;
     if (box != nullptr && event->modifiers() == Qt::NoModifier)
@@ -214,6 +247,18 @@ void SurfacePage::showInfluence(const std::vector<PartInfluence>& influence)
     editor_->setRestingReading(editor_->committed().rails.empty() ? tr("There are no rails.")
                                : shown.empty()                    ? tr("There is no flying attitude to change.")
                                                                   : words);
+}
+
+void SurfacePage::setPressure(std::vector<double> pressure)
+{
+    pressure_->setEnabled(!pressure.empty());
+    editor_->setPressure(std::move(pressure));
+}
+
+void SurfacePage::setPressureStale(bool stale)
+{
+    pressureStale_ = stale;
+    editor_->showPressure(pressure_->isChecked(), stale);
 }
 
 bool SurfacePage::manyEdges() const

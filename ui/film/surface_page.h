@@ -37,6 +37,10 @@ public:
     ShapePanel* panel() const { return panel_; }
     bool follows() const { return follow_->isChecked(); }
     bool showsInfluence() const { return influence_->isChecked(); }
+    /// Of the solution that is shown, above ambient, on the cells of the editor's grid [Pa]; empty: there is none.
+    void setPressure(std::vector<double> pressure);
+    /// It is that of another shape.
+    void setPressureStale(bool stale);
     /// What was found; empty: nothing, as the slider does not fly or its attitude is held.
     void showInfluence(const std::vector<PartInfluence>& influence);
     /// All rails and all edges; of many edges those of the selected rails.
@@ -66,7 +70,7 @@ signals:
     void edited(const touchdown::AirBearingSurface& surface, const QString& text, int merge);
 
 protected:
-    /// S, Y, I and G are the keys of the switches.
+    /// S, Y, I, U, D and G are the keys of the switches.
     void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -80,7 +84,8 @@ private:
 
     SurfaceEditor* editor_;
     ShapePanel* panel_;
-    QCheckBox *follow_, *influence_;
+    QCheckBox *follow_, *influence_, *pressure_, *drawing_;
+    bool pressureStale_ = false;
     QCheckBox *snap_ = nullptr, *pairs_ = nullptr, *grid_ = nullptr;
     PartSelection influencing_; // as it was last asked for
     QLabel* flight_;

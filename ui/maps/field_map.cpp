@@ -16,19 +16,6 @@
 
 namespace touchdown {
 
-namespace {
-
-constexpr double finest = 3.0; // pixels of a picture for a pixel of the screen
-
-} // namespace
-
-int cellIndex(const std::vector<double>& lines, double at)
-{
-    if (lines.size() < 2 || !(at >= lines.front()) || at > lines.back()) return -1;
-    const auto above = std::upper_bound(lines.begin() + 1, lines.end() - 1, at);
-    return static_cast<int>(above - lines.begin()) - 1;
-}
-
 QString fieldText(double value, const FieldLook& look) { return fieldNumber(value, look) + QChar(0x00A0) + look.unit; }
 
 QString fieldNumber(double value, const FieldLook& look)
@@ -145,7 +132,7 @@ void FieldMap::paintKey(QPainter& painter, const QRectF& column, const PlotTheme
 void FieldMap::paintContent(QPainter& painter, const PlotTheme& theme)
 {
     if (empty()) return;
-    paintCells(painter);
+    paintCells(painter, *this, values_, look_.scale);
     paintGrid(painter);
     paintRails(painter, theme);
     paintCursors(painter, theme);
@@ -184,43 +171,6 @@ void FieldMap::paintCursors(QPainter& painter, const PlotTheme& theme) const
         painter.drawText(tag, Qt::AlignCenter, QString::number(number));
     }
     painter.setBrush(Qt::NoBrush);
-}
-
-void FieldMap::paintCells(QPainter& painter) const
-{
-    // Pixels of the device, so that borders are sharp on fine screens and in pictures.
-    const QRectF area = planArea();
-    const double finer = std::clamp(painter.deviceTransform().m11(), 1.0, finest);
-    const int columns = static_cast<int>(std::ceil(area.width() * finer));
-    const int rows = static_cast<int>(std::ceil(area.height() * finer));
-
-    std::vector<QRgb> colours(values_.size());
-    std::ranges::transform(values_, colours.begin(), [this](double v) { return look_.scale.colour(v) | 0xff000000U; });
-    std::vector<int> cellOfColumn(static_cast<std::size_t>(columns));
-    for (int k = 0; k < columns; ++k)
-        cellOfColumn[static_cast<std::size_t>(k)] =
-            cellIndex(grid().x, toSlider({area.left() + (k + 0.5) / finer, 0.0}).x);
-
-    QImage image(columns, rows, QImage::Format_ARGB32_Premultiplied);
-    int drawnRow = -2; // of cells, in the line above
-    for (int k = 0; k < rows; ++k) {
-        const int j = cellIndex(grid().y, toSlider({0.0, area.top() + (k + 0.5) / finer}).y);
-        auto* line = reinterpret_cast<QRgb*>(image.scanLine(k));
-        if (j == drawnRow) {
-            std::copy_n(reinterpret_cast<const QRgb*>(image.constScanLine(k - 1)), columns, line);
-            continue;
-        }
-        drawnRow = j;
-        const auto first = static_cast<std::size_t>(std::max(j, 0)) * static_cast<std::size_t>(grid().nx());
-        for (int c = 0; c < columns; ++c) {
-            const int i = cellOfColumn[static_cast<std::size_t>(c)];
-            line[c] = i < 0 || j < 0 ? 0U : colours[first + static_cast<std::size_t>(i)];
-        }
-    }
-    painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
-    painter.drawImage(QRectF(area.topLeft(), QSizeF(columns, rows) / finer), image);
-    painter.restore();
 }
 
 /// Light over dark, so that they are seen on every colour.

@@ -11,6 +11,7 @@
 #include "core/physics/slider/attitude.h"
 #include "core/physics/slider/minimum_spacing.h"
 #include "ui/plot/colour_scale.h"
+#include "ui/slider/cell_painting.h"
 #include "ui/slider/plan_marks.h"
 #include "ui/slider/slider_plan.h"
 
@@ -99,7 +100,6 @@ protected:
     QStringList readingAt(const SurfacePoint& point) const override;
 
 private:
-    void paintCells(QPainter& painter) const;
     void paintCursors(QPainter& painter, const PlotTheme& theme) const;
     std::vector<PlanMark> extremes() const;
     void paintExtremes(QPainter& painter, const PlotTheme& theme) const;
@@ -114,9 +114,6 @@ private:
     std::optional<std::size_t> smallest_, largest_; // cells; nothing where several cells have that value
     std::optional<SurfacePoint> first_, second_;
 };
-
-/// The cell between ascending lines that holds a place; -1: none.
-int cellIndex(const std::vector<double>& lines, double at);
 
 /// A number of a field as the maps print it: "12.34 kPa"; and without its unit.
 QString fieldText(double value, const FieldLook& look);

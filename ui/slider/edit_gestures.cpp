@@ -144,7 +144,8 @@ SurfacePoint EditGestures::snappedAt(const QMouseEvent& event)
 {
     const SurfacePoint at = plan_.toSlider(event.position());
     const bool snaps = snapping_ && !event.modifiers().testFlag(Qt::ControlModifier);
-    marks_.snap = snaps ? snapped(selection_.surface(), {}, at, snapGrid()) : SnappedPlace{at, {}, {}, {}, {}};
+    marks_.snap =
+        snaps ? snappedTo(marks_.drawing, selection_.surface(), {}, at, snapGrid()) : SnappedPlace{at, {}, {}, {}, {}};
     return marks_.snap->at;
 }
 
@@ -165,7 +166,8 @@ SurfaceShift EditGestures::wantedShift(const QMouseEvent& event)
         alongX = alongX && normal.x != 0.0;
         alongY = alongY && normal.y != 0.0;
     }
-    SnappedPlace place = snapped(surface, selection_.parts(), {from.x + by.x, from.y + by.y}, snapGrid());
+    SnappedPlace place =
+        snappedTo(marks_.drawing, surface, selection_.parts(), {from.x + by.x, from.y + by.y}, snapGrid());
     if (!alongX) place.at.x = from.x, place.x = SnapTarget::None;
     if (!alongY) place.at.y = from.y, place.y = SnapTarget::None;
     marks_.snap = place;

@@ -29,6 +29,8 @@ public:
     Tool tool() const { return tool_; }
     void setTool(Tool tool);
     void setSnapping(bool on) { snapping_ = on; }
+    /// Corners of a drawing under the plan, which hold a place, too [m].
+    void setDrawing(std::vector<SurfacePoint> corners) { marks_.drawing = std::move(corners); }
     bool dragging() const { return marks_.dragging; }
     /// The selection follows the pointer.
     bool moving() const { return gesture_ == Gesture::Move; }

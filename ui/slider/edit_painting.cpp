@@ -314,6 +314,8 @@ std::optional<std::size_t> linkAt(const SliderPlan& plan, const std::vector<Pair
 QStringList snapWords(const GestureMarks& gesture)
 {
     if (!gesture.snap) return {};
+    if (std::ranges::find(gesture.drawing, gesture.snap->at) != gesture.drawing.end())
+        return {tr("corner of the drawing")};
     QStringList words{snapText(gesture.snap->x, gesture.snap->xCorner),
                       snapText(gesture.snap->y, gesture.snap->yCorner)};
     words.removeAll(QString());

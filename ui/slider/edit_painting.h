@@ -25,6 +25,7 @@ struct GestureMarks {
     std::optional<SurfacePoint> boxFrom; // a rectangle is drawn from here to the pointer [m]
     std::vector<SurfacePoint> polygon;   // under way [m]
     std::vector<SurfacePoint> measured;  // one place or two [m]
+    std::vector<SurfacePoint> drawing;   // corners of the drawing under the plan [m]
 };
 
 /// All that is shown over the plan.

@@ -173,6 +173,15 @@ QString snapText(SnapTarget target, const SurfacePart& corner)
     return {};
 }
 
+SnappedPlace snappedTo(const std::vector<SurfacePoint>& places, const AirBearingSurface& surface,
+                       const PartSelection& moving, SurfacePoint at, const SnapGrid& grid)
+{
+    const auto away = [&](const SurfacePoint& place) { return std::hypot(place.x - at.x, place.y - at.y); };
+    const auto nearest = std::ranges::min_element(places, {}, away);
+    if (nearest == places.end() || away(*nearest) > grid.reach) return snapped(surface, moving, at, grid);
+    return {*nearest, {}, {}, {}, {}};
+}
+
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near)
 {
     if (part.kind == PartKind::Interest) return surface.pointsOfInterest[part.item];

@@ -42,6 +42,10 @@ QString relationText(const AirBearingSurface& surface, const SurfacePart& relati
 /// What holds a place that snaps: "corner 2 of rail 3", "centre line", "border"; empty for the raster or nothing.
 QString snapText(SnapTarget target, const SurfacePart& corner);
 
+/// As snapped(), but the nearest of these places within reach comes first.
+SnappedPlace snappedTo(const std::vector<SurfacePoint>& places, const AirBearingSurface& surface,
+                       const PartSelection& moving, SurfacePoint at, const SnapGrid& grid);
+
 /// The place of a corner, of an edge's first corner, of a point of interest, or of a relation; of a rail the corner
 /// nearest to `near`.
 SurfacePoint placeOf(const AirBearingSurface& surface, const SurfacePart& part, SurfacePoint near);

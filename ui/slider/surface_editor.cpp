@@ -15,6 +15,7 @@
 #include "ui/plot/picture_widget.h"
 #include "ui/plot/plot_frame.h"
 #include "ui/slider/array_dialog.h"
+#include "ui/slider/cell_painting.h"
 #include "ui/slider/part_picking.h"
 #include "ui/slider/wall_menu.h"
 #include "ui/style/quantity_format.h"
@@ -29,8 +30,18 @@ QString influenceUnit() { return QStringLiteral("nm per 10 nm"); }
 
 } // namespace
 
-SurfaceEditor::SurfaceEditor(QWidget* parent) : SurfaceView(parent), gestures_(*this, selection_)
+SurfaceEditor::SurfaceEditor(QWidget* parent)
+    : SurfaceView(parent), gestures_(*this, selection_), underlay_(new Underlay(this))
 {
+    setAcceptDrops(true);
+    connect(underlay_, &Underlay::changed, this, [this] {
+        std::vector<SurfacePoint> corners;
+        if (underlay_->shown())
+            for (const DrawnPath& path : underlay_->paths())
+                std::ranges::copy(path.points, std::back_inserter(corners));
+        gestures_.setDrawing(std::move(corners));
+        update();
+    });
     connect(&selection_, &SurfaceSelection::edited, this, &SurfaceEditor::edited);
     connect(&selection_, &SurfaceSelection::wallWanted, this, &SurfaceEditor::wallWanted);
     connect(&selection_, &SurfaceSelection::linksChanged, this, qOverload<>(&QWidget::update));
@@ -102,15 +113,13 @@ void SurfaceEditor::paintContent(QPainter& painter, const PlotTheme& theme)
                    theme);
 }
 
-bool SurfaceEditor::paintTops(QPainter& painter, const PlotTheme& theme) const
-{
-    if (dragging() || !influenceScale(influence_, theme)) return false;
-    paintInfluenceTops(painter, *this, influence_, theme);
-    return true;
-}
-
 void SurfaceEditor::paintKey(QPainter& painter, const QRectF& column, const PlotTheme& theme)
 {
+    if (showsPressure()) {
+        const ColourScale pressure = pressureScale(theme);
+        return paintColourBar(painter, column, font(), theme, pressure, pressureTicks(pressure, column.height()),
+                              unitText("kPa"));
+    }
     const auto scale = influenceScale(influence_, theme);
     if (dragging() || !scale) return SurfaceView::paintKey(painter, column, theme);
     constexpr double unit = 0.1; // nm per 10 nm [m/m]
@@ -118,11 +127,14 @@ void SurfaceEditor::paintKey(QPainter& painter, const QRectF& column, const Plot
                    influenceUnit());
 }
 
-/// The plan stays where it is when the influence is shown.
+/// The plan stays where it is when the influence or the pressure is shown.
 double SurfaceEditor::keyWidth() const
 {
     const double title = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(influenceUnit()) + 6.0;
-    return std::max(SurfaceView::keyWidth(), title);
+    const double own = std::max(SurfaceView::keyWidth(), title);
+    if (pressure_.empty()) return own;
+    return std::max(own,
+                    colourBarWidth(font(), pressureTicks(pressureScale(plotTheme(palette())), height() - 90.0)) + 4.0);
 }
 
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
@@ -132,6 +144,10 @@ QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const
     if (hovered && hovered->kind != PartKind::Rail && !dragging()) parts << partText(*hovered);
     const QString influence = hovered && !dragging() ? influenceText(influence_, *hovered) : QString();
     if (!influence.isEmpty()) parts << influence;
+    const int i = cellIndex(grid().x, point.x), j = cellIndex(grid().y, point.y);
+    if (showsPressure() && i >= 0 && j >= 0)
+        parts
+            << tr("%1 above ambient").arg(readout(pressure_[static_cast<std::size_t>(j * grid().nx() + i)], "kPa", 1));
     return parts;
 }
 
@@ -280,6 +296,7 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
     menu->addSeparator();
     add(tr("Delete"), QStringLiteral("Del"), some, [this] { selection_.remove(); });
     menu->addSeparator();
+    add(tr("Drawing under the plan…"), {}, true, [this] { placeUnderlay(); });
     addPictureActions(*menu, *this);
     menu->popup(globalPos);
 }

@@ -10,12 +10,14 @@
 // the left one moves the view, the wheel zooms. Keys: arrows move what is selected by 1 µm, with Shift by 10 µm, with
 // Alt by 0.1 µm; Del removes; Ctrl+A, Ctrl+D (copy), Shift+M (mirrored copy), K (keep the distance of two parts), L
 // (break or join the pair), Page Up and Down (order of overlap), N and B (next and previous rail), E and C (next edge
-// and corner of the rail, with Shift the previous one), F (fit); V, R, P, M choose the tool.
+// and corner of the rail, with Shift the previous one), F (fit); V, R, P, M choose the tool. A picture or a DXF drawing
+// that is dropped lies under the plan.
 #pragma once
 
 #include <functional>
 
 #include "ui/slider/edit_gestures.h"
+#include "ui/slider/underlay.h"
 
 namespace touchdown {
 
@@ -55,6 +57,14 @@ public:
     /// Drawn on the parts; empty: nothing is drawn.
     void setInfluence(const ShownInfluence& influence);
     QString influenceWords() const { return touchdown::influenceWords(influence_); }
+    /// Above ambient, of the cells of the grid [Pa]; empty: there is none.
+    void setPressure(std::vector<double> pressure);
+    /// Drawn under the outlines; pale where it is not that of the surface that is shown.
+    void showPressure(bool shown, bool pale);
+    bool showsPressure() const;
+    Underlay& underlay() { return *underlay_; }
+    /// Opens the form of the drawing under the plan, or asks for one.
+    void placeUnderlay();
     /// Of the surface that is shown, drawn at their places.
     const std::vector<SurfaceProblem>& problems() const { return problems_; }
     const std::vector<SurfaceProblem>& warnings() const { return warnings_; }
@@ -80,8 +90,14 @@ protected:
     bool event(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
+    void loadUnderlay(const QString& file);
+    void takeRailsOfDrawing();
+    ColourScale pressureScale(const PlotTheme& theme) const;
+    std::vector<ScaleTick> pressureTicks(const ColourScale& scale, double height) const;
     bool moveByKey(const QKeyEvent& event);
     bool actByKey(const QKeyEvent& event);
     void fillArrangeMenu(QMenu& menu);
@@ -95,6 +111,9 @@ private:
     AirBearingSurface ghost_;
     GridOf gridOf_;
     ShownInfluence influence_;
+    Underlay* underlay_;
+    std::vector<double> pressure_; // above ambient, of the cells of grid() [Pa]
+    bool pressureShown_ = false, pressurePale_ = false;
     std::vector<SurfaceProblem> problems_, warnings_; // of the surface that is shown
     std::vector<SurfaceProblem> ghostWarnings_;
 };

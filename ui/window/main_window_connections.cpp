@@ -13,7 +13,6 @@
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/study.h"
 #include "core/studies/study/study_file_reader.h"
-#include "core/studies/study/study_verdict.h"
 #include "ui/calculation/progress_strip.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
@@ -40,7 +39,6 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
-#include "ui/style/readable.h"
 #include "ui/window/apply_question.h"
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
@@ -50,14 +48,6 @@
 namespace touchdown {
 
 namespace {
-
-/// How a completed study is shown: what it checks may not hold.
-MessageStrip::Kind kindOf(const StudyReport& report)
-{
-    const StudyVerdict verdict = verdictOf(report);
-    if (!report.warnings.empty() || verdict == StudyVerdict::HoldsNot) return MessageStrip::Kind::Warning;
-    return verdict == StudyVerdict::HoldsPartly ? MessageStrip::Kind::Information : MessageStrip::Kind::Success;
-}
 
 /// What a part of the window has done, and what failed.
 template <class Part>
@@ -81,6 +71,7 @@ void MainWindow::connectFiles()
     connect(actions_->saveAs, &QAction::triggered, files_, &CaseFiles::saveAs);
     connect(actions_->importCml, &QAction::triggered, files_, &CaseFiles::chooseImport);
     connect(actions_->exportCml, &QAction::triggered, files_, &CaseFiles::chooseExport);
+    connect(actions_->exportDxf, &QAction::triggered, files_, &CaseFiles::chooseDrawing);
     connect(actions_->quit, &QAction::triggered, this, &QWidget::close);
     connect(actions_, &WindowActions::sampleChosen, files_, &CaseFiles::open);
     connect(casePanel_, &CasePanel::galleryWanted, this, &MainWindow::showGallery);
@@ -101,6 +92,13 @@ void MainWindow::connectFiles()
     connect(actions_->figure, &QAction::triggered, this, &MainWindow::makeFigure);
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
+    SurfaceEditor* editor = film_->view()->shape()->editor();
+    connect(actions_->underlay, &QAction::triggered, editor, &SurfaceEditor::placeUnderlay);
+    connect(&editor->underlay(), &Underlay::failed, this,
+            [this](const QString& sentence) { messages_->show(MessageStrip::Kind::Failure, sentence); });
+    const auto caseName = [this] { return files_->file().isEmpty() ? files_->shortName() : files_->file(); };
+    connect(files_, &CaseFiles::opened, this, [editor, caseName] { editor->underlay().openCase(caseName()); });
+    connect(files_, &CaseFiles::saved, this, [editor, caseName] { editor->underlay().renameCase(caseName()); });
     connect(files_, &CaseFiles::aboutToUse, this, &MainWindow::takeTyped);
     // `remark`: what is not as in the file; empty: all is.
     const auto tellFile = [this](const QString& what, const QString& path, const QString& remark = {}) {
@@ -338,20 +336,8 @@ void MainWindow::onStudyOpened(const QString& file)
 void MainWindow::onStudied(const StudyReport& report)
 {
     updateRunActions();
-    const QString title = QString::fromStdString(report.title);
-    // The findings stand on the page of studies.
-    const bool onItsPage =
-        pages_->page() == Page::Studies && studies_->editor()->kind() == QString::fromStdString(report.kind);
-    QStringList lines{report.findings.empty() || onItsPage ? tr("Completed: %1").arg(title)
-                                                           : readable(report.findings.front())};
-    if (onItsPage && verdictOf(report) == StudyVerdict::HoldsNot) lines << tr("What it checks does not hold.");
-    if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
-    switch (report.status) {
-    case StudyStatus::Completed: messages_->show(kindOf(report), lines.join(QLatin1Char('\n'))); break;
-    case StudyStatus::Interrupted: // only in a file
-    case StudyStatus::Cancelled: messages_->show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
-    case StudyStatus::Failed: messages_->show(MessageStrip::Kind::Failure, sentence(report.message)); break;
-    }
+    results_->studied(report, pages_->page() == Page::Studies &&
+                                  studies_->editor()->kind() == QString::fromStdString(report.kind));
     emit calculationEnded(report.status == StudyStatus::Completed, QString::fromStdString(report.message));
 }
 

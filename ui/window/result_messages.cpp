@@ -4,15 +4,30 @@
 #include <QStringList>
 
 #include "core/simulation/static_state/static_solution.h"
+#include "core/studies/study/study.h"
+#include "core/studies/study/study_verdict.h"
 #include "ui/film/film_window.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/run_record.h"
 #include "ui/slider/attitude_sections.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
+#include "ui/style/readable.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
+
+namespace {
+
+/// How a completed study is shown: what it checks may not hold.
+MessageStrip::Kind kindOf(const StudyReport& report)
+{
+    const StudyVerdict verdict = verdictOf(report);
+    if (!report.warnings.empty() || verdict == StudyVerdict::HoldsNot) return MessageStrip::Kind::Warning;
+    return verdict == StudyVerdict::HoldsPartly ? MessageStrip::Kind::Information : MessageStrip::Kind::Success;
+}
+
+} // namespace
 
 ResultMessages::ResultMessages(MessageStrip& messages, AboutCasePane& about, const FilmWindow& film)
     : messages_(messages), about_(about), film_(film)
@@ -47,6 +62,21 @@ void ResultMessages::runEnded(const RunRecord& run, bool quiet)
     else
         messages_.show(kind, lines.join(QLatin1Char('\n')), {}, MessageStrip::Topic::Any,
                        startGiven ? tr("Start where it flies") : QString());
+}
+
+void ResultMessages::studied(const StudyReport& report, bool onItsPage)
+{
+    const QString title = QString::fromStdString(report.title);
+    QStringList lines{report.findings.empty() || onItsPage ? tr("Completed: %1").arg(title)
+                                                           : readable(report.findings.front())};
+    if (onItsPage && verdictOf(report) == StudyVerdict::HoldsNot) lines << tr("What it checks does not hold.");
+    if (!report.warnings.empty()) lines << tr("Limitations are listed below the findings (⚠).");
+    switch (report.status) {
+    case StudyStatus::Completed: messages_.show(kindOf(report), lines.join(QLatin1Char('\n'))); break;
+    case StudyStatus::Interrupted: // only in a file
+    case StudyStatus::Cancelled: messages_.show(MessageStrip::Kind::Information, tr("Stopped: %1").arg(title)); break;
+    case StudyStatus::Failed: messages_.show(MessageStrip::Kind::Failure, sentence(report.message)); break;
+    }
 }
 
 void ResultMessages::solved(const SteadyResult& result)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the window says of a run or a static solution that has ended or is shown: in the message strip, and beside the
-// case as long as the result is of that case.
+// What the window says of a run, a study or a static solution that has ended or is shown: in the message strip, and
+// beside the case as long as the result is of that case.
 #pragma once
 
 #include <QString>
@@ -14,6 +14,7 @@ class MessageStrip;
 struct Case;
 struct RunRecord;
 struct SteadyResult;
+struct StudyReport;
 
 class ResultMessages {
 public:
@@ -23,6 +24,8 @@ public:
     /// `quiet`: a good end is not said in the strip.
     void runEnded(const RunRecord& run, bool quiet);
     void solved(const SteadyResult& result);
+    /// `onItsPage`: the findings stand on the page that is shown.
+    void studied(const StudyReport& report, bool onItsPage);
     /// Another solution is shown, or none. `onItsPage`: the page of the static state is shown.
     void solutionShown(bool onItsPage);
     /// The message of a solution leaves with its case.

@@ -79,7 +79,11 @@ void WindowActions::buildFile(QMainWindow& window)
                     tr("Read rail.dat with run.dat or dynamics.def, or from a .cml archive"));
     exportCml = add(menu, tr("Export as C&ML case…"), {}, {},
                     tr("Write rail.dat and run.dat into a folder or into a .cml archive"));
-    exportCml->setVisible(false);
+    exportDxf = add(menu, tr("Save surface as &DXF…"), {}, {},
+                    tr("Draw the outlines of all rails for a CAD program, in mm, with a layer for each rail"));
+    underlay = add(menu, tr("Dra&wing under the plan…"), {}, {},
+                   tr("Show a picture or a DXF drawing under the plan of the surface, to trace it"));
+    for (QAction* action : {exportCml, exportDxf, underlay}) action->setVisible(false);
     menu->addSeparator();
     openResults = add(menu, tr("Open saved r&un…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_O));
     saveResults = add(menu, tr("Save run as &HDF5…"));
@@ -260,7 +264,8 @@ std::vector<const QAction*> WindowActions::withShortcuts() const
 void WindowActions::setPage(ModelKind model, bool inTime)
 {
     const bool film = model == ModelKind::Film;
-    for (QAction* action : {solve, solveGiven, exportCml}) action->setVisible(film);
+    for (QAction* action : {solve, solveGiven, exportCml, exportDxf}) action->setVisible(film);
+    underlay->setVisible(film && !inTime);
     for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(inTime);
     for (QAction* action : pace_) action->setVisible(inTime);
     plots->menuAction()->setVisible(inTime);

@@ -25,8 +25,8 @@ public:
     /// Builds the menus and the tool bar of `window`.
     WindowActions(QMainWindow& window, QUndoStack& undo);
 
-    QAction *newCase, *open, *caseGallery, *save, *saveAs, *importCml, *exportCml, *openResults, *exportPage, *figure,
-        *exportCsv, *saveResults, *quit;
+    QAction *newCase, *open, *caseGallery, *save, *saveAs, *importCml, *exportCml, *exportDxf, *underlay, *openResults,
+        *exportPage, *figure, *exportCsv, *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
     QAction *run, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
     QAction* printLesson;

@@ -20,6 +20,7 @@
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/cml_case.h"
+#include "core/formats/dxf_drawing.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 
@@ -35,6 +36,7 @@ private slots:
     void init();
     void importsWhatItExported_data();
     void importsWhatItExported();
+    void drawsTheSurface();
     void savingNeverWritesOverAnImport();
     void tellsWhatIsNotModelled();
     void namesAnImport_data();
@@ -96,6 +98,17 @@ void TestCaseFiles::importsWhatItExported()
     QVERIFY(!files_->modified());
     QVERIFY(files_->file().isEmpty());
     QCOMPARE(files_->shortName(), QStringLiteral("slider"));
+}
+
+void TestCaseFiles::drawsTheSurface()
+{
+    QSignalSpy exported(files_, &CaseFiles::exported);
+    QCOMPARE(files_->exportDrawing(path(QStringLiteral("a.dxf"))), QString());
+    QCOMPARE(exported.count(), 1);
+    const Drawing drawing = readDxf(path(QStringLiteral("a.dxf")).toStdString());
+    QCOMPARE(drawing.paths.size(), sampleSurface().rails.size() + 1); // and the border
+    QVERIFY(!files_->exportDrawing(path(QStringLiteral("no/such/folder/a.dxf"))).isEmpty());
+    QCOMPARE(exported.count(), 1);
 }
 
 void TestCaseFiles::savingNeverWritesOverAnImport()

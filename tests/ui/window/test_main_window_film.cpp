@@ -181,7 +181,7 @@ void TestMainWindowFilm::offersTheActionsOfTheModel()
     Fixture f;
     const WindowActions& actions = f.window.actions();
     QVERIFY(actions.solveGiven->isVisible() && actions.solveGiven->isEnabled());
-    QVERIFY(actions.exportCml->isVisible());
+    QVERIFY(actions.exportCml->isVisible() && actions.exportDxf->isVisible());
     QVERIFY(actions.solve->isVisible() && actions.run->isVisible());
     for (const QAction* action : {actions.pause, actions.step, actions.follow, actions.zoomBack})
         QVERIFY(!action->isVisible());
