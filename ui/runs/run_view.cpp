@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
@@ -75,7 +76,12 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     auto* plotsLayout = new QHBoxLayout(plotsAndList);
     plotsLayout->setContentsMargins(0, 0, 0, 0);
     plotsLayout->setSpacing(0);
-    plotsLayout->addWidget(plots_, 1);
+    auto* scroll = new QScrollArea(plotsAndList); // where the plots have less room than they need to be read
+    scroll->setWidget(plots_);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    plotsLayout->addWidget(scroll, 1);
     plotsLayout->addWidget(quantities_);
     quantities_->hide();
     splitter_->addWidget(above_);
