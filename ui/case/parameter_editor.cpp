@@ -34,7 +34,7 @@ QString labelOf(const Parameter& parameter)
     const QString group = QString::fromStdString(parameter.group()) + QLatin1Char(' ');
     if (text.startsWith(group)) text.remove(0, group.size());
     if (!text.isEmpty()) text[0] = text[0].toUpper();
-    return parameter.symbol.empty() ? text : text + QStringLiteral(" ") + symbolText(parameter.symbol);
+    return parameter.symbol.empty() ? text : text + QStringLiteral("&nbsp;") + symbolText(parameter.symbol);
 }
 
 /// Whether each word of `search` is the start of a word of the text. Words consist of letters and digits.
@@ -114,15 +114,17 @@ void ParameterEditor::arrange(bool stacked)
     for (QWidget* part : {static_cast<QWidget*>(label_), static_cast<QWidget*>(assumed_), input(),
                           static_cast<QWidget*>(unit_), static_cast<QWidget*>(reset_)})
         grid_->removeWidget(part);
-    grid_->addWidget(label_, 0, 0, 1, row == 0 ? 1 : 5);
+    const bool line = stacked && choice_; // for itself, as a text has
+    grid_->addWidget(label_, 0, 0, 1, row == 0 ? 1 : line ? 4 : 5);
     grid_->addWidget(reset_, row, 4);
     if (wide) {
         grid_->addWidget(input(), 1, 0, 1, 3);
         if (parameter_.kind == ParameterKind::List) grid_->addWidget(unit_, 1, 3);
         return;
     }
-    grid_->addWidget(assumed_, row, 1);
-    grid_->addWidget(input(), row, 2, 1, choice_ ? 2 : 1);
+    grid_->addWidget(assumed_, line ? 0 : row, line ? 4 : 1);
+    grid_->addWidget(input(), row, line ? 0 : 2, 1, line ? 4 : choice_ ? 2 : 1);
+    fitChoice();
     if (!choice_) grid_->addWidget(unit_, row, 3);
 }
 
@@ -180,8 +182,15 @@ int ParameterEditor::unitWidth() const
 void ParameterEditor::setUnitWidth(int width)
 {
     unit_->setFixedWidth(width);
-    // As wide as a number and its unit, so that the column is even; a longer name takes room from its label.
-    if (choice_) choice_->setFixedWidth(std::max(inputWidth() + spacing + width, choice_->sizeHint().width()));
+    fitChoice();
+}
+
+/// As wide as a number and its unit, so that the column is even; a longer name takes room from its label.
+void ParameterEditor::fitChoice()
+{
+    if (!choice_) return;
+    choice_->setMinimumWidth(std::max(inputWidth() + spacing + unit_->minimumWidth(), choice_->sizeHint().width()));
+    choice_->setMaximumWidth(stacked_ ? QWIDGETSIZE_MAX : choice_->minimumWidth());
 }
 
 void ParameterEditor::describe()

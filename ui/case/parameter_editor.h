@@ -62,6 +62,7 @@ protected:
 private:
     void buildInput();
     void arrange(bool stacked);
+    void fitChoice();
     void describe();
     void colour();
     QString meaning(int choice) const;

@@ -80,25 +80,27 @@ void RecordDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     QFont bold = item.font;
     bold.setBold(true);
     const int resultWidth = QFontMetrics(bold).horizontalAdvance(result);
-    const QRect top(left, inner.top(), inner.right() - left + 1, height);
-    painter->setFont(bold);
-    painter->setPen(index.data(RecordList::FailedRole).toBool() ? meaning.failure : ink);
-    painter->drawText(top, Qt::AlignRight | Qt::AlignVCenter, result);
-    painter->setFont(item.font);
-    painter->setPen(ink);
-    const QString name = index.data(Qt::DisplayRole).toString();
-    painter->drawText(top.adjusted(0, 0, -resultWidth - 8, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                      item.fontMetrics.elidedText(name, Qt::ElideMiddle, top.width() - resultWidth - 8));
-
     const QFont small = smaller(item.font);
     const QFontMetrics metrics(small);
+    const QRect top(left, inner.top(), inner.right() - left + 1, height);
+    QRect line(left, inner.top() + height + 1, top.width(), metrics.height());
+    const QString name = index.data(Qt::DisplayRole).toString();
+    // A name that has no room beside the result has its line for itself.
+    const bool beside = item.fontMetrics.horizontalAdvance(name) + 8 + resultWidth <= top.width();
+    painter->setFont(bold);
+    painter->setPen(index.data(RecordList::FailedRole).toBool() ? meaning.failure : ink);
+    painter->drawText(beside ? top : line, Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip, result);
+    painter->setFont(item.font);
+    painter->setPen(ink);
+    painter->drawText(top, Qt::AlignLeft | Qt::AlignVCenter,
+                      item.fontMetrics.elidedText(name, Qt::ElideMiddle, top.width()));
+
     painter->setFont(small);
     painter->setPen(meaning.muted);
-    QRect line(left, inner.top() + height + 1, top.width(), metrics.height());
     QString changes = index.data(RecordList::ChangesRole).toString();
     if (index.data(RecordList::BaselineRole).toBool()) changes = tr("baseline \u00b7 %1").arg(changes);
     painter->drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
-                      metrics.elidedText(changes, Qt::ElideRight, line.width()));
+                      metrics.elidedText(changes, Qt::ElideRight, line.width() - (beside ? 0 : resultWidth + 8)));
     const QString note = index.data(RecordList::NoteRole).toString();
     if (!note.isEmpty()) {
         line.translate(0, metrics.height());

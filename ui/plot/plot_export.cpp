@@ -91,9 +91,13 @@ Picture pictureOf(QWidget& shown, const PlotTheme& theme)
                     return;
                 }
                 painter.fillRect(shown.rect(), theme.background);
-                for (QWidget* widget : visibleParts(shown))
+                for (QWidget* widget : visibleParts(shown)) {
+                    painter.save();
+                    painter.setClipRect(partInView(*widget, shown).translated(widget->mapTo(&shown, QPoint())));
                     dynamic_cast<PagePart*>(widget)->paintInto(
                         painter, QRectF(widget->mapTo(&shown, QPoint()), widget->size()), theme);
+                    painter.restore();
+                }
             }};
 }
 
@@ -120,6 +124,16 @@ QByteArray number(std::optional<double> value, double factor)
 }
 
 } // namespace
+
+QRect partInView(const QWidget& widget, const QWidget& page)
+{
+    QRect seen = widget.rect();
+    for (const QWidget* around = &widget; around != &page;) {
+        around = around->parentWidget();
+        seen &= QRect(widget.mapFrom(around, QPoint()), around->size());
+    }
+    return seen;
+}
 
 std::vector<QWidget*> visibleParts(QWidget& page)
 {

@@ -57,6 +57,8 @@ public:
 std::optional<QByteArray> pictureBytes(const Picture& picture, const QString& path);
 /// The visible PageParts of a page, from the top to the bottom and from the left to the right.
 std::vector<QWidget*> visibleParts(QWidget& page);
+/// What of a widget its page shows, in the coordinates of the widget: the rest is scrolled away.
+QRect partInView(const QWidget& widget, const QWidget& page);
 /// Pixels as they are; the ending is that of an image format of Qt.
 [[nodiscard]] QString saveImage(const QImage& image, const QString& path);
 void copyPicture(QWidget& shown);

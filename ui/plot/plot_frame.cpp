@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <QFontInfo>
 #include <QFontMetricsF>
@@ -11,11 +13,22 @@ namespace touchdown {
 
 namespace {
 
+constexpr double leastArea = 3.0, leastStep = 0.8; // of the numbers at the left, in their heights
+
 QFont titleFont(const QFont& text)
 {
     QFont heavy = text;
     heavy.setWeight(QFont::DemiBold);
     return heavy;
+}
+
+/// Heights of the title above the area and of the numbers below it [px].
+std::pair<double, double> aroundArea(const QFont& font, bool xNumbers)
+{
+    const double text = QFontMetricsF(plotTextFont(font)).height();
+    const double numbers = QFontMetricsF(plotNumberFont(font)).height();
+    return {std::ceil(text + 2.0 * PlotFrame::gap),
+            xNumbers ? PlotFrame::tickLength + numbers + text + PlotFrame::gap + 4.0 : PlotFrame::gap};
 }
 
 /// Smaller where it has no room; shortened only where it could not be read any more.
@@ -53,10 +66,15 @@ QRectF PlotFrame::areaWithin(const QSizeF& size, const QFont& font, const QStrin
     const double text = QFontMetricsF(plotTextFont(font)).height();
     const QFontMetricsF numbers(plotNumberFont(font));
     const double left = gap + text + gap + numbers.horizontalAdvance(widestNumber) + tickLength;
-    const double top = std::ceil(text + 2.0 * gap);
-    const double bottom = xNumbers ? tickLength + numbers.height() + text + gap + 4.0 : gap;
-    return {std::ceil(left), top, std::max(20.0, std::floor(size.width() - left - right)),
-            std::max(20.0, std::floor(size.height() - top - bottom))};
+    const auto [above, below] = aroundArea(font, xNumbers);
+    return {std::ceil(left), above, std::max(20.0, std::floor(size.width() - left - right)),
+            std::max(20.0, std::floor(size.height() - above - below))};
+}
+
+int PlotFrame::leastHeight(const QFont& font, bool xNumbers)
+{
+    const auto [above, below] = aroundArea(font, xNumbers);
+    return static_cast<int>(std::ceil(above + leastArea * QFontMetricsF(plotNumberFont(font)).height() + below));
 }
 
 QRectF PlotFrame::curveArea(const QSizeF& size, const QFont& font, bool xNumbers, const LabelRoom& labels)
@@ -86,11 +104,14 @@ void PlotFrame::paintNumbers(QPainter& painter, const PlotTheme& theme, double w
     painter.setFont(numberFont);
     const QFontMetricsF metrics(numberFont);
     const double height = metrics.height();
+    double below = std::numeric_limits<double>::infinity(); // the last number
     for (const AxisTick& tick : yTicks) {
         if (!tick.major) continue;
         const double at = alignedPixel(up(y->position(tick.value)));
         painter.setPen(QPen(theme.axis, 1.0));
         painter.drawLine(QPointF(area.left() - tickLength, at), QPointF(area.left(), at));
+        if (below - at < leastStep * height) continue;
+        below = at;
         painter.setPen(theme.mutedText);
         painter.drawText(QRectF(0.0, at - height / 2.0, area.left() - tickLength - 3.0, height),
                          Qt::AlignRight | Qt::AlignVCenter, tick.text);

@@ -42,6 +42,9 @@ struct PlotFrame {
     static QRectF areaWithin(const QSizeF& size, const QFont& font, const QString& widestNumber, double right,
                              bool xNumbers = true);
 
+    /// In which an area has room for two numbers above each other [px].
+    static int leastHeight(const QFont& font, bool xNumbers);
+
     /// The same for curves, with room for labels of reference lines.
     static QRectF curveArea(const QSizeF& size, const QFont& font, bool xNumbers, const LabelRoom& labels);
 

@@ -73,6 +73,7 @@ void PlotWidget::setYScale(AxisScale scale)
 void PlotWidget::setXNumbersVisible(bool visible)
 {
     xNumbersVisible_ = visible;
+    updateGeometry();
     moveArea();
 }
 

@@ -154,7 +154,8 @@ public:
     const PlotTheme& theme() const { return theme_; }
 
     QSize sizeHint() const override { return {640, 220}; }
-    QSize minimumSizeHint() const override { return {240, 64}; }
+    /// Title, numbers and curves can be read.
+    QSize minimumSizeHint() const override;
 
 signals:
     /// The user changed the view, which is already shown.

@@ -191,6 +191,8 @@ QRectF PlotWidget::plotArea() const
     return PlotFrame::curveArea(size(), font(), xNumbersVisible_, labels);
 }
 
+QSize PlotWidget::minimumSizeHint() const { return {240, PlotFrame::leastHeight(font(), xNumbersVisible_)}; }
+
 QPointF PlotWidget::toPixel(double x, double y) const
 {
     const QRectF area = plotArea();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QHBoxLayout>
+#include <QEvent>
 #include <QVBoxLayout>
 
 #include "core/formats/units.h"
@@ -15,7 +15,8 @@ namespace touchdown {
 
 namespace {
 
-constexpr double kilohertz = 1e3; // [Hz]
+constexpr double kilohertz = 1e3;  // [Hz]
+constexpr int quantityStretch = 3; // the other choices are short
 // Share of the power of the highest peak, 50 dB: a fainter peak does not widen the axis.
 constexpr double faintest = 1e-5;
 
@@ -53,7 +54,8 @@ SpectrumView::SpectrumView(QWidget* parent)
       segment_(new QComboBox(controls_)),
       overlap_(new QSpinBox(controls_)),
       scaling_(new QComboBox(controls_)),
-      logFrequency_(new QCheckBox(tr("&Log"), controls_))
+      logFrequency_(new QCheckBox(tr("&Log"), controls_)),
+      row_(new QHBoxLayout)
 {
     window_->addItem(tr("Hann"), static_cast<int>(SpectrumWindow::Hann));
     window_->addItem(tr("Hamming"), static_cast<int>(SpectrumWindow::Hamming));
@@ -72,16 +74,18 @@ SpectrumView::SpectrumView(QWidget* parent)
     plot_->setYScale(AxisScale::Logarithmic);
     setOptions({});
 
-    auto* row = new QHBoxLayout(controls_);
-    row->setSpacing(6);
-    row->setContentsMargins(6, 4, 6, 4);
+    auto* rows = new QVBoxLayout(controls_);
+    rows->setSpacing(4);
+    rows->setContentsMargins(6, 4, 6, 4);
+    row_->setSpacing(6);
+    rows->addLayout(row_);
     // The boxes have no labels: these would make the window too wide for a small screen.
     const auto add = [&](QWidget* box, int stretch, const QString& name, const QString& toolTip) {
         box->setAccessibleName(name);
         box->setToolTip(plainTip(toolTip));
-        row->addWidget(box, stretch);
+        row_->addWidget(box, stretch);
     };
-    add(quantity_, 3, tr("Quantity"), tr("Quantity whose spectrum is shown"));
+    add(quantity_, quantityStretch, tr("Quantity"), tr("Quantity whose spectrum is shown"));
     add(window_, 1, tr("Window"), tr("Window that each segment is multiplied with"));
     add(segment_, 1, tr("Segment"),
         tr("Samples in each segment: more give a finer resolution, fewer a smoother average"));
@@ -89,8 +93,8 @@ SpectrumView::SpectrumView(QWidget* parent)
     add(scaling_, 1, tr("Scaling"),
         tr("Density: its integral over frequency is the mean square. "
            "Amplitude: a sine of amplitude A shows A\u00b2/2 at its frequency."));
-    row->addSpacing(6);
-    row->addWidget(logFrequency_);
+    row_->addSpacing(6);
+    row_->addWidget(logFrequency_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -122,6 +126,29 @@ SpectrumView::SpectrumView(QWidget* parent)
         group_->followNewest();
         updateMarks();
     });
+}
+
+bool SpectrumView::event(QEvent* event)
+{
+    const bool handled = QWidget::event(event);
+    if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) arrangeControls();
+    return handled;
+}
+
+/// The quantity has a line of its own where the choices have no room beside it.
+void SpectrumView::arrangeControls()
+{
+    auto* rows = static_cast<QVBoxLayout*>(controls_->layout());
+    const bool beside = row_->indexOf(quantity_) >= 0;
+    const QMargins around = rows->contentsMargins();
+    const int own = beside ? 0 : quantity_->sizeHint().width() + row_->spacing();
+    const bool room = row_->sizeHint().width() + own + around.left() + around.right() <= width();
+    if (room == beside) return;
+    (beside ? static_cast<QBoxLayout*>(row_) : rows)->removeWidget(quantity_);
+    if (room)
+        row_->insertWidget(0, quantity_, quantityStretch);
+    else
+        rows->insertWidget(0, quantity_);
 }
 
 void SpectrumView::setQuantities(const std::vector<Quantity>& quantities)

@@ -13,6 +13,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QSpinBox>
 
 #include "core/numerics/spectrum.h"
@@ -63,7 +64,11 @@ signals:
     /// Spectra came, went or are shown in another way.
     void curvesChanged();
 
+protected:
+    bool event(QEvent* event) override;
+
 private:
+    void arrangeControls();
     void request();
     void updateAxes();
     void updateMarks();
@@ -78,6 +83,7 @@ private:
     QSpinBox* overlap_;
     QComboBox* scaling_;
     QCheckBox* logFrequency_;
+    QHBoxLayout* row_; // of these
     std::vector<Quantity> quantities_;
     std::map<FrequencyKind, QAction*> lines_;
     std::vector<ReferenceFrequency> references_;

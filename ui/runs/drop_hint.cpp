@@ -5,6 +5,7 @@
 
 #include <QPainter>
 
+#include "ui/plot/plot_export.h"
 #include "ui/plot/plot_theme.h"
 #include "ui/style/theme.h"
 
@@ -25,7 +26,8 @@ DropHint::DropHint(QWidget* parent) : QWidget(parent)
 QRect DropHint::strip() const
 {
     const int high = stripLines * fontMetrics().height();
-    return {0, std::max(0, parentWidget()->height() - high), parentWidget()->width(), high};
+    const QRect seen = partInView(*parentWidget(), *window());
+    return {seen.left(), std::max(seen.top(), seen.bottom() + 1 - high), seen.width(), high};
 }
 
 void DropHint::show(const QRect& target, const QString& text, bool refused)

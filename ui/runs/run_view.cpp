@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QHBoxLayout>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include "core/case/parameters.h"
@@ -80,7 +81,12 @@ RunView::RunView(RunsModel& runs, QWidget* parent)
     auto* plotsLayout = new QHBoxLayout(plotsAndList);
     plotsLayout->setContentsMargins(0, 0, 0, 0);
     plotsLayout->setSpacing(0);
-    plotsLayout->addWidget(plots_, 1);
+    auto* scroll = new QScrollArea(plotsAndList); // where the plots have less room than they need to be read
+    scroll->setWidget(plots_);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    plotsLayout->addWidget(scroll, 1);
     plotsLayout->addWidget(quantities_);
     quantities_->hide();
     splitter_->addWidget(above_);

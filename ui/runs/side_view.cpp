@@ -20,6 +20,7 @@ namespace touchdown {
 namespace {
 
 constexpr double headRoom = 1.25; // above the highest pad
+constexpr double padShare = 0.3;  // of the width, for the pad near the disk
 
 } // namespace
 
@@ -168,7 +169,17 @@ std::vector<double> SideView::Seen::heights() const
 QRectF SideView::plotArea() const
 {
     const double line = fontMetrics().height();
-    return QRectF(rect()).adjusted(5.0 * line, 2.7 * line, -1.5 * line, -2.6 * line);
+    const QRectF whole = QRectF(rect()).adjusted(5.0 * line, 2.7 * line, -1.5 * line, -2.6 * line);
+    const double pad = first_.springs && first_.springs->padReach() > 0.0 ? padShare * whole.width() + line : 0.0;
+    return whole.adjusted(0.0, 0.0, -pad, 0.0);
+}
+
+/// Beside the slider, which it would hide.
+QRectF SideView::padArea() const
+{
+    const double line = fontMetrics().height();
+    const QRectF area = plotArea();
+    return {area.right() + line, area.top(), width() - area.right() - 2.5 * line, area.height()};
 }
 
 ProfileDrawing SideView::drawing() const { return {plotArea(), first_.length, height_.range()}; }

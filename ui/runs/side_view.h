@@ -93,6 +93,7 @@ private:
     void takeOther(int except = -1);
     int wantedOther(int except) const;
     QRectF plotArea() const;
+    QRectF padArea() const;
     ProfileDrawing drawing() const;
     void writeProfile(QIODevice& device) const;
     void paintAxes(QPainter& painter, const PlotTheme& theme) const;

@@ -38,11 +38,10 @@ void SideView::paint(QPainter& painter, const PlotTheme& theme)
     if (!first_.springs) drawing().paintMotion(painter, theme, first_.speed * state.time);
     if (second_.state) drawing().paintOutline(painter, penOf(second_, theme), second_.length, second_.heights());
     paintSlider(painter, theme);
-    if (first_.springs) {
+    if (first_.springs)
         first_.springs->paintSprings(painter, theme, drawing(), heightAt(0.0), heightAt(1.0), state.disk);
-        first_.springs->paintPad(painter, theme, plotArea(), state.separation, state.contactForce > 0.0);
-    }
     painter.restore();
+    if (first_.springs) first_.springs->paintPad(painter, theme, padArea(), state.separation, state.contactForce > 0.0);
     paintAxes(painter, theme);
     paintReadings(painter, theme);
     paintLegend(painter, theme);
@@ -145,7 +144,7 @@ void SideView::paintAxes(QPainter& painter, const PlotTheme& theme) const
 
 void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const
 {
-    const QRectF area = plotArea();
+    const double right = width() - 1.5 * fontMetrics().height();
     const State& state = *first_.state;
     const QString spacing = state.aboveDisk ? tr("minimum gap above the disk %1") : tr("minimum spacing %1");
     const QStringList attitude{timeText(state.time), spacing.arg(readout(state.spacing, "nm", 3)),
@@ -156,7 +155,7 @@ void SideView::paintReadings(QPainter& painter, const PlotTheme& theme) const
     const double line = fontMetrics().height();
     double top = 0.2 * line;
     for (const QStringList& parts : {attitude, rest}) {
-        painter.drawText(QRectF(0.0, top, area.right(), line), Qt::AlignRight | Qt::AlignVCenter,
+        painter.drawText(QRectF(0.0, top, right, line), Qt::AlignRight | Qt::AlignVCenter,
                          parts.join(QStringLiteral("   ·   ")));
         top += line;
     }

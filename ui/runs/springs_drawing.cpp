@@ -78,13 +78,11 @@ void SpringsDrawing::paintSprings(QPainter& painter, const PlotTheme& theme, con
     painter.drawRect(QRectF(drawing.toPixel(pad, bottom) - QPointF(7.0, 5.0), QSizeF(14.0, 5.0)));
 }
 
-void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& area, double separation,
+void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& frame, double separation,
                               bool pressed) const
 {
     if (reach_ == 0.0) return;
     const double line = painter.fontMetrics().height();
-    const QSizeF size(0.34 * area.width(), std::min(area.height() - 16.0, std::max(0.46 * area.height(), 8.0 * line)));
-    const QRectF frame(QPointF(area.right() - size.width() - 8.0, area.top() + 8.0), size);
     painter.fillRect(frame, theme.plotArea);
     const QRectF inner = frame.adjusted(0.0, 1.3 * line, 0.0, 0.0);
     const ProfileDrawing near{inner, 1.0, {-0.15 * reach_, reach_}};
@@ -92,21 +90,24 @@ void SpringsDrawing::paintPad(QPainter& painter, const PlotTheme& theme, const Q
     painter.setClipRect(inner);
     near.paintDisk(painter, theme);
     double left = inner.left() + 6.0; // beside each other: on a small picture the levels are close
-    const auto level = [&](double height, const QString& name) {
-        const double y = near.toPixel(0.0, height).y();
+    const auto level = [&](double height, const QString& name, bool above) {
+        const double y = near.toPixel(0.0, height).y(), width = painter.fontMetrics().horizontalAdvance(name);
+        const QRectF place(left, above ? y - line : y + 1.0, width, line);
         painter.setPen(QPen(theme.mutedText, 1.0, Qt::DashLine));
         painter.drawLine(QPointF(inner.left(), y), QPointF(inner.right(), y));
+        painter.fillRect(place, theme.plotArea); // no other line crosses it
         painter.setPen(theme.mutedText);
-        painter.drawText(QRectF(left, y - line, inner.width(), line), Qt::AlignLeft | Qt::AlignBottom, name);
-        left += painter.fontMetrics().horizontalAdvance(name) + 10.0;
+        painter.drawText(place, Qt::AlignLeft | Qt::AlignBottom, name);
+        left += width + 10.0;
     };
     if (characteristic_) {
         const QString down = QStringLiteral("dₛ ") + lengthText(characteristic_->touchDown, 3);
         const QString up = QStringLiteral("dₑ ") + lengthText(characteristic_->takeOff, 3);
         const double wanted = painter.fontMetrics().horizontalAdvance(down + up) + 20.0;
         const bool room = wanted < (padMiddle - padHalf) * inner.width();
-        level(characteristic_->touchDown, room ? down : QStringLiteral("dₛ"));
-        level(characteristic_->takeOff, room ? up : QStringLiteral("dₑ"));
+        const bool downAbove = characteristic_->touchDown > characteristic_->takeOff;
+        level(characteristic_->touchDown, room ? down : QStringLiteral("dₛ"), downAbove);
+        level(characteristic_->takeOff, room ? up : QStringLiteral("dₑ"), !downAbove);
     }
     QColor body = theme.mutedText; // of no run
     painter.setPen(QPen(body, 1.5));

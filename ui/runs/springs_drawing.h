@@ -29,8 +29,9 @@ public:
     /// Two springs between the disk and the slider, whose bottom has these heights at its leading and trailing end [m].
     void paintSprings(QPainter& painter, const PlotTheme& theme, const ProfileDrawing& drawing, double leading,
                       double trailing, const Disk& disk) const;
-    /// The pad at the upper right of `area`, at this separation [m]; `pressed`: it touches. Nothing without contact.
-    void paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& area, double separation, bool pressed) const;
+    /// The pad in `frame`, at this separation [m]; `pressed`: it touches. Nothing without contact.
+    void paintPad(QPainter& painter, const PlotTheme& theme, const QRectF& frame, double separation,
+                  bool pressed) const;
     /// Heights up to which the pad's own picture reaches [m]; 0 without contact.
     double padReach() const { return reach_; }
 

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/slider/attitude_table.h"
 
+#include <algorithm>
+
 #include "ui/style/theme.h"
 
 namespace touchdown {
 
 namespace {
 
+constexpr int longName = 12; // characters
+
 QString cell(const QString& text, const QString& style)
 {
-    return QStringLiteral("<td align='right' style='padding:1px 0 1px 10px; %1'>%2</td>").arg(style, text);
+    return QStringLiteral("<td align='right' style='padding:1px 0 1px 8px; %1'>%2</td>").arg(style, text);
 }
 
 /// An error is read after its value: in a quieter colour.
@@ -28,16 +32,22 @@ QString sectionHtml(const AttitudeSection& section, const MeaningColours& colour
     const QString muted = QStringLiteral("color:%1").arg(colours.muted.name());
     QString html =
         QStringLiteral(
-            "<p style='margin:10px 0 2px 0; color:%1; font-weight:600'>%2</p><table width='100%' cellspacing='0'>")
+            "<p style='margin:10px 0 2px 0; color:%1; font-weight:600'>%2</p><table width='98%' cellspacing='0'>")
             .arg(colours.change.name(), section.title.toHtmlEscaped());
     if (!section.columns.isEmpty()) {
         html += QStringLiteral("<tr><td></td>");
         for (const QString& column : section.columns) html += cell(column.toHtmlEscaped(), muted);
         html += QStringLiteral("</tr>");
     }
+    // Names wrap, so that units and places are seen in a narrow pane; beside several values a long one has a line.
+    const bool isLong = std::ranges::any_of(
+        section.rows, [](const QStringList& row) { return row.size() > 2 && row.front().size() > longName; });
+    const bool many = section.columns.size() > 2 || isLong;
     for (const QStringList& row : section.rows) {
-        html += QStringLiteral("<tr><td style='padding:1px 0; white-space:nowrap'>%1</td>")
-                    .arg(row.front().toHtmlEscaped());
+        const qsizetype columns = many ? section.columns.size() + 1 : row.size() == 1 ? 2 : 1;
+        html += QStringLiteral("<tr><td colspan='%1' style='padding:1px 0'>%2</td>")
+                    .arg(QString::number(columns), row.front().toHtmlEscaped());
+        if (many) html += QStringLiteral("</tr><tr><td></td>");
         for (qsizetype i = 1; i < row.size(); ++i)
             html += cell(valueHtml(row[i], colours.muted), QStringLiteral("white-space:nowrap"));
         html += QStringLiteral("</tr>");

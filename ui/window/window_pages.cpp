@@ -231,11 +231,14 @@ void WindowPages::noteWanted()
 
 void WindowPages::showPanesOfPage()
 {
-    for (const Pane& pane : panes_) {
-        const bool here = std::ranges::find(pane.pages, shown_) != pane.pages.end();
-        pane.dock->toggleViewAction()->setVisible(here);
-        pane.dock->setVisible(here && pane.wanted && !panesHidden_);
-    }
+    // Those of the former page leave first: all together would need a higher window, which would stay as high.
+    for (const bool shown : {false, true})
+        for (const Pane& pane : panes_) {
+            const bool here = std::ranges::find(pane.pages, shown_) != pane.pages.end();
+            pane.dock->toggleViewAction()->setVisible(here);
+            if (const bool wanted = here && pane.wanted && !panesHidden_; wanted == shown)
+                pane.dock->setVisible(wanted);
+        }
 }
 
 void WindowPages::showGuide(QWidget& guide, const QString& name, const QString& title)

@@ -21,14 +21,14 @@ namespace {
 constexpr int mostRepeats = 1000, mostStarts = 100000;
 constexpr double longestBudget = 1e6; // [s]
 
-constexpr double mostSteps = 1e7; // of a method's finest run
+constexpr double mostStepsOfRun = 1e7; // of a method's finest run
 constexpr double fewestReferenceSteps = 4e6, mostReferenceSteps = 4e7;
 constexpr std::size_t mostOfSeries = 13; // 1, 2, 5, 10 ..: four decades
 
 /// 1, 2, 5 times a power of ten, from coarse to fine.
 std::vector<std::string> stepSeries(double duration)
 {
-    const double least = duration / mostSteps * (1.0 - 1e-9);
+    const double least = duration / mostStepsOfRun * (1.0 - 1e-9);
     std::vector<std::string> series;
     for (double decade = std::pow(10.0, std::floor(std::log10(least))); decade < duration; decade *= 10.0)
         for (const double mantissa : {1.0, 2.0, 5.0})

@@ -55,6 +55,7 @@ private slots:
     void keysMoveTheCursorByAPixel();
     void offersLinesOfTheCase();
     void controlsHaveNames();
+    void noChoiceIsCut();
 
 private:
     template <typename Widget>
@@ -346,6 +347,17 @@ void TestSpectrumView::controlsHaveNames()
         const auto* button = qobject_cast<QAbstractButton*>(widget);
         QVERIFY2(!widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty()),
                  widget->metaObject()->className());
+    }
+}
+
+/// The quantity has a line of its own in a narrow place.
+void TestSpectrumView::noChoiceIsCut()
+{
+    for (const int width : {560, 1000}) {
+        view_->resize(width, 400);
+        for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
+        for (const auto* box : view_->findChildren<QSpinBox*>()) QVERIFY(box->width() >= box->sizeHint().width());
+        for (const auto* box : view_->findChildren<QComboBox*>()) QVERIFY(box->width() >= box->sizeHint().width());
     }
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include <QApplication>
+#include <QStatusBar>
 #include <QtTest>
 
 #include "tests/support/test_program.h"
@@ -12,6 +13,7 @@
 #include "ui/film/film_view.h"
 #include "ui/film/film_window.h"
 #include "ui/film/surface_page.h"
+#include "ui/plot/plot_widget.h"
 #include "ui/runs/run_view.h"
 #include "ui/style/message_strip.h"
 
@@ -90,6 +92,62 @@ private slots:
         QCoreApplication::processEvents();
         QCOMPARE(place(), before);
         QCOMPARE(sliderOn(plan), slider);
+    }
+    void everyPageFits_data()
+    {
+        QTest::addColumn<QString>("sample");
+        QTest::addColumn<QSize>("screen");
+        QTest::addColumn<double>("letters");
+        for (const char* sample : {"fig10a", "film_pico"}) {
+            QTest::addRow("%s, laptop", sample) << sample << QSize(1280, 720) << 1.0;
+            QTest::addRow("%s, large letters", sample) << sample << QSize(1600, 1000) << 1.5;
+        }
+    }
+    /// Of a case of springs and of one of a film, beside a long message. Nor does the window grow from page to page.
+    void everyPageFits()
+    {
+        QFETCH(const QString, sample);
+        QFETCH(const QSize, screen);
+        QFETCH(const double, letters);
+        const QSize most = screen - QSize(0, 40); // without the frame
+        QFont large = font_;
+        large.setPointSizeF(letters * font_.pointSizeF());
+        QApplication::setFont(large);
+        MainWindow window;
+        window.resize(most);
+        window.show();
+        window.files().openNow(sample);
+        const auto check = [&](const QString& page) {
+            window.messages().show(MessageStrip::Kind::Failure, QString(900, QLatin1Char('w')),
+                                   QStringLiteral("Show it"));
+            for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+            const QSize least = window.minimumSizeHint();
+            QVERIFY2(least.width() <= most.width() && least.height() <= most.height(),
+                     qPrintable(QStringLiteral("%1: %2 x %3").arg(page).arg(least.width()).arg(least.height())));
+            QVERIFY2(window.size() == most, qPrintable(page));
+            QCOMPARE(window.statusBar()->geometry().bottom(), most.height() - 1);
+            // No plot is lower than it can be read; what has no room is scrolled to.
+            for (const PlotWidget* plot : window.runView().findChildren<PlotWidget*>())
+                if (plot->isVisible()) QVERIFY2(plot->height() >= plot->minimumSizeHint().height(), qPrintable(page));
+        };
+        const auto* tabs = window.findChild<QTabBar*>("pages");
+        for (int i = 0; i < tabs->count(); ++i) {
+            if (!tabs->isTabVisible(i)) continue;
+            window.setPage(static_cast<MainWindow::Page>(i));
+            check(tabs->tabText(i));
+        }
+        for (const RunView::Page page :
+             {RunView::Page::Plots, RunView::Page::Side, RunView::Page::Maps, RunView::Page::Disk}) {
+            window.setPage(MainWindow::Page::Run);
+            window.runView().setPage(page);
+            check(QStringLiteral("view %1 of the runs").arg(static_cast<int>(page)));
+        }
+        if (sample == QLatin1String("fig10a")) return;
+        window.setPage(MainWindow::Page::StaticState);
+        for (int page = 0; page <= static_cast<int>(FilmView::Page::Series); ++page) {
+            window.film().view()->setPage(static_cast<FilmView::Page>(page));
+            check(QStringLiteral("view %1 of the static state").arg(page));
+        }
     }
     /// A message leaves with its tab; one about the case stays.
     void aMessageLeavesWithItsTab()
