@@ -225,9 +225,10 @@ void ParameterEditor::show(const CaseEdits& edits)
         check_->setChecked(std::get<bool>(parameter_.get(value)));
     } else {
         shown_ = bad ? bad->text : editorText(value, parameter_);
-        if (line_->text() != shown_) line_->setText(shown_);
+        const bool isNew = line_->text() != shown_;
+        if (isNew) line_->setText(shown_);
         line_->setModified(false);
-        if (isWide(parameter_)) line_->setCursorPosition(0);
+        if (isNew || isWide(parameter_)) line_->setCursorPosition(0); // of a long number the beginning
     }
 
     QString reason = bad ? bad->reason : QString();

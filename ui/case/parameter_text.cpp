@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <QHash>
@@ -53,8 +54,9 @@ std::pair<QString, QString> changeTexts(const Case& before, const Case& after, c
 {
     if (parameter.kind != ParameterKind::Number) return {valueText(before, parameter), valueText(after, parameter)};
     const auto text = [&parameter](const Case& c, int digits) {
-        const double value = roundedTo(std::get<double>(parameter.get(c)), digits);
-        QString number = QString::fromStdString(formatNumber(value, parameter.displayUnit))
+        // Rounded as it is shown: of 1.5 gf neither the SI value nor its rounding is short.
+        const double shown = std::stod(formatNumber(std::get<double>(parameter.get(c)), parameter.displayUnit));
+        QString number = QString::fromStdString(formatNumber(roundedTo(shown, digits)))
                              .replace(QLatin1Char('.'), QLocale().decimalPoint());
         return parameter.displayUnit.empty() ? number : number + QChar(0x00A0) + unitText(parameter.displayUnit);
     };

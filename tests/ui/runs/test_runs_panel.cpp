@@ -125,6 +125,13 @@ void TestRunsPanel::saysWhatChanged()
     QVERIFY2(caseDifference(before, after).front().endsWith(QStringLiteral("28.125001\u00a0mm → 28.125\u00a0mm")),
              qPrintable(caseDifference(before, after).front()));
     before.disk.radius = after.disk.radius;
+    // Also in a unit that is no power of ten of the SI unit.
+    after = before;
+    before.suspension.preload = 1.5000000025e-3 * 9.80665;
+    after.suspension.preload = 1.6000000367e-3 * 9.80665;
+    QVERIFY2(caseDifference(before, after).front().endsWith(QStringLiteral("1.5\u00a0gf → 1.6\u00a0gf")),
+             qPrintable(caseDifference(before, after).front()));
+    before.suspension.preload = after.suspension.preload;
     // Points that were moved together are one change.
     after = before;
     for (RailPoint& point : after.surface.rails[0].points) point.x += 2e-6;
