@@ -130,6 +130,7 @@ std::string writeCml(CaseDocument& document, const fs::path& to)
     const CmlOutput output = formatCmlCase(document.value);
     if (!output.problem.empty()) return document.name + ": " + output.problem;
     std::string problem = writeCmlCase(to, output.members);
+    if (problem.empty() && !output.lost.empty()) complain("warning: " + to.string() + ": " + output.lost);
     if (!problem.empty() || output.keptKeys.empty()) return problem;
     complain("warning: " + to.string() +
              ": kept in the comments of run.dat, where the established program does not see them: " +
@@ -142,7 +143,10 @@ std::string writeDxf(const CaseDocument& document, const fs::path& to)
     const Case& c = document.value;
     if (c.model != ModelKind::Film) return document.name + ": has no slider with rails, of which a drawing is made";
     const std::string problem = writeTextFile(to, dxfText(c.surface, c.slider.length, c.slider.width));
-    return problem.empty() ? problem : to.string() + ' ' + problem;
+    if (!problem.empty()) return to.string() + ' ' + problem;
+    if (const std::string lost = lostInDrawing(c.surface); !lost.empty())
+        complain("warning: " + to.string() + ": " + lost);
+    return {};
 }
 
 } // namespace
@@ -216,7 +220,7 @@ int validateCommand(const CommandArguments& arguments)
 
 int convertCommand(const CommandArguments& arguments, const std::string& to, bool force)
 {
-    // Values without effect are kept, so that converting back loses nothing.
+    // Values without effect are kept, so that converting back loses no more than is said.
     CaseDocument document = openCaseToKeep(arguments);
     if (!document.valid()) return refuse(document.problems, false);
     const bool toml = fs::path(to).extension() == ".toml", dxf = fs::path(to).extension() == ".dxf";

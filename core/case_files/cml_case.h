@@ -44,6 +44,7 @@ void readCmlFiles(const CmlFiles& files, CmlParameters& parameters);
 struct CmlOutput {
     std::vector<CmlMember> members;
     std::vector<std::string> keptKeys; // of values that only the comments hold
+    std::string lost;                  // a sentence about what no file has, or ""
     std::string problem;               // why there are no files, or ""
 };
 CmlOutput formatCmlCase(const Case& c);

@@ -64,6 +64,8 @@ CmlOutput formatCmlCase(const Case& c)
     const CmlKeptValues kept = keepValues(c, read);
     output.members = {{"rail.dat", std::move(files.rail.text)}, {"run.dat", formatCmlRun(c, kept.comments)}};
     output.keptKeys = kept.keys;
+    if (!c.surface.distances.empty() || !c.surface.symmetries.empty())
+        output.lost = "these files have no kept distances and symmetries";
     return output;
 }
 

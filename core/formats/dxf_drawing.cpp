@@ -37,6 +37,13 @@ double unitOf(int number)
     return found == units.end() ? 0.0 : found->second;
 }
 
+/// "1 hatch", "2 hatches", "1 text".
+std::string counted(int count, const std::string& plural)
+{
+    const std::size_t ending = count != 1 ? 0 : plural.ends_with("hes") ? 2 : 1;
+    return std::to_string(count) + ' ' + plural.substr(0, plural.size() - ending);
+}
+
 /// Takes what the library finds in a file.
 class DrawingReader : public DL_CreationAdapter {
 public:
@@ -46,7 +53,7 @@ public:
         for (const auto& [what, count] : others_) {
             const bool last = what == others_.rbegin()->first;
             if (!drawing_.remark.empty()) drawing_.remark += last ? " and " : ", ";
-            drawing_.remark += std::to_string(count) + ' ' + (count == 1 ? what.substr(0, what.size() - 1) : what);
+            drawing_.remark += counted(count, what);
         }
         if (!others_.empty())
             drawing_.remark +=
@@ -70,6 +77,7 @@ public:
     void addLine(const DL_LineData& line) override
     {
         begin(false);
+        mirrored_ = false; // a line is in the coordinates of the world
         path_.points = {{line.x1, line.y1}, {line.x2, line.y2}};
         finish();
     }
@@ -91,9 +99,10 @@ public:
     }
     void addPolyline(const DL_PolylineData& polyline) override
     {
-        constexpr int isClosed = 1, isMesh = 16 | 64;
+        constexpr int isClosed = 1, isSpatial = 8, isMesh = 16 | 64;
         if ((polyline.flags & isMesh) != 0) return count("meshes");
         begin((polyline.flags & isClosed) != 0);
+        if ((polyline.flags & isSpatial) != 0) mirrored_ = false; // as a line
         polyline_ = true;
     }
     void addVertex(const DL_VertexData& vertex) override

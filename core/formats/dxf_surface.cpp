@@ -24,6 +24,7 @@ constexpr double samePlace = 1e-9;       // of two corners [m]
 constexpr double meeting = 20e-9;        // of the ends of two lines: files of others have few digits [m]
 constexpr std::size_t mostJoined = 5000; // open lines
 constexpr double sameBorder = 1e-7;      // of an outline and the border of the slider [m]
+constexpr double mostRecess = 1e9;       // the most that a case takes [nm]
 
 /// "1500.25": a recess in nm to 1e-6 nm.
 std::string nanometres(double metres)
@@ -107,12 +108,13 @@ SurfacePoint corner(const RailPoint& point) { return {point.x, point.y}; }
 
 double apart(const SurfacePoint& a, const SurfacePoint& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-/// Open lines that meet become longer ones; those that close become outlines.
-std::vector<DrawnPath> joined(std::vector<DrawnPath> paths)
+/// Open lines that meet become longer ones; those that close become outlines. `tooMany` open lines are left out.
+std::vector<DrawnPath> joined(std::vector<DrawnPath> paths, bool& tooMany)
 {
     std::vector<DrawnPath> found, open;
     for (DrawnPath& path : paths) (path.closed ? found : open).push_back(std::move(path));
-    if (open.size() > mostJoined) return found;
+    tooMany = open.size() > mostJoined;
+    if (tooMany) return found;
     while (!open.empty()) {
         DrawnPath chain = std::move(open.back());
         open.pop_back();
@@ -136,8 +138,9 @@ std::vector<DrawnPath> joined(std::vector<DrawnPath> paths)
     return found;
 }
 
-bool isBorder(const Rail& rail, double length, double width)
+bool isBorder(const Rail& rail, const std::string& layer, double length, double width)
 {
+    if (layer.starts_with("rail ")) return false; // a rail may cover the whole slider
     std::array<bool, 4> met{};
     for (const RailPoint& p : rail.points) {
         const bool left = std::abs(p.x) < sameBorder, right = std::abs(p.x - length) < sameBorder;
@@ -148,15 +151,17 @@ bool isBorder(const Rail& rail, double length, double width)
     return std::ranges::all_of(met, [](bool corner) { return corner; });
 }
 
+/// [m]; zero for what no case takes, as "nan" and "1e300".
+double recessOf(double nm) { return std::abs(nm) <= mostRecess ? nm * 1e-9 : 0.0; }
+
 void takeRecess(Rail& rail, const std::string& layer)
 {
     int number = 0;
     std::array<double, 3> r{};
-    constexpr double nm = 1e-9; // [m]
-    if (std::sscanf(layer.c_str(), "rail %d recess %lf nm", &number, r.data()) == 2) rail.recess[0] = r[0] * nm;
+    if (std::sscanf(layer.c_str(), "rail %d recess %lf nm", &number, r.data()) == 2) rail.recess[0] = recessOf(r[0]);
     if (std::sscanf(layer.c_str(), "rail %d ramp %lf %lf %lf nm", &number, &r[0], &r[1], &r[2]) != 4) return;
     rail.kind = RailKind::Ramp;
-    std::ranges::transform(r, rail.recess.begin(), [](double recess) { return recess * nm; });
+    std::ranges::transform(r, rail.recess.begin(), recessOf);
 }
 
 } // namespace
@@ -182,21 +187,39 @@ std::string dxfText(const AirBearingSurface& surface, double length, double widt
     return text;
 }
 
-std::vector<Rail> railsOfDrawing(const std::vector<DrawnPath>& paths, double length, double width)
+DrawnRails railsOfDrawing(const std::vector<DrawnPath>& paths, double length, double width)
 {
-    std::vector<Rail> rails;
-    for (const DrawnPath& path : joined(paths)) {
+    DrawnRails drawn;
+    for (const DrawnPath& path : joined(paths, drawn.tooManyOpenLines)) {
         Rail rail;
         for (const SurfacePoint& p : path.points)
             if (rail.points.empty() || apart(p, corner(rail.points.back())) > samePlace)
                 rail.points.push_back({p.x, p.y});
         while (rail.points.size() > 1 && apart(corner(rail.points.front()), corner(rail.points.back())) < meeting)
             rail.points.pop_back();
-        if (rail.points.size() < 3 || isBorder(rail, length, width)) continue;
+        if (rail.points.size() < 3 || isBorder(rail, path.layer, length, width)) continue;
         takeRecess(rail, path.layer);
-        rails.push_back(std::move(rail));
+        drawn.rails.push_back(std::move(rail));
     }
-    return rails;
+    return drawn;
+}
+
+std::string lostInDrawing(const AirBearingSurface& surface)
+{
+    const auto hasWall = [](const Rail& rail) {
+        return std::ranges::any_of(rail.points, [](const RailPoint& point) { return point.wall != 0; });
+    };
+    std::vector<std::string> lost;
+    if (std::ranges::any_of(surface.rails, hasWall)) lost.push_back("walls");
+    if (surface.crown != 0.0 || surface.camber != 0.0 || surface.twist != 0.0)
+        lost.push_back("crown, camber and twist");
+    if (surface.taperLength != 0.0) lost.push_back("taper");
+    if (!surface.pointsOfInterest.empty()) lost.push_back("points of interest");
+    if (!surface.distances.empty() || !surface.symmetries.empty()) lost.push_back("kept distances and symmetries");
+    if (lost.empty()) return {};
+    std::string text = "a drawing has no " + lost.front();
+    for (std::size_t i = 1; i < lost.size(); ++i) text += (i + 1 < lost.size() ? ", no " : " and no ") + lost[i];
+    return text;
 }
 
 } // namespace touchdown

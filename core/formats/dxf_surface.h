@@ -19,9 +19,17 @@ namespace touchdown {
 /// memory for it.
 std::string dxfText(const AirBearingSurface& surface, double length, double width);
 
-/// Each closed outline as a step with vertical edges, or the ramp that its layer tells; a recess that no layer tells is
-/// zero. The border of the slider is left out. Lines and arcs on one layer whose ends meet are one outline. `paths` in
-/// m on a slider of this length and width [m].
-std::vector<Rail> railsOfDrawing(const std::vector<DrawnPath>& paths, double length, double width);
+/// A sentence about what this surface has and a drawing has not, or "".
+std::string lostInDrawing(const AirBearingSurface& surface);
+
+struct DrawnRails {
+    std::vector<Rail> rails;
+    bool tooManyOpenLines = false; // more than 5000: they were not joined to outlines
+};
+
+/// Each closed outline as a step with vertical edges, or the ramp that its layer tells; a recess that no layer tells,
+/// or of more than 1 m, is zero. The border of the slider is left out, unless its layer tells a rail. Lines and arcs on
+/// one layer whose ends meet are one outline. `paths` in m on a slider of this length and width [m].
+DrawnRails railsOfDrawing(const std::vector<DrawnPath>& paths, double length, double width);
 
 } // namespace touchdown

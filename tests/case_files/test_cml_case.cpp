@@ -333,7 +333,10 @@ private slots:
         c.slider.mass = roundedTo(4000.0 * c.slider.length * c.slider.width * c.slider.thickness, 4);
         c.slider.pitchInertia = 2.066e-13;
         c.slider.rollInertia = 1.362e-13;
-        QVERIFY(formatCmlCase(c).keptKeys.empty());
+        QVERIFY(formatCmlCase(c).keptKeys.empty() && formatCmlCase(c).lost.empty());
+        Case related = c;
+        related.surface.symmetries = {{0, 0}};
+        QVERIFY(!formatCmlCase(related).lost.empty());
         c.slider.mass = 2e-6;
         c.air.slip.model = SlipModel::NewSecondOrder;
         QCOMPARE(formatCmlCase(c).keptKeys, (std::vector<std::string>{"slider.mass", "air.slip"}));

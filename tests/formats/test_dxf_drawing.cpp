@@ -55,7 +55,7 @@ private slots:
         Drawing drawing = read(test::dxfSample());
         for (DrawnPath& path : drawing.paths)
             for (SurfacePoint& p : path.points) p = {p.x * mm, p.y * mm};
-        const std::vector<Rail> rails = railsOfDrawing(drawing.paths, 1.25 * mm, 1.0 * mm);
+        const std::vector<Rail> rails = railsOfDrawing(drawing.paths, 1.25 * mm, 1.0 * mm).rails;
         QCOMPARE(rails.size(), std::size_t{4}); // with the outline of lines and an arc
         std::vector<SurfacePoint> joined;
         for (const RailPoint& p : rails[3].points) joined.push_back({p.x, p.y});
@@ -96,6 +96,25 @@ private slots:
         QCOMPARE(drawing.remark, std::string("2 blocks and 1 text are not shown."));
     }
 
+    /// Seen from below, x runs to the left; lines and polylines in space are not seen so.
+    void whatIsDrawnFromBelow()
+    {
+        const std::string below = "8\n0\n210\n0\n220\n0\n230\n-1\n";
+        const std::string corners = "0\nVERTEX\n8\n0\n10\n1\n20\n2\n0\nVERTEX\n8\n0\n10\n3\n20\n4\n0\nSEQEND\n";
+        const Drawing drawing =
+            read("0\nSECTION\n2\nENTITIES\n"
+                 "0\nLINE\n10\n1\n20\n2\n11\n3\n21\n4\n" +
+                 below + "0\nPOLYLINE\n66\n1\n70\n8\n" + below + corners + "0\nPOLYLINE\n66\n1\n70\n0\n" + below +
+                 corners + "0\nARC\n10\n1\n20\n2\n40\n1\n50\n0\n51\n90\n" + below + "0\nENDSEC\n0\nEOF\n");
+        QCOMPARE(drawing.problem, std::string());
+        QCOMPARE(drawing.paths.size(), std::size_t{4});
+        const std::vector<SurfacePoint> seen{{1.0, 2.0}, {3.0, 4.0}}, mirrored{{-1.0, 2.0}, {-3.0, 4.0}};
+        QVERIFY(drawing.paths[0].points == seen);
+        QVERIFY(drawing.paths[1].points == seen);
+        QVERIFY(drawing.paths[2].points == mirrored);
+        QCOMPARE(drawing.paths[3].points.front().x, -2.0);
+    }
+
     void whatIsNoDrawing_data()
     {
         QTest::addColumn<QByteArray>("text");
@@ -111,6 +130,11 @@ private slots:
         row("cut off", good.substr(0, good.size() / 2), "cut off");
         row("UTF-16", "\xff\xfe" + std::string("S\0E\0C\0", 6), "not a DXF");
         row("nothing drawn", "0\nSECTION\n2\nENTITIES\n0\nTEXT\n1\nx\n0\nENDSEC\n0\nEOF\n", "1 text is not shown");
+        row("a hatch", "0\nSECTION\n2\nENTITIES\n0\nHATCH\n2\nSOLID\n70\n1\n0\nENDSEC\n0\nEOF\n",
+            "1 hatch is not shown");
+        const std::string mesh = "0\nPOLYLINE\n66\n1\n70\n16\n0\nSEQEND\n";
+        row("a mesh", "0\nSECTION\n2\nENTITIES\n" + mesh + "0\nENDSEC\n0\nEOF\n", "1 mesh is not shown");
+        row("meshes", "0\nSECTION\n2\nENTITIES\n" + mesh + mesh + "0\nENDSEC\n0\nEOF\n", "2 meshes are not shown");
         row("far away", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n1e300\n21\n1\n0\nENDSEC\n0\nEOF\n",
             "1 impossible line is not shown");
         std::string many = "0\nSECTION\n2\nENTITIES\n";

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
 #include <fstream>
 
 #include "tests/support/random_surface.h"
@@ -28,7 +29,7 @@ private slots:
             QCOMPARE(drawing.problem, std::string());
             QCOMPARE(drawing.remark, std::string());
             QCOMPARE(drawing.unit, 1e-3);
-            const std::vector<Rail> rails = railsOfDrawing(inMetres(drawing), length, width);
+            const std::vector<Rail> rails = railsOfDrawing(inMetres(drawing), length, width).rails;
             QCOMPARE(rails.size(), surface.rails.size());
             for (std::size_t i = 0; i < rails.size(); ++i) {
                 const Rail &rail = rails[i], &drawn = surface.rails[i];
@@ -62,9 +63,58 @@ private slots:
         const std::vector<SurfacePoint> border{{0.0, 0.0}, {0.0, width}, {length, width}, {length, 0.0}};
         std::vector<SurfacePoint> smaller = border;
         for (SurfacePoint& p : smaller) p.x = 0.5 * p.x;
-        const std::vector<Rail> rails = railsOfDrawing({{"0", true, border}, {"0", true, smaller}}, length, width);
+        const std::vector<Rail> rails =
+            railsOfDrawing({{"0", true, border}, {"0", true, smaller}}, length, width).rails;
         QCOMPARE(rails.size(), std::size_t{1});
         QCOMPARE(rails[0].points[2].x, 0.5 * length);
+    }
+
+    void aRailMayCoverTheSlider()
+    {
+        AirBearingSurface surface;
+        const std::vector<RailPoint> whole{{0.0, 0.0}, {length, 0.0}, {length, width}, {0.0, width}};
+        surface.rails = {{RailKind::Step, whole, {0.0}}};
+        const Drawing drawing = readBack(dxfText(surface, length, width));
+        QCOMPARE(drawing.paths.size(), std::size_t{2});
+        QCOMPARE(railsOfDrawing(inMetres(drawing), length, width).rails.size(), std::size_t{1});
+    }
+
+    void impossibleRecessesAreZero_data()
+    {
+        QTest::addColumn<QByteArray>("layer");
+        QTest::addColumn<double>("first");
+        QTest::addColumn<double>("second");
+        QTest::newRow("a step") << QByteArray("rail 1 recess 20 nm") << 20e-9 << 0.0;
+        QTest::newRow("no number") << QByteArray("rail 1 recess nan nm") << 0.0 << 0.0;
+        QTest::newRow("infinite") << QByteArray("rail 1 recess -inf nm") << 0.0 << 0.0;
+        QTest::newRow("huge") << QByteArray("rail 1 recess 1e300 nm") << 0.0 << 0.0;
+        QTest::newRow("a kilometre") << QByteArray("rail 1 recess 1e12 nm") << 0.0 << 0.0;
+        QTest::newRow("a ramp") << QByteArray("rail 1 ramp nan 1500 1e12 nm") << 0.0 << 1.5e-6;
+    }
+    void impossibleRecessesAreZero()
+    {
+        QFETCH(const QByteArray, layer);
+        QFETCH(const double, first);
+        QFETCH(const double, second);
+        const std::vector<SurfacePoint> corners{{0.0, 0.0}, {1e-4, 0.0}, {1e-4, 1e-4}};
+        const std::vector<Rail> rails = railsOfDrawing({{layer.toStdString(), true, corners}}, length, width).rails;
+        QCOMPARE(rails.size(), std::size_t{1});
+        // Not with QCOMPARE: to it, NaN is equal to NaN.
+        QVERIFY(std::abs(rails[0].recess[0] - first) < 1e-15);
+        QVERIFY(std::abs(rails[0].recess[1] - second) < 1e-15);
+        QVERIFY(std::abs(rails[0].recess[2]) < 1e-15);
+    }
+
+    void tooManyOpenLinesAreNotJoined()
+    {
+        const std::vector<SurfacePoint> corners{{0.0, 0.0}, {1e-4, 0.0}, {1e-4, 1e-4}};
+        std::vector<DrawnPath> paths{{"0", true, corners}};
+        for (int i = 0; i < 5000; ++i) paths.push_back({"0", false, {{i * 1e-7, 2e-4}, {i * 1e-7, 3e-4}}});
+        QVERIFY(!railsOfDrawing(paths, length, width).tooManyOpenLines);
+        paths.push_back({"0", false, {{0.0, 4e-4}, {1e-4, 4e-4}}});
+        const DrawnRails drawn = railsOfDrawing(paths, length, width);
+        QVERIFY(drawn.tooManyOpenLines);
+        QCOMPARE(drawn.rails.size(), std::size_t{1}); // the closed one
     }
 
 private:

@@ -92,7 +92,15 @@ void CaseEdits::setSurface(const AirBearingSurface& surface, const QString& text
 {
     State after = state_;
     after.value.surface = keepingRelations(state_.value.surface, surface, state_.value.slider.width);
+    const auto count = [](const AirBearingSurface& each) { return each.distances.size() + each.symmetries.size(); };
+    const std::size_t before = count(state_.value.surface), now = count(after.value.surface);
     push(text, std::move(after), merge);
+    if (now < before)
+        emit relationsEnded(before - now == 1
+                                ? tr("A kept distance or symmetry ended with this edit. Undo brings it back.")
+                                : tr("%1 kept distances and symmetries ended with this edit. Undo brings "
+                                     "them back.")
+                                      .arg(before - now));
 }
 
 bool CaseEdits::changed(const Parameter& parameter) const

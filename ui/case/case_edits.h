@@ -74,6 +74,8 @@ signals:
     /// Another model was entered, and values that were defaults are those of the new model: "Contact Ono & Yamane →
     /// none".
     void modelFollowed(const QStringList& changes);
+    /// A sentence about kept distances and symmetries that this edit of the shape has ended.
+    void relationsEnded(const QString& sentence);
 
 private:
     struct State {

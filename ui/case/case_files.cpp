@@ -19,6 +19,7 @@
 #include "core/studies/study_plan.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/loss_question.h"
+#include "ui/style/quantity_format.h"
 #include "ui/style/save_dialog.h"
 
 namespace touchdown {
@@ -212,9 +213,13 @@ void CaseFiles::exportTo(const QString& path)
         showProblems(what, {QString::fromStdString(problem)});
         return;
     }
-    QStringList warnings;
-    for (const std::string& key : output.keptKeys) warnings << QString::fromStdString(key);
-    emit exported(QFileInfo(path).absoluteFilePath(), warnings);
+    QStringList remarks, keys;
+    for (const std::string& key : output.keptKeys) keys << QString::fromStdString(key);
+    if (!keys.isEmpty())
+        remarks << tr("Written as comments of run.dat, which the established program ignores: %1")
+                       .arg(keys.join(QStringLiteral(", ")));
+    if (!output.lost.empty()) remarks << sentence(output.lost);
+    emit exported(QFileInfo(path).absoluteFilePath(), remarks.join(QLatin1Char('\n')));
 }
 
 void CaseFiles::chooseDrawing()
@@ -231,7 +236,8 @@ QString CaseFiles::exportDrawing(const QString& path)
     const Case& c = edits_.value();
     const std::string problem = writeTextFile(pathOf(path), dxfText(c.surface, c.slider.length, c.slider.width));
     if (!problem.empty()) return inOneLine(QFileInfo(path).fileName()) + ' ' + QString::fromStdString(problem);
-    emit exported(QFileInfo(path).absoluteFilePath(), {});
+    const std::string lost = lostInDrawing(c.surface);
+    emit exported(QFileInfo(path).absoluteFilePath(), lost.empty() ? QString() : sentence(lost));
     return {};
 }
 
@@ -289,6 +295,7 @@ CaseState CaseFiles::state() const
     state.file = file_;
     state.sample = sample_;
     state.import = imported_;
+    state.origin = origin_;
     state.folder = QString::fromStdString(folder_.string());
     state.savedText = wholeTextOf(text_);
     state.text = wholeTextOf(text());
@@ -312,7 +319,7 @@ QString CaseFiles::restore(const CaseState& state)
     file_ = state.file;
     sample_ = state.sample;
     imported_ = state.import;
-    origin_ = file_.isEmpty() ? sample_ : file_;
+    origin_ = !state.origin.isEmpty() ? state.origin : file_.isEmpty() ? sample_ : file_;
     folder_ = pathOf(state.folder);
     text_ = state.savedText.toStdString();
     saved_ = saved.value;

@@ -33,6 +33,7 @@ enum class OutsidePaths : std::uint8_t;
 struct CaseState {
     QString name;                 // as shortName()
     QString file, sample, import; // where it comes from
+    QString origin;               // see CaseFiles
     QString folder;               // of the files that it names
     QString savedText;            // as opened or saved
     QString text;                 // with its edits
@@ -145,7 +146,8 @@ signals:
     void imported(const QString& path, const QStringList& warnings);
     /// After `opened`, of a case file with entries that are not modelled or have no effect.
     void warned(const QStringList& warnings);
-    void exported(const QString& path, const QStringList& warnings);
+    /// `remark`: what is not in the file, or only for us; empty: all is.
+    void exported(const QString& path, const QString& remark);
 
 private:
     /// Opens a case unless it has problems, which are shown, or names files outside its folder: then it asks, and calls

@@ -212,7 +212,7 @@ void RunView::lookAtEvents()
     if (plots_->group()->follow() == PlotGroup::Follow::Frozen) return;
     eventsSeen_ = true;
     const double last = run->events.back().time;
-    if (last > earlyEvents * run->value.run.duration) return;
+    if (!(last > 0.0) || last > earlyEvents * run->value.run.duration) return;
     const double unit = std::pow(10.0, std::floor(std::log10(last)));
     firstTime_ = PlotRange{0.0, std::ceil(behindEvents * last / unit) * unit};
     showTime();

@@ -31,9 +31,16 @@ QJsonObject caseToJson(const CaseState& state)
 {
     QJsonObject entries;
     for (const auto& [key, text] : state.entries) entries[key] = text;
-    return {{"name", state.name},     {"file", state.file},         {"sample", state.sample},
-            {"import", state.import}, {"folder", state.folder},     {"saved_text", state.savedText},
-            {"text", state.text},     {"modified", state.modified}, {"entries_not_taken", entries}};
+    return {{"name", state.name},
+            {"file", state.file},
+            {"sample", state.sample},
+            {"import", state.import},
+            {"origin", state.origin},
+            {"folder", state.folder},
+            {"saved_text", state.savedText},
+            {"text", state.text},
+            {"modified", state.modified},
+            {"entries_not_taken", entries}};
 }
 
 /// Reads the fields of an object. A field that is missing has its default; one of another type is a problem.
@@ -88,6 +95,7 @@ CaseState caseFromJson(const JsonFields& json)
     state.file = json.text("file");
     state.sample = json.text("sample");
     state.import = json.text("import");
+    state.origin = json.text("origin");
     state.folder = json.text("folder");
     state.savedText = json.text("saved_text");
     state.text = json.text("text");

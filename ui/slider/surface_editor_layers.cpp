@@ -2,12 +2,14 @@
 //
 // What lies under the outlines of the editor: the pressure of a solution, a drawing to trace.
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include <QDropEvent>
 #include <QMimeData>
 #include <QUrl>
 
+#include "core/case_files/surface_text.h"
 #include "core/formats/dxf_surface.h"
 #include "ui/slider/cell_painting.h"
 #include "ui/slider/surface_editor.h"
@@ -94,21 +96,45 @@ void SurfaceEditor::placeUnderlay()
 /// The form opens with the file.
 void SurfaceEditor::loadUnderlay(const QString& file)
 {
-    connect(underlay_, &Underlay::fileShown, this, &SurfaceEditor::placeUnderlay,
-            static_cast<Qt::ConnectionType>(Qt::SingleShotConnection));
-    underlay_->load(file, area().width(), area().height());
+    underlay_->load(file, area().width(), area().height(), [this] { placeUnderlay(); });
 }
 
 void SurfaceEditor::takeRailsOfDrawing()
 {
     constexpr std::size_t most = 300; // rails that a window draws while one is dragged
-    std::vector<Rail> rails = railsOfDrawing(underlay_->paths(), area().width(), area().height());
+    const auto [rails, tooManyOpenLines] = railsOfDrawing(underlay_->paths(), area().width(), area().height());
+    if (tooManyOpenLines && rails.empty())
+        return emit underlay_->failed(tr("The drawing has more than 5000 open lines, too many to join to outlines."));
     if (rails.empty()) return emit underlay_->failed(tr("The drawing has no closed outline but that of the slider."));
     if (rails.size() > most)
         return emit underlay_->failed(
             tr("The drawing has %1 closed outlines; at most %2 are taken as rails.").arg(rails.size()).arg(most));
+    // The checks of an edit compare each edge of a rail with all others, and a case file has its limits.
+    constexpr std::size_t mostCorners = 2000; // of one rail
     AirBearingSurface surface = committed();
+    std::size_t corners = 0, longest = 0;
+    bool far = false;
+    for (const Rail& rail : rails) {
+        longest = std::max(longest, rail.points.size());
+        const auto isFar = [](const RailPoint& p) { return !(std::abs(p.x) <= 1.0 && std::abs(p.y) <= 1.0); }; // [m]
+        far = far || std::ranges::any_of(rail.points, isFar);
+    }
     std::ranges::copy(rails, std::back_inserter(surface.rails));
+    for (const Rail& rail : surface.rails) corners += rail.points.size();
+    if (longest > mostCorners)
+        return emit underlay_->failed(
+            tr("An outline of the drawing has %1 corners; a rail taken from it has at most %2.")
+                .arg(longest)
+                .arg(mostCorners));
+    if (far) return emit underlay_->failed(tr("An outline of the drawing is more than 1 m away from the slider."));
+    if (surface.rails.size() > mostRails || corners > mostRailPoints)
+        return emit underlay_->failed(
+            tr("With the outlines of the drawing there would be %1 rails with %2 corners; a case "
+               "has at most %3 and %4.")
+                .arg(surface.rails.size())
+                .arg(corners)
+                .arg(mostRails)
+                .arg(mostRailPoints));
     emit edited(surface, tr("take %1 rails of a drawing").arg(rails.size()), 0);
 }
 

@@ -208,7 +208,11 @@ void SurfaceSelection::flip()
     PartSelection both = rails();
     both.merge(partsOfKinds(parts_, PartKind::Interest, PartKind::Interest));
     if (both.empty() || held_) return;
-    commit(mirrored(surface_, both, width_), tr("flip %1").arg(selectionText(both)));
+    AirBearingSurface flipped = mirrored(surface_, both, width_);
+    const auto isFlipped = [&](const RailPlace& place) { return both.contains({PartKind::Rail, place.rail}); };
+    for (KeptDistance& each : flipped.distances) // across, what was below is above now
+        if (!each.alongX && isFlipped(each.from) && isFlipped(each.to)) std::swap(each.from, each.to);
+    commit(flipped, tr("flip %1").arg(selectionText(both)));
 }
 
 std::optional<KeptDistance> SurfaceSelection::offeredDistance(bool alongX) const
@@ -244,7 +248,9 @@ std::optional<KeptSymmetry> SurfaceSelection::offeredSymmetry() const
     if (parts_.empty() || parts_.size() > 2 || rails() != parts_) return {};
     const KeptSymmetry symmetry{parts_.begin()->item, parts_.rbegin()->item};
     if (!exists(surface_, symmetry)) return {};
-    const bool kept = std::ranges::find(surface_.symmetries, symmetry) != surface_.symmetries.end();
+    const bool kept = std::ranges::any_of(surface_.symmetries, [&](const KeptSymmetry& each) {
+        return each == symmetry || each == KeptSymmetry{symmetry.image, symmetry.rail};
+    });
     return kept ? std::nullopt : std::optional(symmetry);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/slider/underlay.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <QCryptographicHash>
 #include <QFileInfo>
@@ -24,6 +25,20 @@ QString settingsOf(const QString& name)
 {
     return QStringLiteral("drawings/") +
            QString::fromLatin1(QCryptographicHash::hash(name.toUtf8(), QCryptographicHash::Sha1).toHex());
+}
+
+/// Within what the form takes; also of settings that hold no numbers.
+UnderlayPlace possible(UnderlayPlace place)
+{
+    const auto within = [](double value, double least, double most) {
+        return std::isnan(value) ? least : std::clamp(value, least, most);
+    };
+    constexpr double far = 1.0; // [m]
+    place.width = within(place.width, 1e-9, far);
+    place.x = within(place.x, -far, far);
+    place.y = within(place.y, -far, far);
+    place.opacity = within(place.opacity, 0.05, 1.0);
+    return place;
 }
 
 bool isDxf(const QString& file)
@@ -88,7 +103,7 @@ Underlay::Content Underlay::contentOf(const QString& file)
     return content;
 }
 
-void Underlay::read(const QString& file, std::function<void()> placed)
+void Underlay::read(const QString& file, std::function<void()> placed, std::function<void()> then)
 {
     const int asked = ++asked_;
     auto content = std::make_shared<Content>();
@@ -97,7 +112,7 @@ void Underlay::read(const QString& file, std::function<void()> placed)
             *content = contentOf(file);
             return QString();
         },
-        [this, content, file, asked, placed = std::move(placed)](const QString& /*problem*/) {
+        [this, content, file, asked, placed = std::move(placed), then = std::move(then)](const QString& /*problem*/) {
             if (asked != asked_) return;
             if (!content->problem.isEmpty()) {
                 emit failed(tr("The drawing under the plan is not shown: %1 %2.")
@@ -109,6 +124,7 @@ void Underlay::read(const QString& file, std::function<void()> placed)
             placed();
             emit changed();
             emit fileShown();
+            then();
         });
 }
 
@@ -119,23 +135,20 @@ void Underlay::openCase(const QString& name)
     content_ = {};
     file_.clear();
     emit changed();
+    if (name.isEmpty()) return;
     QSettings settings;
     settings.beginGroup(settingsOf(name));
     const QString file = settings.value(QStringLiteral("file")).toString();
     if (file.isEmpty()) return;
-    const auto number = [&settings](const char* key, double least, double most) {
-        const double value = settings.value(QLatin1String(key)).toDouble();
-        return value >= least && value <= most ? value : least; // also where it is none
-    };
-    constexpr double far = 1.0; // [m]
+    const auto number = [&settings](const char* key) { return settings.value(QLatin1String(key)).toDouble(); };
     UnderlayPlace place;
-    place.width = number("width", 1e-9, far);
-    place.x = number("x", -far, far);
-    place.y = number("y", -far, far);
-    place.opacity = number("opacity", 0.05, 1.0);
+    place.width = number("width");
+    place.x = number("x");
+    place.y = number("y");
+    place.opacity = number("opacity");
     place.mirrored = settings.value(QStringLiteral("mirrored")).toBool();
     place.shown = settings.value(QStringLiteral("shown"), true).toBool();
-    read(file, [this, place] { place_ = place; });
+    read(file, [this, place = possible(place)] { place_ = place; });
 }
 
 void Underlay::renameCase(const QString& name)
@@ -145,9 +158,9 @@ void Underlay::renameCase(const QString& name)
     remember();
 }
 
-void Underlay::load(const QString& file, double length, double width)
+void Underlay::load(const QString& file, double length, double width, const std::function<void()>& then)
 {
-    read(QFileInfo(file).absoluteFilePath(), [this, length, width] {
+    const auto place = [this, length, width] {
         const QRectF& box = content_.box;
         place_ = {};
         place_.width = length;
@@ -156,8 +169,10 @@ void Underlay::load(const QString& file, double length, double width)
             const QRectF placed(box.topLeft() * unit(), box.size() * unit());
             if (placed.intersects({0.0, 0.0, length, width})) place_.x = placed.left(), place_.y = placed.top();
         }
+        place_ = possible(place_);
         remember();
-    });
+    };
+    read(QFileInfo(file).absoluteFilePath(), place, then);
 }
 
 void Underlay::remove()
@@ -172,14 +187,14 @@ void Underlay::remove()
 void Underlay::setPlace(const UnderlayPlace& place)
 {
     if (!loaded() || place == place_) return;
-    place_ = place;
+    place_ = possible(place);
     remember();
     emit changed();
 }
 
 void Underlay::remember() const
 {
-    if (!loaded()) return;
+    if (!loaded() || case_.isEmpty()) return;
     QSettings settings;
     settings.beginGroup(settingsOf(case_));
     settings.setValue(QStringLiteral("file"), file_);

@@ -47,7 +47,8 @@ public:
     void renameCase(const QString& name);
     /// A file of the user's, under a slider of this size [m]: a drawing with a unit where its coordinates are, unless
     /// that is beside the slider; else from corner to corner.
-    void load(const QString& file, double length, double width);
+    void load(
+        const QString& file, double length, double width, const std::function<void()>& then = [] {});
     void remove();
 
     bool loaded() const { return !content_.box.isEmpty(); }
@@ -83,7 +84,8 @@ private:
     static Content contentOf(const QString& file);
     static void readPicture(const QString& file, Content& content);
     /// Reads a file; then calls `placed`, unless another one was asked for meanwhile.
-    void read(const QString& file, std::function<void()> placed);
+    void read(
+        const QString& file, std::function<void()> placed, std::function<void()> then = [] {});
     void remember() const;
     SurfacePoint onSlider(double u, double v) const;
 

@@ -96,9 +96,8 @@ void MainWindow::connectFiles()
     connect(actions_->underlay, &QAction::triggered, editor, &SurfaceEditor::placeUnderlay);
     connect(&editor->underlay(), &Underlay::failed, this,
             [this](const QString& sentence) { messages_->show(MessageStrip::Kind::Failure, sentence); });
-    const auto caseName = [this] { return files_->file().isEmpty() ? files_->shortName() : files_->file(); };
-    connect(files_, &CaseFiles::opened, this, [editor, caseName] { editor->underlay().openCase(caseName()); });
-    connect(files_, &CaseFiles::saved, this, [editor, caseName] { editor->underlay().renameCase(caseName()); });
+    connect(files_, &CaseFiles::opened, this, [this, editor] { editor->underlay().openCase(files_->origin()); });
+    connect(files_, &CaseFiles::saved, this, [this, editor] { editor->underlay().renameCase(files_->origin()); });
     connect(files_, &CaseFiles::aboutToUse, this, &MainWindow::takeTyped);
     // `remark`: what is not as in the file; empty: all is.
     const auto tellFile = [this](const QString& what, const QString& path, const QString& remark = {}) {
@@ -125,12 +124,11 @@ void MainWindow::connectFiles()
                  : warnings.size() == 1 ? tr(" There is a remark on the files: see About this case.")
                                         : several);
     });
-    connect(files_, &CaseFiles::exported, this, [tellFile](const QString& path, const QStringList& warnings) {
-        tellFile(tr("Written: %1"), path,
-                 warnings.isEmpty() ? QString()
-                                    : tr("\nWritten as comments of run.dat, which the established program ignores: %1")
-                                          .arg(warnings.join(QStringLiteral(", "))));
+    connect(files_, &CaseFiles::exported, this, [tellFile](const QString& path, const QString& remark) {
+        tellFile(tr("Written: %1"), path, remark.isEmpty() ? remark : QLatin1Char('\n') + remark);
     });
+    connect(edits_, &CaseEdits::relationsEnded, this,
+            [this](const QString& which) { messages_->show(MessageStrip::Kind::Information, which); });
     connect(files_, &CaseFiles::resultsFileChosen, runFiles_, &RunFiles::openResults);
     tell(*messages_, *runFiles_);
     connect(edits_, &CaseEdits::edited, this, &MainWindow::onCaseEdited);
@@ -183,6 +181,7 @@ void MainWindow::connectRuns()
     });
     connect(messages_, &MessageStrip::secondRequested, this, [this] {
         Case c = edits_->value();
+        if (!readyToRun() || c.model != ModelKind::Film) return; // another case by now
         c.initial.state = InitialState::Static;
         edits_->setAll(c, tr("start where it flies"));
         startRun();

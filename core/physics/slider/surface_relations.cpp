@@ -334,6 +334,7 @@ std::optional<KeptDistance> drawnDistance(const AirBearingSurface& surface, cons
     std::optional<KeptDistance> nearest;
     for (const RailPlace& a : endsOf(surface, *parts.begin(), axis))
         for (const RailPlace& b : endsOf(surface, *parts.rbegin(), axis)) {
+            if (a == b) continue;
             const double value =
                 tidy(surface.rails[b.rail].points[b.corner].*axis - surface.rails[a.rail].points[a.corner].*axis);
             if (nearest && std::abs(value) >= nearest->value) continue;

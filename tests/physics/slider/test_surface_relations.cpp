@@ -378,6 +378,9 @@ private slots:
         QVERIFY(!drawnDistance(surface, {edge(0, 1), edge(1, 1)}, true));
         QVERIFY(!drawnDistance(surface, {edge(0, 1), edge(1, 3)}, false));
         QVERIFY(!drawnDistance(surface, {rail(0)}, true) && !drawnDistance(surface, {rail(0), rail(7)}, true));
+        // A rail and one of its own edges: the edge opposite, not the edge itself.
+        const auto own = drawnDistance(surface, {rail(0), edge(0, 1)}, true);
+        QVERIFY(own && !(own->from == own->to) && near(own->value, 20 * um));
         QVERIFY(*drawnDistance(surface, {rail(0), rail(1)}, false) ==
                 (KeptDistance{{0, 2, true}, {1, 0, true}, false, 150 * um}));
     }

@@ -21,6 +21,7 @@
 #include "core/case_files/case_reader.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/dxf_drawing.h"
+#include "core/formats/dxf_surface.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/sample_slider.h"
 
@@ -105,6 +106,13 @@ void TestCaseFiles::drawsTheSurface()
     QSignalSpy exported(files_, &CaseFiles::exported);
     QCOMPARE(files_->exportDrawing(path(QStringLiteral("a.dxf"))), QString());
     QCOMPARE(exported.count(), 1);
+    QCOMPARE(exported[0][1].toString().isEmpty(), lostInDrawing(sampleSurface()).empty());
+    QCOMPARE(lostInDrawing(AirBearingSurface{}), std::string());
+    AirBearingSurface formed;
+    formed.crown = 5e-9;
+    formed.symmetries = {{0, 0}};
+    QCOMPARE(lostInDrawing(formed),
+             std::string("a drawing has no crown, camber and twist and no kept distances and symmetries"));
     const Drawing drawing = readDxf(path(QStringLiteral("a.dxf")).toStdString());
     QCOMPARE(drawing.paths.size(), sampleSurface().rails.size() + 1); // and the border
     QVERIFY(!files_->exportDrawing(path(QStringLiteral("no/such/folder/a.dxf"))).isEmpty());

@@ -8,10 +8,13 @@
 
 #include <QImage>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QTest>
 
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_text.h"
+#include "core/physics/slider/surface_arrange.h"
+#include "core/physics/slider/surface_edit.h"
 #include "core/physics/slider/surface_relations.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/slider/editor_under_test.h"
@@ -140,6 +143,67 @@ private slots:
         QVERIFY(std::abs(it_->point(1, 1).y - 101 * um) < 1e-14 && std::abs(it_->point(1, 1).x - 401 * um) < 1e-14);
         QVERIFY(std::abs(it_->point(1, 2).y - (width - 101 * um)) < 1e-14);
         QCOMPARE(it_->point(1, 2).x, it_->point(1, 1).x);
+    }
+
+    /// Once more is no second one, whichever rail comes first in the list.
+    void aSymmetryIsKeptOnce()
+    {
+        const auto offered = [this] {
+            it_->editor->popUpMenu(it_->editor->mapToGlobal(QPoint(10, 10)), {});
+            bool enabled = false;
+            for (QMenu* menu : it_->editor->findChildren<QMenu*>()) {
+                if (menu->title() == QStringLiteral("Keep")) enabled = menu->actions()[2]->isEnabled();
+                menu->close();
+            }
+            return enabled;
+        };
+        AirBearingSurface surface = it_->surface();
+        surface = withMirroredCopies(surface, {rearShelf}, it_->edits->value().slider.width);
+        const std::size_t copy = surface.rails.size() - 1;
+        it_->edits->setSurface(surface, QStringLiteral("copy"));
+        it_->editor->select({rearShelf, {PartKind::Rail, copy}});
+        QVERIFY(offered());
+        surface.symmetries = {{copy, rearShelf.item}};
+        it_->edits->setSurface(surface, QStringLiteral("keep"));
+        it_->editor->select({rearShelf, {PartKind::Rail, copy}});
+        QVERIFY(!offered());
+    }
+
+    /// A rail whose width stays is its mirror image when it is flipped.
+    void aRailOfKeptWidthIsFlipped()
+    {
+        const double width = it_->edits->value().slider.width;
+        AirBearingSurface surface = it_->surface();
+        for (RailPoint& point : surface.rails[1].points) point.y -= 20 * um; // beside the centre line
+        it_->edits->setSurface(surface, QStringLiteral("move"));
+        it_->editor->select({{PartKind::Edge, 1, 0}, {PartKind::Edge, 1, 2}});
+        QTest::keyClick(it_->editor.get(), Qt::Key_K);
+        QCOMPARE(it_->surface().distances.size(), std::size_t(1));
+        QVERIFY(!it_->surface().distances[0].alongX);
+        const AirBearingSurface expected = mirrored(it_->surface(), {frontPad}, width);
+        it_->editor->select({frontPad});
+        it_->editor->popUpMenu(it_->editor->mapToGlobal(QPoint(10, 10)), {});
+        for (QAction* action : it_->editor->findChildren<QAction*>())
+            if (action->text() == QStringLiteral("Flip about the centre line") && action->isEnabled()) {
+                action->trigger();
+                break;
+            }
+        for (QMenu* menu : it_->editor->findChildren<QMenu*>()) menu->close();
+        for (std::size_t k = 0; k < expected.rails[1].points.size(); ++k)
+            QVERIFY(std::abs(it_->point(1, k).y - expected.rails[1].points[k].y) < 1e-14);
+    }
+
+    /// A symmetry that an edit ends is told.
+    void whatEndsIsTold()
+    {
+        const QSignalSpy ended(it_->edits.get(), &CaseEdits::relationsEnded);
+        AirBearingSurface surface = it_->surface();
+        surface.symmetries = {{1, 1}};
+        it_->edits->setSurface(surface, QStringLiteral("keep"));
+        QCOMPARE(ended.count(), 0);
+        it_->edits->setSurface(withCorner(it_->surface(), 1, 0, {390 * um, 100 * um}), QStringLiteral("a corner"));
+        QVERIFY(it_->surface().symmetries.empty());
+        QCOMPARE(ended.count(), 1);
     }
 
 private:
