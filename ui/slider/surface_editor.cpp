@@ -133,8 +133,11 @@ double SurfaceEditor::keyWidth() const
     const double title = QFontMetricsF(plotNumberFont(font())).horizontalAdvance(influenceUnit()) + 6.0;
     const double own = std::max(SurfaceView::keyWidth(), title);
     if (pressure_.empty()) return own;
-    return std::max(own,
-                    colourBarWidth(font(), pressureTicks(pressureScale(plotTheme(palette())), height() - 90.0)) + 4.0);
+    if (pressureKey_.height != height() || pressureKey_.font != font()) {
+        const auto ticks = pressureTicks(pressureScale(plotTheme(palette())), height() - 90.0);
+        pressureKey_ = {height(), font(), colourBarWidth(font(), ticks) + 4.0};
+    }
+    return std::max(own, pressureKey_.width);
 }
 
 QStringList SurfaceEditor::readingAt(const SurfacePoint& point) const

@@ -114,6 +114,12 @@ private:
     Underlay* underlay_;
     std::vector<double> pressure_; // above ambient, of the cells of grid() [Pa]
     bool pressureShown_ = false, pressurePale_ = false;
+    /// The width of its key, which costs more than a picture of the plan: for a height and a font; -1: not known.
+    mutable struct {
+        int height = -1; // [px]
+        QFont font;
+        double width = 0.0; // [px]
+    } pressureKey_;
     std::vector<SurfaceProblem> problems_, warnings_; // of the surface that is shown
     std::vector<SurfaceProblem> ghostWarnings_;
 };

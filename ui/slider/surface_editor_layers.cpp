@@ -33,6 +33,7 @@ QString droppedDrawing(const QMimeData& data)
 void SurfaceEditor::setPressure(std::vector<double> pressure)
 {
     pressure_ = std::move(pressure);
+    pressureKey_.height = -1;
     forgetLayout(); // the numbers of its bar may need another width
     if (isFitted()) fit();
     update();
