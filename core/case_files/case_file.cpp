@@ -16,6 +16,13 @@ constexpr std::uintmax_t largestCaseFile = 1 << 20; // [byte]
 
 } // namespace
 
+std::string titleOf(const SampleCase& sample)
+{
+    const std::string before = "\ntitle = \"";
+    const std::size_t begin = sample.text.find(before) + before.size();
+    return sample.text.substr(begin, sample.text.find('"', begin) - begin);
+}
+
 CaseDocument readCaseFile(const std::filesystem::path& file, OutsidePaths outside)
 {
     const auto refuse = [&](std::string message) {

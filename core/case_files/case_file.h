@@ -19,6 +19,9 @@ struct SampleCase {
     std::string text;
 };
 const std::vector<SampleCase>& sampleCases();
+/// The title of a sample case, as parseCase reads it. That takes milliseconds for a film: a list needs no
+/// more than titles.
+std::string titleOf(const SampleCase& sample);
 /// Films to begin a design with: typical sliders with simple surfaces. "pico_two_rails"
 const std::vector<SampleCase>& sliderTemplates();
 /// The case with which the program opens.

@@ -316,6 +316,13 @@ double roundedTo(double value, int digits)
     return place >= 0 ? std::round(value * scale) / scale : std::round(value / scale) * scale;
 }
 
+double roundedIn(double value, std::string_view displayUnit, int digits)
+{
+    const Scale scale = requiredScale(displayUnit);
+    if (!std::isfinite(value)) return value;
+    return toSi(scale, decimalText((value - scale.offset) / scale.factor, 0, digits)).value_or(value);
+}
+
 std::string fewDigits(double value, std::string_view displayUnit, int digits)
 {
     if (displayUnit.empty() || displayUnit == "1") return formatNumber(roundedTo(value, digits));

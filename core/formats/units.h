@@ -30,6 +30,9 @@ std::string formatNumber(double value, std::string_view displayUnit = {});
 /// Rounded to `digits` significant digits; 0 stays 0.
 double roundedTo(double value, int digits);
 
+/// The same in the display unit: formatQuantity writes it with no more than `digits` digits.
+double roundedIn(double value, std::string_view displayUnit, int digits);
+
 /// A number for a sentence, with as many digits as it is worth: "3.1e-6 nm"; "15" with an empty unit.
 std::string fewDigits(double value, std::string_view displayUnit, int digits = 2);
 std::string inNanometres(double length); // four digits

@@ -384,6 +384,8 @@ private slots:
         QVERIFY(!document.value.about.watch.empty());
         QVERIFY(!document.value.about.assumed.empty());
         QVERIFY(document.value.title != Case{}.title);
+        QCOMPARE(titleOf(*std::ranges::find(sampleCases(), name.toStdString(), &SampleCase::name)),
+                 document.value.title);
     }
     /// Figs. 5 to 8 are of the one slider of Fig. 4, which stands in each of their files.
     void theFiguresFlyTheSliderOfFigureFour()

@@ -229,7 +229,7 @@ private slots:
         row("a rail without an area", withLine(withLine(rail, 8, "7e-4 2e-4 1"), 9, "6e-4 2e-4 1"), run,
             "s/rail.dat:5: rail 1 has no area");
         row("a ramp on a line", withLine(rail, 14, "9.0E-004 3.0E-004 0"), run,
-            "s/rail.dat:11: rail 2: the first three points lie on a line, so that no ramp goes through them");
+            "s/rail.dat:11: rail 2: the first three corners lie on a line, so that no ramp goes through them");
         row("a profile that turns back", withLine(rail, 25, "0 2e-6 1e-6"), run,
             "s/rail.dat:25: wall profile 1: the distances must ascend; point 3 lies before the point ahead of it");
         row("an empty run.dat", rail, "", "s/run.dat: is empty");
@@ -276,8 +276,9 @@ private slots:
         folder.put("s/run.dat", cmlRunText());
         const CaseDocument document = readCmlCase(folder.path("s"));
         QVERIFY(document.valid());
-        QVERIFY(joined(document.warnings, folder)
-                    .startsWith("s/rail.dat:5: rail 1: point 2 lies on the line between the points before and after"));
+        QVERIFY(
+            joined(document.warnings, folder)
+                .startsWith("s/rail.dat:5: rail 1: corner 2 lies on the line between the corners before and after"));
     }
     void commentsOfAnyBytes()
     {

@@ -263,7 +263,7 @@ private slots:
         QCOMPARE(problemsOf(document), QStringList());
         QCOMPARE(document.warnings.size(), std::size_t{1});
         QCOMPARE(QString::fromStdString(document.warnings.front().text()),
-                 QString("a.toml:2: abs.rail[1]: Rail 1: point 3 lies outside the slider."));
+                 QString("a.toml:2: abs.rail[1]: Rail 1: corner 3 lies outside the slider."));
     }
 
     void formattingReadsBack()

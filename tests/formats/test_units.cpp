@@ -3,7 +3,9 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <clocale>
+#include <cmath>
 #include <random>
 #include <thread>
 #include <vector>
@@ -264,6 +266,14 @@ private slots:
             const std::string text = formatQuantity(value, displayUnit.toStdString());
             const bool withUnit = text.find(' ') != std::string::npos;
             QVERIFY2(valueOf(text, withUnit ? unit.toStdString() : std::string()) == value, text.c_str());
+            // Five digits of it always have a number in the unit.
+            const double rounded = roundedIn(value, displayUnit.toStdString(), 5);
+            const std::string few = formatQuantity(rounded, displayUnit.toStdString());
+            QVERIFY2(few.find(' ') != std::string::npos && valueOf(few, unit.toStdString()) == rounded, few.c_str());
+            const std::string number = few.substr(0, std::min(few.find('e'), few.find(' ')));
+            const auto isDigit = [](char c) { return c >= '1' && c <= '9'; };
+            QVERIFY2(std::ranges::count_if(number, isDigit) <= 5, few.c_str());
+            QVERIFY(std::abs(rounded - value) <= 0.5001e-4 * std::abs(value));
         }
     }
 

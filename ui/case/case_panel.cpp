@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 
 #include "core/case_files/case_file.h"
-#include "core/case_files/case_reader.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/foreign_text.h"
@@ -35,6 +34,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     search_->setClearButtonEnabled(true);
     connect(search_, &QLineEdit::textChanged, this, [this] {
         everyMatch_ = false;
+        needed_.clear();
         refreshVisibility();
     });
     found_->setWordWrap(true);
@@ -46,11 +46,7 @@ CasePanel::CasePanel(CaseEdits& edits, QWidget* parent)
     resetAll_->setAccessibleName(tr("Reset all parameters"));
     connect(resetAll_, &QToolButton::clicked, &edits_, &CaseEdits::resetAll);
 
-    legend_->setText(tr("≈ assumed, because the paper's value is lost"));
     legend_->setWordWrap(true);
-    legend_->setToolTip(
-        plainTip(tr("The tables of the paper that list these values are lost. The stand-ins were chosen so that "
-                    "runs do what the paper says of them; each case tells how far they do.")));
 
     auto* page = new QWidget;
     buildGroups(page);
@@ -93,10 +89,8 @@ void CasePanel::buildPresets()
     preset_->setMinimumContentsLength(20);
     preset_->addItem(tr("Gallery of cases…"));
     preset_->insertSeparator(1);
-    for (const SampleCase& sample : sampleCases()) {
-        const CaseDocument document = parseCase(sample.text, sample.name);
-        preset_->addItem(readable(document.value.title), QString::fromStdString(sample.name));
-    }
+    for (const SampleCase& sample : sampleCases())
+        preset_->addItem(readable(titleOf(sample)), QString::fromStdString(sample.name));
     preset_->setCurrentIndex(-1);
     connect(preset_, &QComboBox::activated, this, [this](int index) {
         const QString name = preset_->itemData(index).toString();
@@ -237,6 +231,13 @@ void CasePanel::refresh()
     for (ParameterEditor* editor : editors_) editor->show(edits_);
     const bool changed = edits_.anyChanged();
     resetAll_->setEnabled(changed);
+    const bool film = edits_.value().model == ModelKind::Film;
+    legend_->setText(film ? tr("≈ assumed: this case gives no value of its own")
+                          : tr("≈ assumed, because the paper's value is lost"));
+    legend_->setToolTip(plainTip(
+        film ? tr("The tip of each value tells where the assumed one comes from.")
+             : tr("The tables of the paper that list these values are lost. The stand-ins were chosen so that runs do "
+                  "what the paper says of them; each case tells how far they do.")));
     preset_->setCurrentIndex(changed || presetName_.isEmpty() ? -1 : preset_->findData(presetName_));
     refreshVisibility();
 }
@@ -253,8 +254,9 @@ void CasePanel::refreshVisibility()
                       last = std::min(everyMatch_ ? SearchMatch::Help : best, SearchMatch::Help);
     std::ptrdiff_t more = 0; // matches of a lower rank
     for (std::size_t i = 0; i < editors_.size(); ++i) {
-        // What a choice needs is shown, whatever is sought.
-        const bool needed = editors_[i]->wrong() && editors_[i]->parameter().used(edits_.value());
+        // What a choice needs is shown, whatever is sought, also after it was entered.
+        if (editors_[i]->wrong()) needed_.insert(editors_[i]);
+        const bool needed = needed_.contains(editors_[i]) && editors_[i]->parameter().used(edits_.value());
         editors_[i]->setVisible(matches[i] <= last || needed);
         more += matches[i] > last && matches[i] != SearchMatch::None && !needed ? 1 : 0;
     }

@@ -4,6 +4,7 @@
 // case that they started from, reset. Parameters that the chosen model does not use are not shown.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -67,8 +68,9 @@ private:
     QString presetName_;
     QComboBox* preset_;
     QLineEdit* search_;
-    QLabel* found_;           // what a search does not show
-    bool everyMatch_ = false; // of the search, in whatever place
+    QLabel* found_;                           // what a search does not show
+    bool everyMatch_ = false;                 // of the search, in whatever place
+    std::set<const ParameterEditor*> needed_; // by a choice that was made since the search began
     QToolButton* resetAll_;
     QScrollArea* scroll_;
     QLabel* legend_;

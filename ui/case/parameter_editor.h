@@ -80,6 +80,7 @@ private:
     QToolButton* reset_;
     QLabel* reason_;
     QString shown_; // text last put into line_
+    QString valid_; // text of the value that the case has
     bool changed_ = false;
     bool stacked_ = false;
     QVariantAnimation flash_; // from 1 to 0

@@ -260,10 +260,13 @@ void DiskSurfaceView::showSpectrum()
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (values[i].empty()) continue;
         std::vector<double> at, density;
+        const auto seen = [&](std::size_t k) { return k < values[i].size() && values[i][k] > least; };
+        const bool own = i + 1 == values.size();
         for (std::size_t k = 0; k < values[i].size(); ++k) {
-            if (!(values[i][k] > least)) continue;
+            // Beside a wave that stands alone the line goes down: a single point is no line.
+            if (!seen(k) && !(own && (seen(k - 1) || seen(k + 1)))) continue;
             at.push_back(psd.waveNumber[k]);
-            density.push_back(values[i][k]);
+            density.push_back(std::max(values[i][k], least));
         }
         curves_.emplace_back().append(at, density);
         spectrum_->addCurve({QStringLiteral("psd %1").arg(i), looks[i].first, looks[i].second, &curves_.back()});

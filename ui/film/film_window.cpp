@@ -91,6 +91,7 @@ void FilmWindow::open(const Case& c)
     before_ = -1;
     beforeOf_.clear();
     edited_ = c;
+    solutions_.setOpened(c);
     view_->open(c);
     view_->shape()->open(c);
     emit view_->shape()->influenceWanted();

@@ -72,7 +72,7 @@ void SolutionsModel::compareByItself(int number)
     RecordList::setData(index(row), Qt::Checked, Qt::CheckStateRole);
 }
 
-/// By what differs from the baseline, else from the first one, as the columns of a comparison do; where that is too
+/// By what differs from the baseline, else from the case as it was opened, else from the first one; where that is too
 /// much for a name, from the solution that it resembles most, which is named. What is new comes first.
 QString SolutionsModel::nameOf(const Case& solved) const
 {
@@ -80,29 +80,32 @@ QString SolutionsModel::nameOf(const Case& solved) const
     std::vector<int> rows; // of this slider, the oldest first
     for (int row = 0; row < count(); ++row)
         if (listed(row).value.title == solved.title) rows.push_back(row);
-    if (rows.empty()) return title;
     const auto base = std::ranges::find(rows, baseline(), [this](int row) { return listed(row).number; });
-    const int usual = base != rows.end() ? *base : rows.front();
-    int from = usual;
-    QStringList changes = caseDifference(listed(from).value, solved);
+    const bool wasOpened = base == rows.end() && opened_ && opened_->title == solved.title;
+    const int usual = wasOpened || rows.empty() ? -1 : base != rows.end() ? *base : rows.front();
+    int from = usual; // -1: the case as it was opened
+    const auto caseAt = [&](int row) -> const Case& { return row >= 0 ? listed(row).value : *opened_; };
+    QStringList changes = from >= 0 || wasOpened ? caseDifference(caseAt(from), solved) : QStringList();
     const bool tooMuch = changes.size() > mostChanges;
-    for (auto row = rows.rbegin(); row != rows.rend() && !changes.isEmpty(); ++row) {
+    for (auto row = rows.rbegin(); row != rows.rend() && (!changes.isEmpty() || from < 0); ++row) {
         QStringList fewer = caseDifference(listed(*row).value, solved);
         if (!fewer.isEmpty() && (!tooMuch || fewer.size() >= changes.size())) continue;
         changes = std::move(fewer);
         from = *row;
     }
-    const QStringList before = caseDifference(listed(from).value, listed(rows.back()).value);
-    std::ranges::stable_partition(changes, [&](const QString& change) { return !before.contains(change); });
+    if (changes.isEmpty()) return from < 0 ? title : tr("as solution %1").arg(listed(from).number);
+    if (!rows.empty()) {
+        const QStringList before = caseDifference(caseAt(from), listed(rows.back()).value);
+        std::ranges::stable_partition(changes, [&](const QString& change) { return !before.contains(change); });
+    }
     std::ranges::transform(changes, changes.begin(), shiftFirst);
     if (changes.size() > mostChanges) {
         const qsizetype more = changes.size() - mostChanges;
         changes = changes.first(mostChanges) << tr("and %1 more").arg(more);
     }
-    const int number = listed(from).number;
-    if (changes.isEmpty()) return tr("as solution %1").arg(number);
     const QString text = changes.join(QStringLiteral(", "));
-    return from == usual ? text : tr("%1, from solution %2").arg(text, QString::number(number));
+    if (rows.empty()) return QStringLiteral("%1: %2").arg(title, text);
+    return from == usual ? text : tr("%1, from solution %2").arg(text, QString::number(listed(from).number));
 }
 
 bool SolutionsModel::setData(const QModelIndex& index, const QVariant& value, int role)

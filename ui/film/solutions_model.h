@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The static solutions of this session, newest last, each named by what changed since the one before it.
+// The static solutions of this session, newest last, each named by what differs from the case as it was
+// opened, or from another solution.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/simulation/static_state/static_solution.h"
 #include "ui/lists/record_list.h"
@@ -26,6 +28,8 @@ public:
     /// fields, not their numbers: first those that are not compared. The newest alone keeps its gaps.
     static constexpr std::size_t fieldCapacity = std::size_t(1) << 25;
 
+    /// The case as it was opened: what is solved next is named by what differs from it.
+    void setOpened(const Case& opened) { opened_ = opened; }
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     /// A solution with a field; `shown`: its box is checked, and the list chooses it. Returns its number.
     /// `number`: one that was kept free; 0: the next one.
@@ -57,6 +61,7 @@ protected:
 private:
     QString nameOf(const Case& solved) const;
     void dropFields();
+    std::optional<Case> opened_;
     void uncheckOldest(int kept, int besides = -1);
 };
 

@@ -221,6 +221,7 @@ void SurfacePage::fit()
     const int lines = width() < longestState * metrics.averageCharWidth() ? 2 : 1;
     const QMargins margins = flight_->contentsMargins();
     flight_->setFixedHeight(lines * metrics.lineSpacing() + margins.top() + margins.bottom());
+    if (obstacle_) showObstacle(reason_);
 }
 
 void SurfacePage::resizeEvent(QResizeEvent* event)
@@ -341,9 +342,11 @@ void SurfacePage::showObstacle(const QString& reason)
     // As much of it as there is room for beside the state before; the tool tip has all of it.
     constexpr int characters = 34; // of "before: min 8.75 nm  +0.31 (±0.16)"
     const QFontMetrics metrics = flight_->fontMetrics();
-    const int room = (flight_->height() / metrics.lineSpacing()) * flight_->width() -
-                     (flightParts_.isEmpty() ? 2 : characters) * metrics.averageCharWidth();
-    const QString shown = metrics.elidedText(reason, Qt::ElideRight, std::max(room, flight_->width() / 2));
+    constexpr int longestWord = 14; // at the end of a line its room stays free
+    const int lines = flight_->height() / metrics.lineSpacing(), line = flight_->contentsRect().width(),
+              spent = flightParts_.isEmpty() ? 2 : characters;
+    const int room = lines * line - (spent + (lines - 1) * longestWord) * metrics.averageCharWidth();
+    const QString shown = metrics.elidedText(reason, Qt::ElideRight, std::max(room, line / 2));
     const QString before = flightParts_.isEmpty() ? QString() : tr(" &nbsp; before: ") + shortPart_;
     const auto problem = [&](const QString& words) {
         return QStringLiteral("<span style='color:%1'>%2</span>")
@@ -352,6 +355,7 @@ void SurfacePage::showObstacle(const QString& reason)
     };
     say(problem(reason), problem(shown));
     flight_->setToolTip(plainTip(reason));
+    reason_ = reason;
     obstacle_ = true;
 }
 

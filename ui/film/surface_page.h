@@ -96,6 +96,7 @@ private:
     QString confirmedShort_;               // of confirmedParts_: the minimum spacing
     QString shortPart_;                    // of the last state: its minimum spacing
     bool obstacle_ = false;                // stands before flightParts_
+    QString reason_;                       // of the obstacle
 };
 
 } // namespace touchdown

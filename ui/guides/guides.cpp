@@ -51,6 +51,8 @@ Guides::Guides(Workbench& bench, QWidget& window)
     follow(strip_->live());
     connect(&bench_.files(), &CaseFiles::opened, this, &Guides::leave);
     connect(&bench_.edits(), &CaseEdits::edited, this, &Guides::showLive);
+    // After a case that is opened has ended the stage.
+    connect(&bench_.edits(), &CaseEdits::edited, this, &Guides::followEdit, Qt::QueuedConnection);
     connect(&bench_.runWindow(), &RunWindow::ended, this, &Guides::showResults);
     connect(&bench_.runWindow().runs(), &RunsModel::rowsRemoved, this, &Guides::showResults);
 }
@@ -65,7 +67,7 @@ void Guides::toggle(QWidget* pane, bool open)
 {
     if (open) {
         shown_ = static_cast<LessonPane*>(pane);
-        stage();
+        if (shown_->kind() == Kind::Lesson || ownCase_) stage(); // else once the case of the figure is open
     } else if (pane == shown_) {
         shown_ = nullptr;
         ownCase_ = false;
@@ -92,10 +94,18 @@ void Guides::showLive()
     for (LessonPane* pane : panes_) {
         if (!pane) continue;
         pane->live().setEnabled(ownCase_ && pane == shown_);
+        pane->live().setToolTip(ownCase_ ? QString() : tr("The case of this figure is not open. Shift+F2 opens it."));
         pane->live().showCase(bench_.edits().value());
     }
     strip_->live().setEnabled(ownCase_);
     strip_->live().showCase(bench_.edits().value());
+}
+
+/// Undo moves the sliders, too: the plots follow.
+void Guides::followEdit()
+{
+    const RunRecord* run = onlyTried() ? stages_->newestOf(shown_->shown()) : nullptr;
+    if (run && run->value != bench_.edits().value()) live_->runAnew();
 }
 
 void Guides::present(bool on)
@@ -164,7 +174,7 @@ void Guides::open(Kind kind)
     emit paneWanted(pane, nameOf(kind), title);
     if (first)
         pane->go(QSettings().value(settingOf(kind), 0).toUInt());
-    else if (!stages_->active())
+    else if (!stages_->active() || (kind == Kind::Demonstrations && !ownCase_))
         onStep(kind);
     if (presented_) showStrip();
 }
@@ -173,19 +183,25 @@ void Guides::onStep(Kind kind)
 {
     LessonPane* pane = this->pane(kind);
     QSettings().setValue(settingOf(kind), static_cast<int>(pane->step()));
-    bench_.setPage(Workbench::Page::Run);
     shown_ = pane;
     if (presented_) showStrip();
+    showLive();
+    emit stepShown();
+    const LessonStep& step = pane->shown();
+    if (kind == Kind::Lesson || step.runs.empty() || !step.runs.front().kind.empty()) return showStep();
+    // A demonstration on springs is there at once; a film takes its time, and waits for the button. The page stays as
+    // it is where the reader keeps the case that is edited.
+    const bool quick = caseOf(step.runs.front()).model == ModelKind::Springs;
+    openCaseOf(step.runs.front(), quick && !stages_->newestOf(step));
+}
+
+void Guides::showStep()
+{
+    bench_.setPage(Workbench::Page::Run);
     stage();
     showResults();
     showLive();
     bench_.messages().clear(); // of another step
-    emit stepShown();
-    const LessonStep& step = pane->shown();
-    if (kind == Kind::Lesson || step.runs.empty() || !step.runs.front().kind.empty()) return;
-    // A demonstration on springs is there at once; a film takes its time, and waits for the button.
-    const bool quick = caseOf(step.runs.front()).model == ModelKind::Springs;
-    openCaseOf(step.runs.front(), quick && !stages_->newestOf(step));
 }
 
 /// Of the runs of the step that are in the list and have ended.
@@ -252,9 +268,7 @@ void Guides::openCaseOf(const LessonRun& run, bool start)
     files.openChanged(QString::fromStdString(run.name), run.settings, [this, start, run] {
         opens_.clear();
         ownCase_ = true;
-        bench_.setPage(Workbench::Page::Run);
-        stage();
-        showLive();
+        showStep();
         if (!start) return takeValuesOfNewestRun();
         bench_.startRun();
         RunRecord* started = bench_.runWindow().runUnderWay();

@@ -71,6 +71,8 @@ private:
     void takeValuesOfNewestRun();
     LessonPane* build(LessonPane::Kind kind);
     void onStep(LessonPane::Kind kind);
+    void showStep();
+    void followEdit();
     void showResults();
     void showWords();
     void stage();

@@ -145,6 +145,16 @@ void LiveRuns::settle()
         movement_->part ? runOnce(movement_) : finish(*movement_);
 }
 
+void LiveRuns::runAnew()
+{
+    const Case& now = bench_.edits().value();
+    if (movement_ && (!movement_->settled || movement_->value == now)) return;
+    movement_ = std::make_shared<Movement>();
+    movement_->value = now;
+    movement_->part = true; // there is no run of it
+    settle();
+}
+
 void LiveRuns::runOnce(const std::shared_ptr<Movement>& movement)
 {
     movement->busy = true;

@@ -45,6 +45,9 @@ public:
     void move(const LiveValue& value, const std::string& text);
     /// The movement has ended.
     void settle();
+    /// The values were changed without a movement, as by undo: a run of them. Nothing where a
+    /// movement made them.
+    void runAnew();
     /// Nothing more is run or shown of it: another case is open, or the user stopped it.
     void leave();
     bool busy() const { return movement_ && movement_->busy; }

@@ -77,7 +77,7 @@ PaperSheet PaperFigure::sheetOf(const Cell& cell) const
         if (const auto* beside = qobject_cast<const PlotWidget*>(other.panel);
             plot && beside && beside->xAxis().label == plot->xAxis().label)
             labels = std::max(labels, beside->labelRoom(font_).width);
-    return {cell.box.size(), font_, format_.colours, styles_, labels};
+    return {cell.box.size(), font_, format_.colours, styles_, labels, format_.titles};
 }
 
 QSizeF PaperFigure::size() const { return size_ * millimetresPerInch / pixelsPerInch_; }

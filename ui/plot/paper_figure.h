@@ -20,6 +20,7 @@ struct FigureFormat {
     int dotsPerInch = 600;    // of a PNG, 72 to 1200
     PaperColours colours = PaperColours::Coloured;
     bool letters = true; // "(a)", "(b)", ... where there is more than one panel
+    bool titles = true;  // over spectra and other plots whose axis does not say what they show
     bool data = true;    // the numbers of each panel in a file beside the figure
     bool operator==(const FigureFormat&) const = default;
 };

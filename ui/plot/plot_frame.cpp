@@ -144,7 +144,11 @@ void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool 
     painter.translate(gap, area.center().y());
     painter.rotate(-90.0);
     const double length = area.height() + height; // may reach a little over the ends
-    paintFitting(painter, QRectF(-length / 2.0, 0.0, length, height), y->text(), textFont, least);
+    // The title above the area names the quantity, too; where there is room for less, its unit is what is missed.
+    QString text = y->text();
+    if (least * QFontMetricsF(textFont).horizontalAdvance(text) > length)
+        text = text.mid(std::max<qsizetype>(0, text.lastIndexOf(u'[')));
+    paintFitting(painter, QRectF(-length / 2.0, 0.0, length, height), text, textFont, least);
     painter.restore();
 }
 

@@ -68,7 +68,7 @@ PlotPainter::PlotPainter(const PlotWidget& plot, const PlotTheme& theme, const P
       curves_(printed_),
       x_(plot.xAxis()),
       y_(namedAxis(plot.yAxis(), plot.title())),
-      title_(plot.yAxis().label.title.isEmpty() ? QString() : plot.title()),
+      title_(plot.yAxis().label.title.isEmpty() || !sheet.title ? QString() : plot.title()),
       area_(PlotFrame::curveArea(sheet.size, sheet.font, true,
                                  {std::max(plot.labelRoom(sheet.font).width, sheet.labelWidth), false, true})),
       frame_(area_, sheet.font, x_, y_, mostUp)

@@ -20,6 +20,7 @@ struct PaperSheet {
     PaperColours colours = PaperColours::Coloured;
     std::vector<PaperStyle> styles = {}; // of the figure
     double labelWidth = 0.0;             // that labels of reference lines have at least, as in other panels [px]
+    bool title = true;                   // what the plot is called stands above it where its axis has another name
 };
 
 /// Words in a shaded area, beside a reference line or a point mark, where they are drawn.

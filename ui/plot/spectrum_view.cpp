@@ -328,9 +328,12 @@ void SpectrumView::updateMarks()
     }
     plot_->setPointMarks(std::move(marks));
     const bool linear = !plot_->xAxis().logarithmic();
+    const auto leads = std::ranges::find_if(plot_->curves(), [](const PlotCurve& c) { return c.visible && c.leads; });
+    const bool grows = leads != plot_->curves().end() && !leads->still && leads->id == ranged_;
+    widest_ = std::max(last > 0.0 ? roundedUp(1.25 * last) : 0.0, grows ? widest_ : 0.0);
+    ranged_ = leads != plot_->curves().end() ? leads->id : QString();
     if (!spectra_.empty())
-        group_->setFirstRange(last > 0.0 && linear ? std::optional(PlotRange{0.0, roundedUp(1.25 * last)})
-                                                   : std::nullopt);
+        group_->setFirstRange(widest_ > 0.0 && linear ? std::optional(PlotRange{0.0, widest_}) : std::nullopt);
 }
 
 } // namespace touchdown

@@ -88,6 +88,8 @@ private:
     std::map<FrequencyKind, QAction*> lines_;
     std::vector<ReferenceFrequency> references_;
     std::map<QString, std::unique_ptr<MinMaxPyramid>> spectra_;
+    QString ranged_;      // the curve that leads, whose run may go on: its axis does not become shorter then
+    double widest_ = 0.0; // the axis of that curve; 0: all of it [Hz]
     std::map<QString, std::vector<PointMark>> peaks_;
 };
 

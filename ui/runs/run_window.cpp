@@ -62,7 +62,16 @@ void RunWindow::announce(int number)
     const RunRecord* run = runs_.find(number);
     if (!run || !run->summary) return;
     emit started(number);
+    conclude(*run->summary);
     emit ended(number, *run->summary);
+}
+
+void RunWindow::conclude(const Summary& summary)
+{
+    progress_->conclude(name(summary.status), tr("%1 simulated · %L2 steps · solver %3")
+                                                  .arg(timeText(summary.endTime))
+                                                  .arg(summary.steps)
+                                                  .arg(timeText(summary.solverSeconds)));
 }
 
 void RunWindow::add(const RunRequest& request)
@@ -101,10 +110,7 @@ void RunWindow::onFinished(const Summary& summary)
     view_->spectrum()->runFinished(number);
     view_->maps()->dataArrived(number);
     memory_.schedule();
-    progress_->conclude(name(summary.status), tr("%1 simulated · %L2 steps · solver %3")
-                                                  .arg(timeText(summary.endTime))
-                                                  .arg(summary.steps)
-                                                  .arg(timeText(summary.solverSeconds)));
+    conclude(summary);
     emit ended(number, summary);
     if (announced_ >= 0) announce(std::exchange(announced_, -1));
 }

@@ -56,6 +56,7 @@ private:
     void add(const RunRequest& request);
     void onDelivered(const RunDelivery& delivery);
     void onFinished(const Summary& summary);
+    void conclude(const Summary& summary);
 
     RunsModel runs_;
     RunController controller_;

@@ -23,10 +23,8 @@ const Case* sampleOf(const std::string& title)
     static std::map<std::string, std::optional<Case>> known;
     const auto [entry, isNew] = known.try_emplace(title);
     if (isNew)
-        for (const SampleCase& sample : sampleCases()) {
-            if (sample.text.find("title = \"" + title + '"') == std::string::npos) continue;
-            if (Case c = parseCase(sample.text, sample.name).value; c.title == title) entry->second = std::move(c);
-        }
+        for (const SampleCase& sample : sampleCases())
+            if (titleOf(sample) == title) entry->second = parseCase(sample.text, sample.name).value;
     return entry->second ? &*entry->second : nullptr;
 }
 

@@ -66,6 +66,11 @@ void DragField::open(const QPoint& beside, const std::vector<DragWay>& ways, int
     entries_[static_cast<std::size_t>(first)].text->setFocus();
 }
 
+void DragField::selectText()
+{
+    for (const Entry& entry : entries_) entry.text->selectAll();
+}
+
 std::optional<SurfaceShift> DragField::shift() const
 {
     SurfaceShift by;

@@ -33,6 +33,8 @@ public:
     /// Shows one field or two for these ways beside a place of the parent [px]; the field `first` has the text that was
     /// typed, the other one 0.
     void open(const QPoint& beside, const std::vector<DragWay>& ways, int first, const QString& typed);
+    /// What the field holds will be typed over.
+    void selectText();
     /// The distances along their ways [m]; nothing where one of the shown texts is no length.
     std::optional<SurfaceShift> shift() const;
 

@@ -317,11 +317,28 @@ void EditGestures::endMove(SurfaceShift by)
     plan_.update();
 }
 
-/// One number normal to a single edge, else one along x and one along y, each positive towards the pointer.
 bool EditGestures::type(const QString& text)
 {
     static const QString numbers = QStringLiteral("0123456789.,-−");
     if (!moving() || typing() || text.size() != 1 || !numbers.contains(text)) return false;
+    return openField(text), true;
+}
+
+void EditGestures::askForShift()
+{
+    if (selection_.parts().empty() || dragging()) return;
+    setTool(Tool::Select);
+    const SurfacePart& first = *selection_.parts().begin();
+    pressedPoint_ = placeOf(selection_.surface(), first, {});
+    marks_.pointer = plan_.toPixel(pressedPoint_);
+    begin(Gesture::Move);
+    openField(QStringLiteral("0"));
+    field_->selectText();
+}
+
+/// One number normal to a single edge, else one along x and one along y, each positive towards the pointer.
+void EditGestures::openField(const QString& text)
+{
     const SurfacePoint to = plan_.toSlider(marks_.pointer);
     const SurfaceShift way{to.x - pressedPoint_.x, to.y - pressedPoint_.y};
     std::vector<DragWay> ways;
@@ -339,7 +356,6 @@ bool EditGestures::type(const QString& text)
     marks_.snap.reset();
     field_->open(marks_.pointer.toPoint(), ways, first, text);
     previewTyped();
-    return true;
 }
 
 bool EditGestures::typing() const { return !field_->isHidden(); }

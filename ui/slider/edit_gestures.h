@@ -45,6 +45,8 @@ public:
     /// One step back: out of the gesture, the measure, the tool. False: there was none.
     bool stepBack();
     void finishPolygon();
+    /// Fields for the distance by which the selection moves, without a drag.
+    void askForShift();
     /// Without a mouse: between two selected corners or points of interest, or along a selected edge.
     void measureSelection();
     void updateCursor();
@@ -71,6 +73,7 @@ private:
     void leave();
     /// A number typed during a drag; false: it is none.
     bool type(const QString& text);
+    void openField(const QString& text);
     void selectAt(const QMouseEvent& event);
     void previewWaiting();
     SurfaceShift wantedShift(const QMouseEvent& event);

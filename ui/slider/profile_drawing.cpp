@@ -102,8 +102,11 @@ void ProfileDrawing::paintFrame(QPainter& painter, const PlotTheme& theme, const
         if (!tick.text.isEmpty())
             painter.drawText(QRectF(toPixel(tick.value, 0.0).x() - 40.0, area.bottom() + 3.0, 80.0, lineHeight),
                              Qt::AlignHCenter | Qt::AlignTop, tick.text);
+    const QFontMetricsF metrics(painter.font());
+    const bool room = metrics.horizontalAdvance(along.text() + remark) <= area.width();
     painter.drawText(QRectF(area.left(), area.bottom() + 1.2 * lineHeight, area.width(), lineHeight),
-                     Qt::AlignHCenter | Qt::AlignTop, along.text() + remark);
+                     Qt::AlignHCenter | Qt::AlignTop,
+                     room ? along.text() + remark : metrics.elidedText(along.text(), Qt::ElideRight, area.width()));
 }
 
 } // namespace touchdown

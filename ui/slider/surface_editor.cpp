@@ -183,8 +183,8 @@ bool SurfaceEditor::actByKey(const QKeyEvent& event)
         return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        if (tool() != Tool::Polygon) return false;
-        return gestures_.finishPolygon(), true;
+        if (tool() == Tool::Polygon) return gestures_.finishPolygon(), true;
+        return gestures_.askForShift(), true;
     case Qt::Key_Delete:
     case Qt::Key_Backspace: return selection_.remove(), true;
     case Qt::Key_PageUp: return selection_.moveInOrder(1), true;
@@ -281,6 +281,7 @@ void SurfaceEditor::popUpMenu(const QPoint& globalPos, const std::optional<Surfa
         fillWallMenu(*walls, committed(), commonWall(committed(), selection()),
                      [this](int wall) { selection_.chooseWall(wall); });
     }
+    add(tr("Move by…"), QStringLiteral("Enter"), some, [this] { gestures_.askForShift(); });
     add(tr("Coordinates…"), {}, some, [this] { emit coordinatesWanted(); });
     add(tr("Recess…"), {}, !rails.empty(), [this] { emit recessWanted(); });
     menu->addSeparator();

@@ -32,12 +32,17 @@ QImage draw(const Recess& recess, const ColourScale& scale, const QRectF& part, 
             const std::stop_token& stop)
 {
     QImage image(pixels, QImage::Format_RGB32);
+    double last = 0.0; // most pixels have the recess of the one before
+    QRgb colour = scale.colour(last);
     for (int row = 0; row < pixels.height(); ++row) {
         if (stop.stop_requested()) return {};
         const double y = part.bottom() - (row + 0.5) / pixels.height() * part.height();
         auto* line = reinterpret_cast<QRgb*>(image.scanLine(row));
-        for (int column = 0; column < pixels.width(); ++column)
-            line[column] = scale.colour(recess.at(part.left() + (column + 0.5) / pixels.width() * part.width(), y));
+        for (int column = 0; column < pixels.width(); ++column) {
+            const double value = recess.at(part.left() + (column + 0.5) / pixels.width() * part.width(), y);
+            if (value != last) colour = scale.colour(last = value);
+            line[column] = colour;
+        }
     }
     return image;
 }

@@ -14,7 +14,6 @@
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
-#include "core/case_files/case_reader.h"
 #include "core/formats/units.h"
 #include "ui/case/parameter_text.h"
 #include "ui/style/quantity_format.h"
@@ -65,19 +64,6 @@ std::string listAsToml(const std::string& list)
     for (const std::string_view element : listElements(list))
         toml += (toml.empty() ? "" : ", ") + asToml(std::string(element));
     return "[" + toml + "]";
-}
-
-/// Names and titles of the sample cases.
-const std::vector<std::pair<QString, QString>>& titlesOfSamples()
-{
-    static const std::vector<std::pair<QString, QString>> titles = [] {
-        std::vector<std::pair<QString, QString>> all;
-        for (const SampleCase& each : sampleCases())
-            all.emplace_back(QString::fromStdString(each.name),
-                             QString::fromStdString(parseCase(each.text, each.name).value.title));
-        return all;
-    }();
-    return titles;
 }
 
 QString choiceLabel(const StudyKey& key, const std::string& choice)
@@ -158,7 +144,8 @@ void StudyFormView::fillCases(QComboBox* cases, const std::string& chosen, const
 {
     if (cases->count() == 0) {
         cases->addItem({}, QString());
-        for (const auto& [name, title] : titlesOfSamples()) cases->addItem(title, name);
+        for (const SampleCase& each : sampleCases())
+            cases->addItem(QString::fromStdString(titleOf(each)), QString::fromStdString(each.name));
     }
     cases->setItemText(0, tr("The case at the left: %1").arg(givenTitle));
     if (chosen.empty()) return cases->setCurrentIndex(0);

@@ -153,9 +153,10 @@ void StudyFormView::mark(const std::vector<InputProblem>& problems, const std::s
     const auto markOne = [&](const std::string& key, QLabel* label, const QString& before) {
         const auto isHere = [&](const InputProblem& problem) { return problem.file == name && problem.key == key; };
         const auto found = std::ranges::find_if(problems, isHere);
-        label->setText(found == problems.end() ? QString()
+        QString text = found == problems.end() ? QString()
                        : before.isEmpty()      ? sentence(found->message)
-                                               : before + QLatin1Char(' ') + inWindowWords(found->message));
+                                               : before + QLatin1Char(' ') + inWindowWords(found->message);
+        label->setText(text.remove(QStringLiteral(" in quotation marks"))); // which a text needs, a field does not
         label->setVisible(found != problems.end());
     };
     for (Row& row : rows_) markOne(row.key.key, row.problem, row.key.inList ? columnLabel(row.key.key) : "");

@@ -41,6 +41,7 @@ void eachSetting(Format& format, const Use& use)
     use("fontSize", format.fontSize);
     use("dots", format.dotsPerInch);
     use("letters", format.letters);
+    use("titles", format.titles);
     use("data", format.data);
 }
 
@@ -161,6 +162,8 @@ QWidget* FigureDialog::buildForm()
     colours_->addItem(tr("Coloured"));
     colours_->addItem(tr("Black and grey, dashed"));
     letters_ = check(tr("Letters (a), (b), …"));
+    titles_ = check(tr("Titles"));
+    titles_->setToolTip(plainTip(tr("Over spectra and other plots whose axis does not say what they show")));
     data_ = check(tr("The numbers beside it, as CSV"));
     connect(width_, &QComboBox::currentIndexChanged, this, [this] {
         const double chosen = width_->currentData().toDouble();
@@ -190,6 +193,7 @@ QWidget* FigureDialog::buildForm()
     rows->addRow(tr("&Curves"), colours_);
     rows->addRow(tr("&Resolution"), dots_);
     rows->addRow({}, letters_);
+    rows->addRow({}, titles_);
     rows->addRow({}, data_);
     form->setMaximumWidth(380);
     return form;
@@ -206,6 +210,7 @@ FigureFormat FigureDialog::format() const
     format.dotsPerInch = dots_->value();
     format.colours = colours_->currentIndex() == 1 ? PaperColours::Black : PaperColours::Coloured;
     format.letters = letters_->isChecked();
+    format.titles = titles_->isChecked();
     format.data = data_->isChecked();
     return format;
 }
@@ -224,6 +229,7 @@ void FigureDialog::setFormat(const FigureFormat& format)
     dots_->setValue(format.dotsPerInch);
     colours_->setCurrentIndex(format.colours == PaperColours::Black ? 1 : 0);
     letters_->setChecked(format.letters);
+    titles_->setChecked(format.titles);
     data_->setChecked(format.data);
 }
 
@@ -282,6 +288,13 @@ void FigureDialog::keep() const
     order.prepend(key_);
     while (order.size() > mostKept) settings.remove(settingsKey(order.takeLast()));
     settings.setValue(orderKey, order);
+}
+
+/// What was chosen is there again when the figure is made another time, also where nothing was exported.
+void FigureDialog::done(int result)
+{
+    if (!figure().empty()) keep();
+    QDialog::done(result);
 }
 
 void FigureDialog::changed()

@@ -40,6 +40,8 @@ public:
     /// Writes it and keeps the settings; shows where it is, or the problem.
     void exportTo(const QString& path);
 
+    void done(int result) override;
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -64,7 +66,7 @@ private:
     QDoubleSpinBox* fontSize_;
     QSpinBox* dots_;
     QComboBox* colours_;
-    QCheckBox *letters_, *data_;
+    QCheckBox *letters_, *titles_, *data_;
     QLabel *preview_, *remark_;
     QPushButton* export_;
 };

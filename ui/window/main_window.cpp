@@ -228,7 +228,8 @@ void MainWindow::updateRunActions()
         messages_->show(MessageStrip::Kind::Failure, cannot, tr("Show it"), MessageStrip::Topic::Case);
     else
         messages_->clear(MessageStrip::Topic::Case);
-    actions_->surface->setEnabled(pages_->model() == ModelKind::Film);
+    for (QAction* action : {actions_->surface, actions_->underlay})
+        action->setEnabled(pages_->model() == ModelKind::Film);
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);

@@ -93,6 +93,7 @@ void MainWindow::connectFiles()
     connect(actions_->copyPage, &QAction::triggered, this, [this] { copyPicture(*page()); });
     connect(files_, &CaseFiles::opened, this, &MainWindow::onCaseOpened);
     SurfaceEditor* editor = film_->view()->shape()->editor();
+    connect(actions_->underlay, &QAction::triggered, actions_->surface, &QAction::trigger);
     connect(actions_->underlay, &QAction::triggered, editor, &SurfaceEditor::placeUnderlay);
     connect(&editor->underlay(), &Underlay::failed, this,
             [this](const QString& sentence) { messages_->show(MessageStrip::Kind::Failure, sentence); });

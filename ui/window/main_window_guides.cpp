@@ -168,14 +168,7 @@ void MainWindow::chooseNewCase()
 
 void MainWindow::showHelp(HelpWindow::Page page)
 {
-    if (!help_) {
-        QString rows = QStringLiteral("<table cellpadding='3'>");
-        for (const QAction* action : actions_->withShortcuts())
-            rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
-                        .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
-                             action->text().remove(QLatin1Char('&')).remove(QStringLiteral("…")).toHtmlEscaped());
-        help_ = new HelpWindow(rows + QStringLiteral("</table>"), this);
-    }
+    if (!help_) help_ = new HelpWindow(actions_->shortcutTable(), this);
     help_->open(page);
 }
 

@@ -168,7 +168,11 @@ void MainWindow::saveArrangement()
 void MainWindow::fitScreen()
 {
     const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this);
-    resize(size().boundedTo(screen()->availableSize() - QSize(0, title)));
+    const QRect room = screen()->availableGeometry().adjusted(0, 0, 0, -title);
+    resize(size().boundedTo(room.size()));
+    if (testAttribute(Qt::WA_Moved)) // where another screen had it
+        move(std::max(room.left(), std::min(x(), room.right() + 1 - width())),
+             std::max(room.top(), std::min(y(), room.bottom() + 1 - height())));
 }
 
 void MainWindow::restoreArrangement()

@@ -8,7 +8,6 @@
 #include <QToolButton>
 
 #include "core/case_files/case_file.h"
-#include "core/case_files/case_reader.h"
 #include "ui/runs/run_controller.h"
 #include "ui/style/foreign_text.h"
 
@@ -62,8 +61,7 @@ void WindowActions::buildFile(QMainWindow& window)
     samples = menu->addMenu(tr("Open sample &case"));
     for (const SampleCase& sample : sampleCases()) {
         const QString name = QString::fromStdString(sample.name);
-        const CaseDocument document = parseCase(sample.text, sample.name);
-        QAction* action = samples->addAction(QString::fromStdString(document.value.title));
+        QAction* action = samples->addAction(QString::fromStdString(titleOf(sample)));
         action->setData(name);
         connect(action, &QAction::triggered, this, [this, name] { emit sampleChosen(name); });
     }
@@ -253,12 +251,18 @@ void WindowActions::updateIcons(const QPalette& palette)
     for (const auto& [action, name] : icons_) action->setIcon(icon(name, palette));
 }
 
-std::vector<const QAction*> WindowActions::withShortcuts() const
+QString WindowActions::shortcutTable() const
 {
-    std::vector<const QAction*> list;
-    for (const QAction* action : all_)
-        if (!action->shortcut().isEmpty()) list.push_back(action);
-    return list;
+    QString rows;
+    for (const QAction* action : all_) {
+        if (action->shortcut().isEmpty()) continue;
+        // What would be undone now is not asked for.
+        const QString text = action == undo ? tr("Undo") : action == redo ? tr("Redo") : action->text();
+        rows += QStringLiteral("<tr><td><b>%1</b>&nbsp;&nbsp;</td><td>%2</td></tr>")
+                    .arg(action->shortcut().toString(QKeySequence::NativeText).toHtmlEscaped(),
+                         QString(text).remove(QLatin1Char('&')).remove(QStringLiteral("…")).toHtmlEscaped());
+    }
+    return QStringLiteral("<table cellpadding='3'>%1</table>").arg(rows);
 }
 
 void WindowActions::setPage(ModelKind model, bool inTime)

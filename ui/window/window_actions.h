@@ -44,8 +44,8 @@ public:
 
     /// Draws the icons anew, as after a change of the palette.
     void updateIcons(const QPalette& palette);
-    /// All actions with a shortcut, for the shortcut sheet.
-    std::vector<const QAction*> withShortcuts() const;
+    /// All actions with a shortcut, as HTML.
+    QString shortcutTable() const;
     /// Offers what the model can do, and what belongs to the page of runs in time, if that is shown.
     void setPage(ModelKind model, bool inTime);
 

@@ -16,6 +16,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/readable.h"
 #include "ui/style/translate.h"
 
 namespace touchdown {
@@ -138,10 +139,10 @@ QStringList linesOf(const UnsavedWork& work, Workbench& bench)
     if (work.modes) lines << tr("modes that are not saved");
     QStringList titles;
     for (const std::string& kind : work.studies)
-        titles << QStringLiteral("“%1”").arg(QString::fromStdString(bench.studies().outcome(kind)->report->title));
+        titles << QStringLiteral("“%1”").arg(readable(bench.studies().outcome(kind)->report->title));
     QStringList edited;
     for (const StudyDraft& draft : work.drafts)
-        edited << QStringLiteral("“%1”").arg(bench.studies().editor()->titleOf(draft.kind));
+        edited << QStringLiteral("“%1”").arg(readable(bench.studies().editor()->titleOf(draft.kind).toStdString()));
     add("the changes of the study %1", "the changes of %1 studies: %2", work.drafts.size(), names(edited));
     add("1 study report that is not saved: %1", "%1 study reports that are not saved: %2", work.studies.size(),
         names(titles));

@@ -43,7 +43,8 @@ struct Part {
     {
         problems.push_back({key, name + predicate, std::move(places)});
     }
-    /// Of points, if there are any: "Rail 3: point 4", then the verb for one or for several points, then the rest.
+    /// Of corners or points, if there are any: "Rail 3: corner 4", then the verb for one or for several points, then
+    /// the rest.
     void add(const Indices& points, const char* one, const char* several, const std::string& rest,
              const char* before = ": ") const
     {
@@ -52,7 +53,9 @@ struct Part {
         for (const std::size_t i : points)
             if (corners != nullptr && std::isfinite((*corners)[i].x) && std::isfinite((*corners)[i].y))
                 places.push_back({(*corners)[i].x, (*corners)[i].y});
-        add(before + partList("point", points) + (points.size() == 1 ? one : several) + rest, std::move(places));
+        add(before + partList(corners != nullptr ? "corner" : "point", points) + (points.size() == 1 ? one : several) +
+                rest,
+            std::move(places));
     }
 };
 
@@ -129,7 +132,7 @@ void checkRail(const Rail& rail, const Part& part, std::size_t walls)
              " a wall profile that does not exist; there " + (walls == 1 ? "is 1." : "are " + text(walls) + "."));
     const bool finiteRail = finite(rail, part);
     if (rail.points.size() < 3)
-        return part.add(" has " + text(rail.points.size()) + (rail.points.size() == 1 ? " point" : " points") +
+        return part.add(" has " + text(rail.points.size()) + (rail.points.size() == 1 ? " corner" : " corners") +
                         "; it needs three or more.");
     if (!finiteRail) return;
 
@@ -137,7 +140,7 @@ void checkRail(const Rail& rail, const Part& part, std::size_t walls)
     const double area = std::abs(cross(first, rail.points[1], rail.points[2]));
     const double reach = std::max(distance(first, rail.points[1]), distance(first, rail.points[2]));
     if (rail.kind == RailKind::Ramp && area <= straight * reach * reach)
-        part.add(": the first three points lie on a line, so that no ramp goes through them.");
+        part.add(": the first three corners lie on a line, so that no ramp goes through them.");
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     double size = 0.0;
     for (const RailPoint& p : points) size = std::max(size, distance(points[0], p));
@@ -173,7 +176,7 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
     part.add(outside, " lies", " lie", " outside the slider.");
     const auto repeated =
         indicesWhere(count, [&](std::size_t i) { return distance(rail.points[i], next(i)) <= touching; });
-    part.add(repeated, " is", " are", " repeated by the point after.");
+    part.add(repeated, " is", " are", " repeated by the corner after.");
     const std::vector<RailPoint> points = withoutRepetitions(rail.points);
     if (points.size() < 3) return;
     // The index in the list without repetitions would be of no use to the reader.
@@ -190,7 +193,7 @@ void warnOfRail(const Rail& rail, const Part& part, double baseRecess, double le
             (points[i].x - before.x) * (after.x - points[i].x) + (points[i].y - before.y) * (after.y - points[i].y);
         (along > 0.0 ? collinear : reversing).push_back(indexOf(points[i]));
     }
-    part.add(collinear, " lies", " lie", " on the line between the points before and after.");
+    part.add(collinear, " lies", " lie", " on the line between the corners before and after.");
     part.add(reversing, "", "", " the outline turns back on itself.", ": at ");
     if (const auto at = meetsItself(points, Meeting::Touching); at && reversing.empty())
         part.add(": the outline touches itself.", {*at});

@@ -65,6 +65,14 @@ public:
             if (!differentiate(u, best, slopes)) break;
             if (!improve(u, best, slopes, damping)) break;
         }
+        for (const int digits : {4, 6, 8}) {
+            if (cancelled_ || iteration_ == 0 || !best.known || !reached(best)) break;
+            Trial plain = evaluate(u, digits);
+            if (std::exchange(cancelled_, false)) break; // what was found stands
+            if (!plain.known || !reached(plain)) continue;
+            accept(best = std::move(plain));
+            break;
+        }
         return conclude(best);
     }
 
@@ -81,12 +89,18 @@ private:
 
     bool reached(const Trial& trial) const { return trial.point.misfit <= 1.0; }
 
-    Trial evaluate(const std::vector<double>& u)
+    /// The values of the shares u, rounded to so many digits; 0: as they are.
+    Trial evaluate(const std::vector<double>& u, int digits = 0)
     {
         Trial trial;
         trial.point.iteration = iteration_;
-        for (std::size_t i = 0; i < u.size(); ++i)
-            trial.point.parameters.push_back(std::lerp(task_.parameters[i].minimum, task_.parameters[i].maximum, u[i]));
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            const DesignParameter& p = task_.parameters[i];
+            const double value = std::lerp(p.minimum, p.maximum, u[i]);
+            const bool rounds = digits > 0 && value != p.minimum && value != p.maximum;
+            const double plain = rounds ? roundedIn(value, p.keys.front().displayUnit, digits) : value;
+            trial.point.parameters.push_back(std::clamp(plain, p.minimum, p.maximum));
+        }
         trial.tried = case_;
         trial.point.problem = applyParameters(trial.tried, task_.parameters, trial.point.parameters);
         if (!trial.point.problem.empty()) return trial;

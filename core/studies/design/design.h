@@ -8,7 +8,7 @@
 // Damped Gauss-Newton (Levenberg 1944, Marquardt 1963), core/numerics/bounded_step.h, with J by differences of one
 // parameter at a time. The static state is that of `touchdown steady` from the initial attitude of the case; a state in
 // which the film alone leaves rails below the mean plane of the disk counts too, since contact may carry the rest
-// there.
+// there. In the end the values get as few digits of their display units as reach the targets, 4, 6 or 8.
 #pragma once
 
 #include <functional>

@@ -36,8 +36,8 @@ void addFindings(const DesignTask& task, const DesignStudy& study, StudyReport& 
     for (std::size_t i = 0; i < best.parameters.size(); ++i) {
         const DesignParameter& parameter = task.parameters[i];
         const Parameter& key = parameter.keys.front();
-        report.findings.push_back(key.key + ": " + fewDigits(best.parameters[i], key.displayUnit, 7) + ", from " +
-                                  fewDigits(parameter.start, key.displayUnit, 7) + ".");
+        report.findings.push_back(key.key + ": " + fewDigits(best.parameters[i], key.displayUnit, 8) + ", from " +
+                                  fewDigits(parameter.start, key.displayUnit, 8) + ".");
     }
     for (std::size_t i = 0; i < best.quantities.size(); ++i) {
         const DesignTarget& target = task.targets[i];
@@ -47,6 +47,16 @@ void addFindings(const DesignTask& task, const DesignStudy& study, StudyReport& 
                                   (error > 0.0 ? " (grid error about " + fewDigits(error, unit, 2) + ")" : "") +
                                   ", wanted " + fewDigits(target.value, unit, 5) + " within " +
                                   fewDigits(target.tolerance, unit, 3) + ".");
+    }
+    for (std::size_t i = 0; i < best.quantities.size(); ++i) {
+        const DesignTarget& target = task.targets[i];
+        const double error = gridError(study.state.discretisationError, target.quantity.name);
+        if (error > target.tolerance)
+            report.warnings.push_back(target.quantity.name + " is compared with its target on this grid: the error " +
+                                      "of the grid, about " + fewDigits(error, target.quantity.displayUnit, 2) +
+                                      ", is larger than the tolerance of " +
+                                      fewDigits(target.tolerance, target.quantity.displayUnit, 3) +
+                                      ". A finer grid or a wider tolerance is needed to rely on it.");
     }
     if (!study.state.message.empty()) report.warnings.push_back("static state: " + study.state.message);
 }

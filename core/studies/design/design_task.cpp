@@ -46,14 +46,11 @@ DesignTask defaultTask(const Case& c)
     const Parameter& moved = std::get<Parameter>(key);
     const std::vector<Quantity> all = wantedQuantities();
     const Quantity& aim = all[static_cast<std::size_t>(findQuantity(all, held ? "net_force" : "minimum_spacing"))];
-    const auto plain = [](double value, const std::string& displayUnit) { // two digits of what is shown
-        return roundedTo(roundedTo(value / unitFactor(displayUnit), 2) * unitFactor(displayUnit), 12);
-    };
     task.parameters = {{.keys = {moved},
                         .start = middle,
-                        .minimum = plain(0.5 * middle, moved.displayUnit),
-                        .maximum = plain(2.0 * middle, moved.displayUnit)}};
-    task.targets = {{aim, plain(wanted, aim.displayUnit), plain(0.01 * wanted, aim.displayUnit)}};
+                        .minimum = roundedIn(0.2 * middle, moved.displayUnit, 2),
+                        .maximum = roundedIn(5.0 * middle, moved.displayUnit, 2)}};
+    task.targets = {{aim, roundedIn(wanted, aim.displayUnit, 2), roundedIn(0.01 * wanted, aim.displayUnit, 2)}};
     return task;
 }
 

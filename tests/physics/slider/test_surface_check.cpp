@@ -95,33 +95,33 @@ private slots:
             QTest::newRow(name) << change << expected;
         };
         row("two points", [](AirBearingSurface& s) { s.rails[0].points.resize(2); },
-            {"Rail 1 has 2 points; it needs three or more."});
+            {"Rail 1 has 2 corners; it needs three or more."});
         row("no points", [](AirBearingSurface& s) { s.rails[1].points.clear(); },
-            {"Rail 2 has 0 points; it needs three or more."});
+            {"Rail 2 has 0 corners; it needs three or more."});
         row("coordinate that is no number", [](AirBearingSurface& s) { s.rails[0].points[2].y = notANumber; },
-            {"Rail 1: point 3 has a coordinate that is no number."});
+            {"Rail 1: corner 3 has a coordinate that is no number."});
         row("infinite coordinates",
             [](AirBearingSurface& s) {
                 s.rails[0].points[0].x = HUGE_VAL;
                 s.rails[0].points[3].y = -HUGE_VAL;
             },
-            {"Rail 1: points 1 and 4 have coordinates that are no numbers."});
+            {"Rail 1: corners 1 and 4 have coordinates that are no numbers."});
         row("recess that is no number", [](AirBearingSurface& s) { s.rails[1].recess[2] = notANumber; },
             {"Rail 2: the recess is no number."});
         row("unused recess of a step", [](AirBearingSurface& s) { s.rails[0].recess[2] = notANumber; }, {});
         row("wall profile beyond the last", [](AirBearingSurface& s) { s.rails[0].points[1].wall = 3; },
-            {"Rail 1: point 2 names a wall profile that does not exist; there are 2."});
+            {"Rail 1: corner 2 names a wall profile that does not exist; there are 2."});
         row("negative wall profile",
             [](AirBearingSurface& s) {
                 s.walls.pop_back();
                 s.rails[0].points[0].wall = -1;
             },
-            {"Rail 1: points 1 and 2 name a wall profile that does not exist; there is 1."});
+            {"Rail 1: corners 1 and 2 name a wall profile that does not exist; there is 1."});
         row("ramp over collinear points",
             [](AirBearingSurface& s) {
                 s.rails[1].points = {{3e-4, 1e-4, 0}, {4e-4, 1e-4, 0}, {5e-4, 1e-4, 0}, {4e-4, 3e-4, 0}};
             },
-            {"Rail 2: the first three points lie on a line, so that no ramp goes through them."});
+            {"Rail 2: the first three corners lie on a line, so that no ramp goes through them."});
         row("bow tie", [](AirBearingSurface& s) { std::swap(s.rails[0].points[1], s.rails[0].points[2]); },
             {"Rail 1: the outline crosses itself."});
         row("edge across a far edge",
@@ -171,32 +171,32 @@ private slots:
         };
         row("points outside the slider",
             [](AirBearingSurface& s) { s.rails[0].points[0].x = s.rails[0].points[3].x = -1e-6; },
-            {"Rail 1: points 1 and 4 lie outside the slider."});
+            {"Rail 1: corners 1 and 4 lie outside the slider."});
         row("many points outside the slider",
             [](AirBearingSurface& s) {
                 s.rails[0].points.clear();
                 for (int i = 0; i < 8; ++i)
                     s.rails[0].points.push_back({2e-3 + 1e-4 * std::cos(0.7 * i), 1e-4 * std::sin(0.7 * i), 0});
             },
-            {"Rail 1: points 1, 2, 3, 4 and 4 more lie outside the slider."});
+            {"Rail 1: corners 1, 2, 3, 4 and 4 more lie outside the slider."});
         row("repeated point",
             [](AirBearingSurface& s) { s.rails[0].points.insert(s.rails[0].points.begin() + 1, s.rails[0].points[1]); },
-            {"Rail 1: point 2 is repeated by the point after."});
+            {"Rail 1: corner 2 is repeated by the corner after."});
         row("first point repeated at the end",
             [](AirBearingSurface& s) { s.rails[0].points.push_back(s.rails[0].points[0]); },
-            {"Rail 1: point 5 is repeated by the point after."});
+            {"Rail 1: corner 5 is repeated by the corner after."});
         row("collinear point",
             [](AirBearingSurface& s) {
                 s.rails[0].points.insert(s.rails[0].points.begin() + 1, RailPoint{1.3e-4, 1e-4, 0});
             },
-            {"Rail 1: point 2 lies on the line between the points before and after."});
+            {"Rail 1: corner 2 lies on the line between the corners before and after."});
         row("spike",
             [](AirBearingSurface& s) {
                 s.rails[0].points = {{1e-4, 1e-4, 0}, {2e-4, 1e-4, 0},   {2e-4, 2e-4, 0},
                                      {2e-4, 3e-4, 0}, {2e-4, 2.5e-4, 0}, {1e-4, 2e-4, 0}};
             },
-            {"Rail 1: point 3 lies on the line between the points before and after.",
-             "Rail 1: at point 4 the outline turns back on itself."});
+            {"Rail 1: corner 3 lies on the line between the corners before and after.",
+             "Rail 1: at corner 4 the outline turns back on itself."});
         row("corner on a far edge",
             [](AirBearingSurface& s) {
                 s.rails[0].points = {{0, 0, 0}, {4e-4, 0, 0}, {4e-4, 3e-4, 0}, {2e-4, 0, 0}, {0, 3e-4, 0}};

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/formats/units.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
@@ -117,6 +118,9 @@ private slots:
         QCOMPARE(study.status, StudyStatus::Completed);
         QVERIFY(std::abs(study.found.suspension.offsetX - known.suspension.offsetX) < 1e-9);
         QVERIFY(std::abs(study.found.suspension.preload / known.suspension.preload - 1.0) < 1e-4);
+        for (const std::string& text : {formatQuantity(study.found.suspension.offsetX, "um"),
+                                        formatQuantity(study.found.suspension.preload, "gf")})
+            QVERIFY2(text.size() <= 13, text.c_str()); // eight digits
         // What the case asks for besides the attitude is not lost.
         QCOMPARE(study.found.steady.stiffness, c.steady.stiffness);
         // Once more, with the same numbers.

@@ -33,6 +33,9 @@ private slots:
                  (std::vector<std::string>{
                      "All targets are reached after 4 static states.", "suspension.preload: 25 mN, from 20 mN.",
                      "pitch: 150.5 urad (grid error about 2 urad), wanted 150 urad within 1 urad."}));
+        QCOMPARE(report.warnings.size(), std::size_t{1}); // the error of the grid is larger than the tolerance
+        QVERIFY(report.warnings[0].starts_with("pitch is compared with its target on this grid: the error of the grid, "
+                                               "about 2 urad, is larger than the tolerance of 1 urad."));
         QVERIFY(report.found && report.found->suspension.preload == 0.025);
         QCOMPARE(report.tables.at(0).columns.at(1).name, std::string("suspension.preload"));
         QCOMPARE(report.tables.at(0).rows.at(1), (std::vector<StudyValue>{1.0, 0.025, 150.5e-6, 0.5}));

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/design/design_task.h"
 
+#include <random>
+
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
 #include "core/formats/toml_document.h"
+#include "core/formats/units.h"
 #include "core/studies/design/design_study.h"
 #include "core/studies/study/sample_study.h"
 #include "core/studies/study/study_reader.h"
@@ -110,10 +113,26 @@ private slots:
         const DesignTask height = taskOf("", held);
         QCOMPARE(height.parameters.at(0).keys.at(0).key, std::string("initial.nominal_trailing_edge_height"));
         QCOMPARE(height.targets.at(0).quantity.name, std::string("net_force"));
-        // The template says the same.
-        const DesignTask written = taskOf(templateText(designForm(flying)), flying);
-        QCOMPARE(written.parameters.at(0).minimum, preload.parameters.at(0).minimum);
-        QCOMPARE(written.targets.at(0).tolerance, preload.targets.at(0).tolerance);
+    }
+    /// The template says the same, in short numbers of the window's unit, whatever the preload is.
+    void templateHasShortNumbers()
+    {
+        std::mt19937 draw(5);
+        for (int i = 0; i < 200; ++i) {
+            Case c = openCase(i % 2 == 0 ? "film_pico" : "film_plane").value;
+            c.suspension.preload = 9.80665e-3 * std::uniform_real_distribution(0.3, 9.0)(draw);
+            c.initial.nominalTrailingEdgeHeight = std::uniform_real_distribution(2e-9, 90e-9)(draw);
+            const DesignTask task = taskOf("", c), written = taskOf(templateText(designForm(c)), c);
+            const DesignParameter &a = task.parameters.at(0), &b = written.parameters.at(0);
+            const std::string& unit = a.keys.at(0).displayUnit;
+            QCOMPARE(b.minimum, a.minimum);
+            QCOMPARE(b.maximum, a.maximum);
+            QCOMPARE(written.targets.at(0).tolerance, task.targets.at(0).tolerance);
+            for (const double each : {a.minimum, a.maximum}) {
+                const std::string text = formatQuantity(each, unit);
+                QVERIFY2(text.ends_with(' ' + unit) && text.size() <= 6 + unit.size(), text.c_str());
+            }
+        }
     }
     void settings()
     {

@@ -403,6 +403,12 @@ void TestCasePanel::findsAGroupAndWhatAChoiceNeeds()
     QVERIFY(!f.edits.reasonNotToRun().isEmpty());
     f.panel.search()->setText(QStringLiteral("preload"));
     QVERIFY(f.panel.editor("disk.surface.file")->isVisible());
+    // The entry that makes it right does not take the field away; another search does.
+    f.edits.enter(*findParameter("disk.surface.file"), QStringLiteral("disk.txt"));
+    QVERIFY(f.edits.reasonNotToRun().isEmpty());
+    QVERIFY(f.panel.editor("disk.surface.file")->isVisible());
+    f.panel.search()->setText(QStringLiteral("preloa"));
+    QVERIFY(!f.panel.editor("disk.surface.file")->isVisible());
 }
 
 /// Labels stand above their values where both have no room; nothing is cut at the side.
@@ -518,6 +524,12 @@ void TestCasePanel::escapeForgetsWhatWasTyped()
     QCOMPARE(line->text(), QStringLiteral("7"));
     QTest::keyClick(line, Qt::Key_Return);
     QCOMPARE(f.edits.value().springs.flyingHeight, 7e-9);
+    // Also what was entered and could not be taken.
+    f.type(flyingHeight, QStringLiteral("abc"));
+    QVERIFY(f.panel.editor(flyingHeight)->wrong());
+    QTest::keyClick(line, Qt::Key_Escape);
+    QCOMPARE(line->text(), QStringLiteral("7"));
+    QVERIFY(!f.panel.editor(flyingHeight)->wrong());
 }
 
 void TestCasePanel::marksStandIns()

@@ -73,6 +73,25 @@ private slots:
         QCOMPARE(name(0, 0.0), QStringLiteral("as solution 1"));
     }
 
+    /// A shape that was moved before the first solution is not taken for the one that was opened.
+    void namesFollowTheOpenedCase()
+    {
+        SolutionsModel model;
+        const Case opened = sampleFilmCase();
+        model.setOpened(opened);
+        const auto name = [&](std::size_t rail, double shift) {
+            Case c = opened;
+            for (RailPoint& point : c.surface.rails[rail].points) point.x += shift;
+            return model.record(model.rowOf(model.add(c, sampleResult(c)))).name;
+        };
+        QCOMPARE(name(0, -22e-6), QStringLiteral("A slider of our own: rail 1: −22, 0 µm"));
+        QCOMPARE(name(0, 0.0), QStringLiteral("A slider of our own"));
+        QCOMPARE(name(0, 0.0), QStringLiteral("as solution 2"));
+        QCOMPARE(name(1, 1e-6), QStringLiteral("rail 2: +1, 0 µm"));
+        model.setBaseline(1);
+        QVERIFY(name(1, 2e-6).contains(QStringLiteral("rail 1"))); // from the moved shape
+    }
+
     void findsTheSolutionOfACase()
     {
         SolutionsModel model;

@@ -12,6 +12,7 @@
 #include "tests/ui/fake_workbench.h"
 #include "tests/ui/named_widget.h"
 #include "tests/ui/question.h"
+#include "ui/guides/live_runs.h"
 #include "ui/guides/live_values.h"
 #include "ui/guides/marked_slider.h"
 
@@ -102,6 +103,56 @@ private slots:
         guides_->open(LessonPane::Kind::Lesson);
         QVERIFY(bench_->runView().stage());
         QVERIFY(!runs.record(2).shown);
+    }
+
+    /// Undo takes the slider back, and the plots follow; redo likewise. A case that is opened then runs nothing.
+    void undoIsFollowed()
+    {
+        QSettings().setValue("demonstrations/step", 5); // Fig. 10
+        const QSignalSpy ended(&bench_->runWindow(), &RunWindow::ended);
+        RunsModel& runs = bench_->runs();
+        guides_->open(LessonPane::Kind::Demonstrations);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+        auto* slider = static_cast<MarkedSlider*>(guides_->pane(LessonPane::Kind::Demonstrations)->live().inputs()[0]);
+        QTest::keyClick(slider, Qt::Key_Right);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, longest);
+        const double moved = bench_->edits().value().initial.flyingHeight;
+        bench_->edits().undoStack().undo();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, longest);
+        QCOMPARE(runs.record(runs.count() - 1).value.initial.flyingHeight, 250e-9);
+        bench_->edits().undoStack().redo();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 4, longest);
+        QCOMPARE(runs.record(runs.count() - 1).value.initial.flyingHeight, moved);
+        const int count = runs.count();
+        bench_->files().openNow("fig13a");
+        QCoreApplication::processEvents();
+        QVERIFY(!bench_->controller().active() && !guides_->live().busy());
+        QCOMPARE(runs.count(), count);
+    }
+
+    /// The reader keeps an own case: page and plots stay as they are, and the values of the figure cannot be moved.
+    void aCaseThatIsKeptChangesNothing()
+    {
+        QSettings().setValue("demonstrations/step", 5); // Fig. 10
+        bench_->window().show();
+        bench_->setPage(Workbench::Page::Studies);
+        bench_->edits().enter(*findParameter("springs.flying_height"), QStringLiteral("5"));
+        guides_->open(LessonPane::Kind::Demonstrations);
+        QVERIFY(question(bench_->window(), "unsavedChanges"));
+        const auto unchanged = [this] {
+            LessonPane* pane = guides_->pane(LessonPane::Kind::Demonstrations);
+            return bench_->shownPage() == Workbench::Page::Studies && !guides_->staged() &&
+                   !bench_->runView().stage() && !pane->live().isEnabled() &&
+                   bench_->edits().value().springs.flyingHeight == 5e-9;
+        };
+        QVERIFY(unchanged());
+        answer(bench_->window(), "unsavedChanges", QStringLiteral("Cancel"));
+        QVERIFY(unchanged());
+        guides_->open(LessonPane::Kind::Demonstrations); // asks again
+        answer(bench_->window(), "unsavedChanges", QStringLiteral("Discard"));
+        QCOMPARE(bench_->shownPage(), Workbench::Page::Run);
+        QVERIFY(guides_->staged() && bench_->runView().stage());
+        QVERIFY(guides_->pane(LessonPane::Kind::Demonstrations)->live().isEnabled());
     }
 
     /// A film does not start by itself: it takes its time.

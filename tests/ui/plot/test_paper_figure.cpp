@@ -40,6 +40,7 @@ private slots:
     void noTextIsTooSmall();
     void panelsStandBelowAndBesideEachOther();
     void everyAxisHasATitleAndTwoNumbers();
+    void titlesCanBeLeftOut();
     void screenStaysAsItIs();
     void mapsAreLossless();
     void numbersStandBeside();
@@ -209,6 +210,19 @@ void TestPaperFigure::everyAxisHasATitleAndTwoNumbers()
         for (auto match = numbers.globalMatch(text); match.hasNext(); match.next()) ++count;
         QVERIFY2(count >= 4, qPrintable(QStringLiteral("%1 numbers, %2 to %3 nm").arg(count).arg(low).arg(high)));
     }
+}
+
+/// What a plot is called stands above it where its axis has another name: a spectrum's.
+void TestPaperFigure::titlesCanBeLeftOut()
+{
+    plot_->setTitle(QStringLiteral("Spectrum of the spacing"));
+    plot_->setYLabel({QStringLiteral("Density"), "nm", 1e-9, AxisScale::Linear});
+    FigureFormat format;
+    QVERIFY(svg(of(format)).contains("Spectrum of the spacing"));
+    format.titles = false;
+    const QString without = svg(of(format));
+    QVERIFY(!without.contains("Spectrum of the spacing"));
+    QVERIFY(without.contains("Density") && without.contains("Pitch")); // names of axes stay
 }
 
 void TestPaperFigure::screenStaysAsItIs()

@@ -205,6 +205,14 @@ void TestSpectrumView::endsAboveTheLastPeak()
     QCOMPARE(plot->xAxis().range(), (PlotRange{1e3, 500e3})); // as the user wanted
     view_->group()->followNewest();
     QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 200e3}));
+    // While its run goes on, a peak that is not found for a moment does not make the axis shorter.
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}});
+    QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 200e3}));
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample());
+    QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 200e3}));
+    view_->updateCurves([](PlotCurve& curve) { curve.still = true; });
+    view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42.3e3, 1e-9}});
+    QCOMPARE(plot->xAxis().range(), (PlotRange{0.0, 60e3}));
     // A faint peak has its mark, and does not widen the axis: 49 and 51 dB below the highest.
     for (const auto& [power, end] : {std::pair{1.2e-23, 400e3}, std::pair{0.8e-23, 200e3}}) {
         Spectrum faint = sample();
@@ -221,7 +229,10 @@ void TestSpectrumView::marksThePeaksOfTheSpectrumThatLeads()
 {
     view_->setSpectrum("1", "Run 1", {0, 0}, sample(), {{42e3, 1e-9}});
     view_->setSpectrum("2", "Run 2", {1, 0}, sample(), {{152e3, 1e-10}});
-    view_->updateCurves([](PlotCurve& curve) { curve.leads = curve.id == "1"; });
+    view_->updateCurves([](PlotCurve& curve) {
+        curve.still = true; // the runs have ended
+        curve.leads = curve.id == "1";
+    });
     QCOMPARE(view_->plot()->pointMarks().size(), std::size_t(1));
     QCOMPARE(view_->plot()->pointMarks()[0].label, QStringLiteral("42.00 kHz"));
     QCOMPARE(view_->plot()->xAxis().range(), (PlotRange{0.0, 60e3}));

@@ -16,6 +16,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/slider/editor_under_test.h"
 #include "ui/slider/array_dialog.h"
+#include "ui/slider/drag_field.h"
 
 using namespace touchdown;
 
@@ -83,6 +84,28 @@ private slots:
         choose(QStringLiteral("Recess…"));
         QCOMPARE(coordinates.count(), 1);
         QCOMPARE(recess.count(), 1);
+    }
+    /// Without a drag: by numbers, and Enter opens the fields, too.
+    void movesByNumbers()
+    {
+        const RailPoint before = it_->point(1, 0);
+        it_->editor->select({{PartKind::Rail, 1}});
+        openByKey();
+        choose(QStringLiteral("Move by…"));
+        auto* field = it_->editor->findChild<DragField*>();
+        QVERIFY(field->isVisible());
+        it_->moveTo(it_->pixel(0.6e-3, 0.3e-3), Qt::NoButton); // the pointer does not lead
+        QTest::keyClicks(field->focusWidget(), "3");           // over the 0
+        QTest::keyClick(field->focusWidget(), Qt::Key_Return);
+        QVERIFY(!field->isVisible());
+        QVERIFY2(std::abs(it_->point(1, 0).x - before.x - 3e-6) < 1e-15,
+                 qPrintable(QString::number(it_->point(1, 0).x - before.x)));
+        QCOMPARE(it_->point(1, 0).y, before.y);
+        QTest::keyClick(it_->editor.get(), Qt::Key_Return);
+        QVERIFY(field->isVisible());
+        QTest::keyClick(field->focusWidget(), Qt::Key_Escape);
+        QVERIFY(!field->isVisible());
+        QVERIFY(std::abs(it_->point(1, 0).x - before.x - 3e-6) < 1e-15);
     }
     /// The front pad moved outwards by 30 um crosses the centre line and is made symmetric from its outer half, which
     /// reaches from 350 to 630 um; a rail at the side gets an image.

@@ -87,6 +87,7 @@ private slots:
         wanted.dotsPerInch = 300;
         wanted.colours = PaperColours::Black;
         wanted.letters = false;
+        wanted.titles = false;
         wanted.data = false;
         {
             FigureDialog& dialog = open();

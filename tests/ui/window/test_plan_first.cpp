@@ -4,6 +4,7 @@
 #include <map>
 
 #include <QApplication>
+#include <QScreen>
 #include <QStatusBar>
 #include <QtTest>
 
@@ -147,6 +148,27 @@ private slots:
         for (int page = 0; page <= static_cast<int>(FilmView::Page::Series); ++page) {
             window.film().view()->setPage(static_cast<FilmView::Page>(page));
             check(QStringLiteral("view %1 of the static state").arg(page));
+        }
+    }
+    /// A place that a larger screen had is not kept beyond this one.
+    void comesBackOntoTheScreen()
+    {
+        const QRect screen = QApplication::primaryScreen()->availableGeometry();
+        for (const QPoint far : {QPoint(60, 40), QPoint(screen.width() - 100, screen.height() - 60)}) {
+            {
+                MainWindow window;
+                window.beginSession(false);
+                window.resize(700, 600);
+                window.show();
+                window.move(far);
+                window.close();
+            }
+            MainWindow window;
+            window.beginSession(false);
+            window.show();
+            QVERIFY(window.x() >= screen.left() && window.y() >= screen.top());
+            QVERIFY(window.x() + window.width() <= screen.right() + 1 || window.x() == screen.left());
+            QVERIFY(window.y() + window.height() <= screen.bottom() + 1 || window.y() == screen.top());
         }
     }
     /// A message leaves with its tab; one about the case stays.
