@@ -214,9 +214,13 @@ void SurfacePage::fit()
         tools_[i]->setIcon(icon(icons[static_cast<qsizetype>(i)], palette()));
         tools_[i]->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     }
-    toolRow_->layout()->invalidate();
-    if (toolRow_->layout()->minimumSize().width() > width())
+    QLayout* row = toolRow_->layout();
+    row->setSpacing(-1); // as the style has it
+    row->invalidate();
+    if (row->minimumSize().width() > width())
         for (QToolButton* button : tools_) button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    row->invalidate();
+    if (row->minimumSize().width() > width()) row->setSpacing(1);
     const QFontMetrics metrics = flight_->fontMetrics();
     const int lines = width() < longestState * metrics.averageCharWidth() ? 2 : 1;
     const QMargins margins = flight_->contentsMargins();

@@ -10,16 +10,25 @@ namespace touchdown {
 LaidOutAs::LaidOutAs(QWidget& widget, const QSizeF& size, const QFont& font)
     : widget_(widget),
       geometry_(widget.geometry()),
+      least_(widget.minimumSize()),
       font_(widget.testAttribute(Qt::WA_SetFont) ? widget.font() : QFont())
 {
+    widget.installEventFilter(this);
     widget.setFont(font);
+    widget.setMinimumSize(0, 0); // which the screen has, not the paper
     widget.resize(size.toSize());
 }
 
 LaidOutAs::~LaidOutAs()
 {
     widget_.setFont(font_);
+    widget_.setMinimumSize(least_);
     widget_.setGeometry(geometry_);
+}
+
+bool LaidOutAs::eventFilter(QObject* watched, QEvent* event)
+{
+    return event->type() == QEvent::Resize && watched->event(event);
 }
 
 void PictureWidget::paintInto(QPainter& painter, const QRectF& target, const PlotTheme& theme)

@@ -40,16 +40,19 @@ private:
 
 /// Gives a widget another size and font while this lives, to paint it for a figure on paper. The screen shows nothing
 /// of it: no event is handled meanwhile.
-class LaidOutAs {
+class LaidOutAs : public QObject {
 public:
     LaidOutAs(QWidget& widget, const QSizeF& size, const QFont& font);
-    ~LaidOutAs();
-    LaidOutAs(const LaidOutAs&) = delete;
-    LaidOutAs& operator=(const LaidOutAs&) = delete;
+    ~LaidOutAs() override;
+
+protected:
+    /// The widget alone hears of its new size: a scroll area around it would give it the old one at once.
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget& widget_;
     const QRect geometry_;
+    const QSize least_;
     const QFont font_;
 };
 

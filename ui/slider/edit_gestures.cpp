@@ -321,7 +321,8 @@ bool EditGestures::type(const QString& text)
 {
     static const QString numbers = QStringLiteral("0123456789.,-−");
     if (!moving() || typing() || text.size() != 1 || !numbers.contains(text)) return false;
-    return openField(text), true;
+    const SurfacePoint to = plan_.toSlider(marks_.pointer);
+    return openField(text, {to.x - pressedPoint_.x, to.y - pressedPoint_.y}), true;
 }
 
 void EditGestures::askForShift()
@@ -332,15 +333,13 @@ void EditGestures::askForShift()
     pressedPoint_ = placeOf(selection_.surface(), first, {});
     marks_.pointer = plan_.toPixel(pressedPoint_);
     begin(Gesture::Move);
-    openField(QStringLiteral("0"));
+    openField(QStringLiteral("0"), {});
     field_->selectText();
 }
 
-/// One number normal to a single edge, else one along x and one along y, each positive towards the pointer.
-void EditGestures::openField(const QString& text)
+/// One number normal to a single edge, else one along x and one along y.
+void EditGestures::openField(const QString& text, SurfaceShift way)
 {
-    const SurfacePoint to = plan_.toSlider(marks_.pointer);
-    const SurfaceShift way{to.x - pressedPoint_.x, to.y - pressedPoint_.y};
     std::vector<DragWay> ways;
     int first = 0;
     if (const auto edge = selection_.oneEdge()) {

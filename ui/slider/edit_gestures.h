@@ -73,7 +73,8 @@ private:
     void leave();
     /// A number typed during a drag; false: it is none.
     bool type(const QString& text);
-    void openField(const QString& text);
+    /// `way`: the direction of the pointer, in which numbers are positive.
+    void openField(const QString& text, SurfaceShift way);
     void selectAt(const QMouseEvent& event);
     void previewWaiting();
     SurfaceShift wantedShift(const QMouseEvent& event);

@@ -18,11 +18,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double wheelStep = 1.25;  // for one notch
-constexpr double keyMove = 40.0;    // [px]
-constexpr double farthest = 0.3;    // of the fitted scale
-constexpr double nearest = 2e9;     // [px/m]: 2 px a nanometre
-constexpr double smallest = 0.3e-3; // area with scales in mm [m]
+constexpr double wheelStep = 1.25;    // for one notch
+constexpr double keyMove = 40.0;      // [px]
+constexpr double farthest = 0.3;      // of the fitted scale
+constexpr double nearest = 2e9;       // [px/m]: 2 px a nanometre
+constexpr double smallest = 0.3e-3;   // area with scales in mm [m]
+constexpr double planOnPaper = 480.0; // width in which names, marks and scale have room [px]
 constexpr double gap = PlotFrame::gap;
 
 } // namespace
@@ -275,13 +276,17 @@ void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont
     const SurfacePoint centre = centre_;
     {
         paper_ = true;
-        const LaidOutAs laidOut(*this, size, font);
+        const double wider = widening(size.width(), planOnPaper);
+        const LaidOutAs laidOut(*this, wider * size, font);
         const QSizeF now = planArea().size();
         if (fitted_)
             applyFit();
         else
             scale_ *= std::min(now.width() / before.width(), now.height() / before.height());
+        painter.save();
+        painter.scale(1.0 / wider, 1.0 / wider);
         paint(painter, paperTheme(colours));
+        painter.restore();
         paper_ = false;
     }
     scale_ = scale;
@@ -289,12 +294,13 @@ void SliderPlan::paintOnPaper(QPainter& painter, const QSizeF& size, const QFont
     reading_ = reading;
 }
 
-double SliderPlan::heightOnPaper(double width, const QFont& font) const
+double SliderPlan::heightOnPaper(double onPaper, const QFont& font) const
 {
+    const double wider = widening(onPaper, planOnPaper), width = wider * onPaper;
     const QRectF area = PlotFrame::areaWithin({width, width}, font, QStringLiteral("0.0000"), keyWidth() + gap);
     const auto [left, right, ends] = margins(font, true);
     const double plan = area_.height() / area_.width() * (area.width() - left - right) + ends;
-    return std::clamp(width - area.height() + plan, 0.4 * width, 1.4 * width);
+    return std::clamp(width - area.height() + plan, 0.4 * width, 1.4 * width) / wider;
 }
 
 void SliderPlan::fillMenu(QMenu& menu)

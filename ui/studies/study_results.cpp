@@ -140,7 +140,8 @@ void StudyResults::clear(bool underWay)
                  "step are accurate and fast enough, where a method is unstable, at which value of a parameter the "
                  "slider touches down and takes off, which model is simple and good enough, which design has a "
                  "wanted attitude, or how small the cells of a contact patch must be.<br><br>"
-                 "Choose the kind of study at the right and press Perform: its form already fits the case.");
+                 "Choose the kind of study at the right and press Perform: its form begins with values of the case. "
+                 "Where a kind does not suit the case, the form says why.");
     pages_->introduce(title, text);
     pages_->showResult(false);
     setStale(false);

@@ -344,8 +344,9 @@ void MainWindow::onStudied(const StudyReport& report)
 void MainWindow::onRunEnded(int number, const Summary& summary)
 {
     updateRunActions();
-    // In a lecture the end of a good run stands below the page already.
-    results_->runEnded(*runs().find(number), guides_->strip()->isVisible());
+    // In a lecture the end of a good run stands below the page already; a step of the lesson that asks hides others.
+    const RunRecord& run = *runs().find(number);
+    results_->runEnded(run, guides_->strip()->isVisible() || !run.shown);
     emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
 }
 

@@ -45,7 +45,8 @@ QString namesIn(const RecordList& list, const std::vector<int>& numbers)
 {
     QStringList all;
     for (const int number : numbers) {
-        const QString& name = list.listed(list.rowOf(number)).name;
+        // As the list has it, without the number before it.
+        const QString name = list.index(list.rowOf(number)).data(Qt::DisplayRole).toString().section("  ", 1);
         all << QStringLiteral("%1 “%2”").arg(number).arg(
             name.size() > mostLetters ? name.first(mostLetters - 1) + QStringLiteral("…") : name);
     }

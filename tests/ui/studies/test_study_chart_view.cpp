@@ -7,9 +7,11 @@
 
 #include <QImage>
 #include <QLocale>
+#include <QScrollArea>
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QVBoxLayout>
 
 #include "tests/support/test_program.h"
 #include "tests/ui/dark_theme.h"
@@ -65,6 +67,7 @@ private slots:
     void savesPictures_data();
     void savesPictures();
     void drawsAnEmptyChart();
+    void fitsThePaperWhateverTheScreenHas();
 
 private:
     const StudyPanel& panel(std::size_t i = 0) const { return view_->drawing().panels()[i]; }
@@ -283,6 +286,45 @@ void TestStudyChartView::drawsAnEmptyChart()
     QVERIFY(!view_->grab().isNull());
     QTest::mouseMove(view_.get(), panel().area().center().toPoint());
     QVERIFY(view_->htmlTip().isEmpty());
+}
+
+/// A figure for a paper is laid out anew: in a page of the window, in one with a least size, and without any.
+void TestStudyChartView::fitsThePaperWhateverTheScreenHas()
+{
+    QFont font;
+    font.setPixelSize(12);
+    const auto onPaper = [&font](StudyChartView& view) {
+        const QSizeF size(321.0, view.heightOnPaper(321.0, font));
+        QImage image(2 * size.toSize(), QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.scale(2.0, 2.0);
+        view.paintOnPaper(painter, size, font, PaperColours::Coloured);
+        return image;
+    };
+    const auto filled = [this](StudyChartView& view) { view.setChart(view_->chart()); };
+    StudyChartView alone;
+    filled(alone);
+    const QImage wanted = onPaper(alone);
+    QWidget page;
+    auto* scroll = new QScrollArea(&page);
+    auto* inPage = new StudyChartView;
+    filled(*inPage);
+    scroll->setWidget(inPage);
+    scroll->setWidgetResizable(true);
+    auto* layout = new QVBoxLayout(&page);
+    layout->addWidget(scroll);
+    page.resize(1000, 700);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    for (const QSize& least : {QSize(0, 0), QSize(900, 650)}) {
+        inPage->setMinimumSize(least);
+        QCoreApplication::processEvents();
+        const QSize before = inPage->size();
+        QVERIFY(onPaper(*inPage) == wanted);
+        QCOMPARE(inPage->size(), before);
+        QCOMPARE(inPage->minimumSize(), least);
+    }
 }
 
 TOUCHDOWN_TEST(TestStudyChartView)
