@@ -22,14 +22,23 @@ public:
         after_ = static_cast<const Edit*>(next)->after_;
         return true;
     }
-    void undo() override { edits_.apply(before_); }
-    void redo() override { edits_.apply(after_); }
+    void undo() override
+    {
+        edits_.apply(before_);
+        emit edits_.undoneOrRedone();
+    }
+    void redo() override
+    {
+        edits_.apply(after_);
+        if (std::exchange(done_, true)) emit edits_.undoneOrRedone();
+    }
 
 private:
     CaseEdits& edits_;
     State before_;
     State after_;
     int merge_;
+    bool done_ = false; // once
 };
 
 CaseEdits::CaseEdits(QObject* parent) : QObject(parent) { apply(state_); }
@@ -61,6 +70,13 @@ void CaseEdits::enter(const Parameter& parameter, const QString& typed)
         emit edited();
         return;
     }
+    pushChange(parameter, tr("change %1").arg(QString::fromStdString(parameter.label)), std::move(after));
+}
+
+void CaseEdits::forgetEntry(const Parameter& parameter)
+{
+    State after = state_;
+    if (after.bad.erase(parameter.key) == 0) return;
     pushChange(parameter, tr("change %1").arg(QString::fromStdString(parameter.label)), std::move(after));
 }
 

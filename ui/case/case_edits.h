@@ -42,6 +42,8 @@ public:
 
     /// Takes what was typed, or keeps it with the reason why not.
     void enter(const Parameter& parameter, const QString& typed);
+    /// Back to the value of the case from an entry that it could not take.
+    void forgetEntry(const Parameter& parameter);
     /// Text that stands in the field of a parameter and is not entered yet.
     void setTyped(const Parameter& parameter, const QString& text);
     void reset(const Parameter& parameter);
@@ -70,6 +72,7 @@ public:
 
 signals:
     void edited();
+    void undoneOrRedone(); // after edited()
     void typedChanged();
     /// Another model was entered, and values that were defaults are those of the new model: "Contact Ono & Yamane →
     /// none".

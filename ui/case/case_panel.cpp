@@ -114,6 +114,7 @@ void CasePanel::buildGroups(QWidget* page)
                 [this, &parameter](const QString& text) { edits_.enter(parameter, text); });
         connect(editor, &ParameterEditor::typed, this,
                 [this, &parameter](const QString& text) { edits_.setTyped(parameter, text); });
+        connect(editor, &ParameterEditor::givenUp, this, [this, &parameter] { edits_.forgetEntry(parameter); });
         connect(editor, &ParameterEditor::resetRequested, this, [this, &parameter] { edits_.reset(parameter); });
         group->body->layout()->addWidget(editor);
         editors_.push_back(editor);

@@ -224,8 +224,8 @@ void ParameterEditor::show(const CaseEdits& edits)
     } else if (check_) {
         check_->setChecked(std::get<bool>(parameter_.get(value)));
     } else {
-        valid_ = editorText(value, parameter_);
-        shown_ = bad ? bad->text : valid_;
+        shown_ = bad ? bad->text : editorText(value, parameter_);
+        refused_ = bad != nullptr;
         const bool isNew = line_->text() != shown_;
         if (isNew) line_->setText(shown_);
         line_->setModified(false);
@@ -284,8 +284,8 @@ bool ParameterEditor::eventFilter(QObject* watched, QEvent* event)
         return true;
     }
     // A wrong entry that was taken: back to the value that the case has.
-    if (line_ && shown_ != valid_ && event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape) {
-        emit entered(valid_);
+    if (line_ && refused_ && event->type() == QEvent::KeyPress && key->key() == Qt::Key_Escape) {
+        emit givenUp();
         return true;
     }
     return QWidget::eventFilter(watched, event);

@@ -50,6 +50,8 @@ public:
 
 signals:
     void entered(const QString& text);
+    /// The entry that the case could not take is to be forgotten.
+    void givenUp();
     /// Stands in its line and is not entered yet.
     void typed(const QString& text);
     void resetRequested();
@@ -80,8 +82,8 @@ private:
     QToolButton* reset_;
     QLabel* reason_;
     QString shown_; // text last put into line_
-    QString valid_; // text of the value that the case has
     bool changed_ = false;
+    bool refused_ = false; // what stands in line_ is no value of the case
     bool stacked_ = false;
     QVariantAnimation flash_; // from 1 to 0
     bool wrong_ = false;      // the entry cannot be taken; else `reason_` warns

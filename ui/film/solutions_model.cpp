@@ -93,7 +93,13 @@ QString SolutionsModel::nameOf(const Case& solved) const
         changes = std::move(fewer);
         from = *row;
     }
-    if (changes.isEmpty()) return from < 0 ? title : tr("as solution %1").arg(listed(from).number);
+    if (changes.isEmpty() && from >= 0) return tr("as solution %1").arg(listed(from).number);
+    if (changes.isEmpty()) { // as it was opened; another case may have had this title before
+        const auto named = std::ranges::find(rows, title, [this](int row) { return listed(row).name; });
+        if (named == rows.end()) return title;
+        from = *named;
+        changes = caseDifference(caseAt(from), solved);
+    }
     if (!rows.empty()) {
         const QStringList before = caseDifference(caseAt(from), listed(rows.back()).value);
         std::ranges::stable_partition(changes, [&](const QString& change) { return !before.contains(change); });

@@ -248,7 +248,8 @@ void SurfacePage::showInfluence(const std::vector<PartInfluence>& influence)
     std::vector<std::pair<SurfacePart, double>> shown;
     for (const PartInfluence& each : influence) shown.emplace_back(each.part, each.per.minimumSpacing);
     editor_->setInfluence(shown);
-    const QString words = editor_->influenceWords() + (manyEdges() ? tr(" (selected rails)") : QString());
+    const QString words = editor_->influenceWords() + (manyEdges() ? tr(" (selected rails)") : QString()) +
+                          (shown.size() < influencing_.size() ? tr(" · finding the others…") : QString());
     editor_->setRestingReading(editor_->committed().rails.empty() ? tr("There are no rails.")
                                : shown.empty()                    ? tr("There is no flying attitude to change.")
                                                                   : words);

@@ -51,8 +51,7 @@ Guides::Guides(Workbench& bench, QWidget& window)
     follow(strip_->live());
     connect(&bench_.files(), &CaseFiles::opened, this, &Guides::leave);
     connect(&bench_.edits(), &CaseEdits::edited, this, &Guides::showLive);
-    // After a case that is opened has ended the stage.
-    connect(&bench_.edits(), &CaseEdits::edited, this, &Guides::followEdit, Qt::QueuedConnection);
+    connect(&bench_.edits(), &CaseEdits::undoneOrRedone, this, &Guides::followUndo);
     connect(&bench_.runWindow(), &RunWindow::ended, this, &Guides::showResults);
     connect(&bench_.runWindow().runs(), &RunsModel::rowsRemoved, this, &Guides::showResults);
 }
@@ -101,11 +100,16 @@ void Guides::showLive()
     strip_->live().showCase(bench_.edits().value());
 }
 
-/// Undo moves the sliders, too: the plots follow.
-void Guides::followEdit()
+/// Undo moves the sliders of a demonstration, too: the plots follow. What runs already is not stopped.
+void Guides::followUndo()
 {
-    const RunRecord* run = onlyTried() ? stages_->newestOf(shown_->shown()) : nullptr;
-    if (run && run->value != bench_.edits().value()) live_->runAnew();
+    if (!onlyTried() || shown_->kind() != Kind::Demonstrations || bench_.runWindow().runUnderWay()) return;
+    if (const RunRecord* run = stages_->newestOf(shown_->shown(), &bench_.edits().value())) {
+        const int number = run->number;
+        live_->leave(); // what is undone
+        bench_.runWindow().runs().raise(number);
+    } else if (stages_->newestOf(shown_->shown()))
+        live_->runAnew();
 }
 
 void Guides::present(bool on)
@@ -193,6 +197,9 @@ void Guides::onStep(Kind kind)
     // it is where the reader keeps the case that is edited.
     const bool quick = caseOf(step.runs.front()).model == ModelKind::Springs;
     openCaseOf(step.runs.front(), quick && !stages_->newestOf(step));
+    if (opens_.isEmpty()) return;
+    ownCase_ = false; // at least until the question about the other case is answered
+    showLive();
 }
 
 void Guides::showStep()

@@ -72,7 +72,7 @@ private:
     LessonPane* build(LessonPane::Kind kind);
     void onStep(LessonPane::Kind kind);
     void showStep();
-    void followEdit();
+    void followUndo();
     void showResults();
     void showWords();
     void stage();

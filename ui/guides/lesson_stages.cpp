@@ -100,11 +100,13 @@ void LessonStages::tick(int row, bool shown)
         runs_.setData(runs_.index(row), shown ? Qt::Checked : Qt::Unchecked, Qt::CheckStateRole);
 }
 
-const RunRecord* LessonStages::newestOf(const LessonStep& step) const
+const RunRecord* LessonStages::newestOf(const LessonStep& step, const Case* value) const
 {
     const auto found = numbers_.find(step.title);
     for (int row = runs_.count() - 1; found != numbers_.end() && row >= 0; --row)
-        if (found->second.contains(runs_.record(row).number)) return &runs_.record(row);
+        if (const RunRecord& run = runs_.record(row);
+            found->second.contains(run.number) && (!value || run.value == *value))
+            return &run;
     return nullptr;
 }
 

@@ -37,8 +37,8 @@ public:
     LessonStages(RunView& view, RunsModel& runs, QObject* parent);
 
     void show(const LessonStep& step);
-    /// The newest run of this step in the list; nullptr: none.
-    const RunRecord* newestOf(const LessonStep& step) const;
+    /// The newest run of this step in the list, of this case if one is given; nullptr: none.
+    const RunRecord* newestOf(const LessonStep& step, const Case* value = nullptr) const;
     /// The plots and the earlier runs are again as the user chose; without such runs those of the step stay.
     void end();
     bool active() const { return step_.has_value(); }

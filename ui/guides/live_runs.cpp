@@ -148,10 +148,18 @@ void LiveRuns::settle()
 void LiveRuns::runAnew()
 {
     const Case& now = bench_.edits().value();
-    if (movement_ && (!movement_->settled || movement_->value == now)) return;
+    if (movement_ && movement_->anew && movement_->busy) { // its next run is of the newest values
+        movement_->value = now;
+        movement_->text = bench_.files().wholeText();
+        return;
+    }
+    if (movement_ && !movement_->settled) { // undone before the reader let go
+        movement_->left = true;
+        forgetPart(*movement_);
+    }
     movement_ = std::make_shared<Movement>();
     movement_->value = now;
-    movement_->part = true; // there is no run of it
+    movement_->anew = movement_->part = true; // there is no run of it
     settle();
 }
 

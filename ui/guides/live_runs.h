@@ -45,8 +45,7 @@ public:
     void move(const LiveValue& value, const std::string& text);
     /// The movement has ended.
     void settle();
-    /// The values were changed without a movement, as by undo: a run of them. Nothing where a
-    /// movement made them.
+    /// The values were changed without a movement, as by undo: a run of them.
     void runAnew();
     /// Nothing more is run or shown of it: another case is open, or the user stopped it.
     void leave();
@@ -64,6 +63,7 @@ private:
         Case value;           // the newest
         std::string text;     // of the case; empty until the reader lets go
         bool settled = false; // the reader let go
+        bool anew = false;    // nobody moved a slider
         bool part = false;    // the last run ends where the plots end
         bool busy = false;    // a run is under way beside the window
         bool slow = false;    // a run takes too long for that

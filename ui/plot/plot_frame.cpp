@@ -144,10 +144,13 @@ void PlotFrame::paintAxisTitles(QPainter& painter, const PlotTheme& theme, bool 
     painter.translate(gap, area.center().y());
     painter.rotate(-90.0);
     const double length = area.height() + height; // may reach a little over the ends
-    // The title above the area names the quantity, too; where there is room for less, its unit is what is missed.
     QString text = y->text();
-    if (least * QFontMetricsF(textFont).horizontalAdvance(text) > length)
-        text = text.mid(std::max<qsizetype>(0, text.lastIndexOf(u'[')));
+    const QFontMetricsF metrics(textFont);
+    if (const double room = length / least; metrics.horizontalAdvance(text) > room) { // the unit stays whole
+        const QString unit = text.mid(std::max<qsizetype>(0, text.lastIndexOf(u'[')));
+        text = metrics.elidedText(text.chopped(unit.size()), Qt::ElideRight, room - metrics.horizontalAdvance(unit)) +
+               unit;
+    }
     paintFitting(painter, QRectF(-length / 2.0, 0.0, length, height), text, textFont, least);
     painter.restore();
 }

@@ -277,6 +277,7 @@ void SpectrumView::clear()
     plot_->clearCurves();
     spectra_.clear();
     peaks_.clear();
+    ranged_.clear();
     updateMarks();
     emit curvesChanged();
 }

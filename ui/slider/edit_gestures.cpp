@@ -80,6 +80,7 @@ void EditGestures::end()
 
 void EditGestures::open()
 {
+    end();
     marks_.measured.clear();
     marks_.polygon.clear();
     marks_.snap.reset();

@@ -23,7 +23,7 @@ constexpr double keyMove = 40.0;      // [px]
 constexpr double farthest = 0.3;      // of the fitted scale
 constexpr double nearest = 2e9;       // [px/m]: 2 px a nanometre
 constexpr double smallest = 0.3e-3;   // area with scales in mm [m]
-constexpr double planOnPaper = 480.0; // width in which names, marks and scale have room [px]
+constexpr double planOnPaper = 420.0; // width in which names, marks and scale have room [px]
 constexpr double gap = PlotFrame::gap;
 
 } // namespace

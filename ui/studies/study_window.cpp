@@ -104,8 +104,7 @@ bool StudyWindow::perform()
 
 void StudyWindow::onFinished(const StudyReport& report)
 {
-    progress_->conclude(name(report.status),
-                        tr("%1 · %2").arg(QString::fromStdString(report.title), timeText(report.wallSeconds)));
+    progress_->conclude(name(report.status), tr("%1 · %2").arg(readable(report.title), timeText(report.wallSeconds)));
     if (report.status == StudyStatus::Cancelled && showsNothing(report))
         outcomes_.erase(performing_);
     else

@@ -346,7 +346,7 @@ void MainWindow::onRunEnded(int number, const Summary& summary)
     updateRunActions();
     // In a lecture the end of a good run stands below the page already; a step of the lesson that asks hides others.
     const RunRecord& run = *runs().find(number);
-    results_->runEnded(run, guides_->strip()->isVisible() || !run.shown);
+    results_->runEnded(run, guides_->strip()->isVisible() || (guides_->staged() && !run.shown));
     emit calculationEnded(summary.status == RunStatus::Completed, QString::fromStdString(summary.message));
 }
 

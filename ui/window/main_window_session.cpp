@@ -168,11 +168,14 @@ void MainWindow::saveArrangement()
 void MainWindow::fitScreen()
 {
     const int title = style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, this);
-    const QRect room = screen()->availableGeometry().adjusted(0, 0, 0, -title);
-    resize(size().boundedTo(room.size()));
-    if (testAttribute(Qt::WA_Moved)) // where another screen had it
-        move(std::max(room.left(), std::min(x(), room.right() + 1 - width())),
-             std::max(room.top(), std::min(y(), room.bottom() + 1 - height())));
+    const QRect room = screen()->availableGeometry().adjusted(0, title, 0, 0);
+    QRect place(pos(), size().boundedTo(room.size()));
+    if (!testAttribute(Qt::WA_Moved)) return resize(place.size()); // the system chooses where
+    // Another screen had a place for it.
+    const QSize shown = place.size().expandedTo(minimumSizeHint());
+    place.moveTo(std::max(room.left(), std::min(geometry().left(), room.right() + 1 - shown.width())),
+                 std::max(room.top(), std::min(geometry().top(), room.bottom() + 1 - shown.height())));
+    if (place != geometry()) setGeometry(place);
 }
 
 void MainWindow::restoreArrangement()

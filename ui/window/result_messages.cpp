@@ -66,7 +66,7 @@ void ResultMessages::runEnded(const RunRecord& run, bool quiet)
 
 void ResultMessages::studied(const StudyReport& report, bool onItsPage)
 {
-    const QString title = QString::fromStdString(report.title);
+    const QString title = readable(report.title);
     QStringList lines{report.findings.empty() || onItsPage ? tr("Completed: %1").arg(title)
                                                            : readable(report.findings.front())};
     if (onItsPage && verdictOf(report) == StudyVerdict::HoldsNot) lines << tr("What it checks does not hold.");

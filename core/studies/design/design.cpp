@@ -70,6 +70,7 @@ public:
             Trial plain = evaluate(u, digits);
             if (std::exchange(cancelled_, false)) break; // what was found stands
             if (!plain.known || !reached(plain)) continue;
+            study_.steps.pop_back(); // the same set, with few digits
             accept(best = std::move(plain));
             break;
         }

@@ -105,29 +105,59 @@ private slots:
         QVERIFY(!runs.record(2).shown);
     }
 
-    /// Undo takes the slider back, and the plots follow; redo likewise. A case that is opened then runs nothing.
+    /// Undo takes the slider back, and the plots follow: to a run that is there, else to a new one of the last value.
+    /// A case that is opened then runs nothing.
     void undoIsFollowed()
     {
         QSettings().setValue("demonstrations/step", 5); // Fig. 10
         const QSignalSpy ended(&bench_->runWindow(), &RunWindow::ended);
         RunsModel& runs = bench_->runs();
         guides_->open(LessonPane::Kind::Demonstrations);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
         auto* slider = static_cast<MarkedSlider*>(guides_->pane(LessonPane::Kind::Demonstrations)->live().inputs()[0]);
-        QTest::keyClick(slider, Qt::Key_Right);
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 2, longest);
-        const double moved = bench_->edits().value().initial.flyingHeight;
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+        std::vector<double> heights{250e-9};
+        for (int i = 2; i <= 4; ++i) {
+            QTest::keyClick(slider, Qt::Key_Right);
+            QTRY_COMPARE_WITH_TIMEOUT(ended.count(), i, longest);
+            heights.push_back(bench_->edits().value().initial.flyingHeight);
+        }
+        const auto heightOf = [&runs](int number) { return runs.find(number)->value.initial.flyingHeight; };
+        QCOMPARE(heightOf(runs.speaker()), heights[3]);
         bench_->edits().undoStack().undo();
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 3, longest);
-        QCOMPARE(runs.record(runs.count() - 1).value.initial.flyingHeight, 250e-9);
+        QCOMPARE(heightOf(runs.speaker()), heights[2]);
         bench_->edits().undoStack().redo();
-        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 4, longest);
-        QCOMPARE(runs.record(runs.count() - 1).value.initial.flyingHeight, moved);
-        const int count = runs.count();
+        QCOMPARE(heightOf(runs.speaker()), heights[3]);
+        runs.remove(2);
+        runs.remove(1);
+        bench_->edits().undoStack().undo(); // as by a key that is held
+        bench_->edits().undoStack().undo();
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 5, longest);
+        QCOMPARE(runs.count(), 3);
+        QCOMPARE(heightOf(runs.speaker()), heights[1]);
+        QCOMPARE(bench_->edits().value().initial.flyingHeight, heights[1]);
         bench_->files().openNow("fig13a");
         QCoreApplication::processEvents();
         QVERIFY(!bench_->controller().active() && !guides_->live().busy());
-        QCOMPARE(runs.count(), count);
+        QCOMPARE(runs.count(), 3);
+    }
+
+    /// Before the reader lets go: the value that was undone is not run.
+    void undoEndsAMovement()
+    {
+        QSettings().setValue("demonstrations/step", 5); // Fig. 10
+        const QSignalSpy ended(&bench_->runWindow(), &RunWindow::ended);
+        RunsModel& runs = bench_->runs();
+        guides_->open(LessonPane::Kind::Demonstrations);
+        QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, longest);
+        const LiveValues& values = guides_->pane(LessonPane::Kind::Demonstrations)->live();
+        guides_->live().move(guides_->shown()->shown().live.front(), "300 nm");
+        bench_->edits().undoStack().undo();
+        QCOMPARE(bench_->edits().value().initial.flyingHeight, 250e-9);
+        guides_->live().settle();
+        QTRY_VERIFY_WITH_TIMEOUT(!guides_->live().busy(), longest);
+        QCoreApplication::processEvents();
+        QCOMPARE(runs.record(runs.count() - 1).value.initial.flyingHeight, 250e-9);
+        QVERIFY(values.isEnabled());
     }
 
     /// The reader keeps an own case: page and plots stay as they are, and the values of the figure cannot be moved.
