@@ -22,6 +22,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_window.h"
+#include "ui/style/foreign_text.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
@@ -93,7 +94,8 @@ void Guides::showLive()
     for (LessonPane* pane : panes_) {
         if (!pane) continue;
         pane->live().setEnabled(ownCase_ && pane == shown_);
-        pane->live().setToolTip(ownCase_ ? QString() : tr("The case of this figure is not open. Shift+F2 opens it."));
+        pane->live().setToolTip(
+            plainTip(ownCase_ ? QString() : tr("The case of this figure is not open. Shift+F2 opens it.")));
         pane->live().showCase(bench_.edits().value());
     }
     strip_->live().setEnabled(ownCase_);
