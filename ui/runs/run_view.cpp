@@ -253,10 +253,11 @@ void RunView::setStage(const std::optional<PlotStage>& stage)
 void RunView::shareHeight()
 {
     showParts();
-    const int plots = std::max(2 * static_cast<int>(stage_->plots.size()), 3);
-    const int share = std::max(splitter_->height() / (plots + 6), 1);
-    splitter_->setSizes({3 * share, plots * share, 3 * share});
+    const int share = std::max(splitter_->height() / (sharesOfPlots() + 6), 1);
+    splitter_->setSizes({3 * share, sharesOfPlots() * share, 3 * share});
 }
+
+int RunView::sharesOfPlots() const { return std::max(2 * static_cast<int>(stage_->plots.size()), 3); }
 
 void RunView::resizeEvent(QResizeEvent* event)
 {
@@ -275,7 +276,9 @@ void RunView::showParts()
 bool RunView::roomForSide() const
 {
     const int plots = static_cast<int>(stage_->plots.size() + (stage_->spectrum ? 1 : 0));
-    return splitter_->height() >= fontMetrics().height() * (linesOfPlot * plots + linesOfSideView);
+    const int height = splitter_->height(), line = fontMetrics().height();
+    const int own = 3 * height / (3 + sharesOfPlots() + (stage_->spectrum ? 3 : 0));
+    return height >= line * (linesOfPlot * plots + linesOfSideView) && own >= line * linesOfSideView;
 }
 
 void RunView::fillPlotsMenu(QMenu& menu)

@@ -93,6 +93,7 @@ protected:
 private:
     void showParts();
     bool roomForSide() const;
+    int sharesOfPlots() const;
     void shareHeight();
     void showTime();
     void forgetTime();
