@@ -77,9 +77,9 @@ StudyChart chartOf(const DesignStudy& study)
                     .upper = 1.0,
                     .label = "all targets are reached"}};
     return {.title = "Misfit over the iterations",
-            .caption = "Each point is a better set of values, the last one rounded. The misfit is the largest distance "
-                       "of a quantity from "
-                       "its target, divided by the tolerance of the target.",
+            .caption = "Each point is a better set of values; where the targets are reached, the last one has as few "
+                       "digits as reach them. The misfit is the largest distance of a quantity from its target, "
+                       "divided by the tolerance of the target.",
             .panels = {panel}};
 }
 
