@@ -2,16 +2,21 @@
 #include "core/studies/study_plan.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
+#include <variant>
 
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
 #include "core/case_files/case_text.h"
 #include "core/case_files/cml_case.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/text_file.h"
 #include "core/formats/toml_document.h"
+#include "core/formats/words.h"
 #include "core/studies/advice/advisor.h"
 #include "core/studies/convergence/convergence.h"
 #include "core/studies/cycles/cycles.h"
@@ -24,6 +29,7 @@
 #include "core/studies/stability/stability.h"
 #include "core/studies/statements/statements.h"
 #include "core/studies/study/sample_study.h"
+#include "core/studies/study/study_file_reader.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/wall_clock.h"
@@ -44,6 +50,7 @@ struct Source {
     std::string name;
     std::filesystem::path folder;
     std::optional<CaseDocument> given; // where the text names none
+    bool instead = false;              // the given case stands for the one that the text names, with its changes
 };
 
 StudyPlan refuse(StudyPlan plan, std::string key, std::string message)
@@ -70,6 +77,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     plan.kind = kind;
     plan.name = source.name;
     plan.text = source.text;
+    plan.options = options;
     const StudyKind* study = findStudy(kind);
     if (study == nullptr) {
         std::vector<std::string> names;
@@ -78,7 +86,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
                       inQuotes(kind) + " is no kind of study" + didYouMean(nearestName(kind, names)));
     }
     plan.openEnd = study->openEnd;
-    TomlDocument toml = readToml(source.text);
+    TomlDocument toml = readStudyText(source.text);
     if (!toml.problem.empty()) {
         plan.problems.push_back({plan.name, toml.problemLine, "", toml.problem});
         return plan;
@@ -90,7 +98,11 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     const std::string title = reader.text("title").value_or("");
     if (!isOfKind(reader, kind)) return plan;
     const bool takesGiven = source.given && !namesCase(reader);
-    if (takesGiven) {
+    if (source.instead) {
+        reader.settings("set"); // they are in the case
+        plan.start = std::move(*source.given);
+        applySettings(plan.start, settings, outside);
+    } else if (takesGiven) {
         plan.start = changedStudyCase(reader, std::move(*source.given));
     } else if (auto start = openStudyCase(reader)) {
         plan.start = std::move(*start);
@@ -102,7 +114,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     if (!plan.start.valid()) return plan; // what the study's keys may be depends on the case
     const auto before = static_cast<std::ptrdiff_t>(plan.problems.size());
     reader.setKeys(study->form(plan.start.value).keys);
-    StudyPerformance perform = study->plan(reader);
+    StudyWork work = study->plan(reader);
     const auto isOfCase = [](const InputProblem& problem) { return problem.key == "case"; };
     // What a study misses beside a case that it cannot take follows from that, unless it was written.
     if (std::any_of(plan.problems.begin() + before, plan.problems.end(), isOfCase)) {
@@ -119,10 +131,9 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     std::ranges::stable_sort(plan.problems, {}, &InputProblem::line);
     if (!plan.valid()) return plan;
     const bool named = !title.empty();
-    plan.perform = [perform = std::move(perform), kind, named, title = plan.title](int jobs,
-                                                                                   const StudyCallback& callback) {
+    const auto finished = [kind, named, title = plan.title](const auto& perform) {
         const double begin = wallClock();
-        StudyReport report = perform(jobs, callback);
+        StudyReport report = perform();
         report.wallSeconds = wallClock() - begin;
         report.kind = kind;
         if (named || report.title.empty()) report.title = title;
@@ -130,13 +141,27 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
             report.message = "stopped before it was done";
         return report;
     };
+    if (auto* perform = std::get_if<StudyPerformance>(&work)) {
+        plan.perform = [perform = std::move(*perform), finished](int jobs, const StudyCallback& callback) {
+            return finished([&] { return perform(jobs, callback); });
+        };
+        return plan;
+    }
+    const auto list = std::make_shared<const ItemStudy>(std::move(std::get<ItemStudy>(work)));
+    plan.items = list->count;
+    plan.performList = [list, finished](const ItemOptions& parts, const StudyCallback& callback) {
+        return finished([&] { return performItems(*list, parts, callback); });
+    };
+    plan.perform = [performList = plan.performList](int jobs, const StudyCallback& callback) {
+        return performList({.jobs = jobs}, callback);
+    };
     return plan;
 }
 
 /// A text that says what only a study says.
 std::optional<StudySource> studyIn(std::string text)
 {
-    const TomlDocument toml = readToml(text);
+    const TomlDocument toml = readStudyText(text);
     const auto find = [&](const char* key) { return std::ranges::find(toml.entries, key, &TomlEntry::key); };
     const auto kind = find("kind");
     if (kind == toml.entries.end() && find("case") == toml.entries.end()) return {};
@@ -158,6 +183,13 @@ bool isFile(const std::string& name)
 {
     std::error_code error;
     return std::filesystem::is_regular_file(name, error);
+}
+
+/// What a study wrote, with the case as it was studied.
+std::optional<StoredStudy> storedIn(const std::string& file)
+{
+    if (lowerCase(std::filesystem::path(file).extension().string()) != ".h5" || !isFile(file)) return {};
+    return readStudy(file);
 }
 
 CaseDocument openSample(const std::string& kind, const std::string& name, OutsidePaths outside)
@@ -193,8 +225,7 @@ std::span<const StudyKind> studyKinds()
          planHysteresis, hysteresisForm},
         {"cycles", "Sustained bouncing",
          "Finds cycles on which a slider on springs bounces for ever, follows them over a parameter, and shows where "
-         "they "
-         "end",
+         "they end",
          planCycles, cyclesForm},
         {"response", "Forced motion over the frequency",
          "Drives a slider on springs by waves of the disk, with the frequency going up and down: amplitude, phase, "
@@ -220,6 +251,13 @@ std::span<const StudyKind> studyKinds()
     return kinds;
 }
 
+std::string studyKindIn(const std::string& fileOrName)
+{
+    if (const auto stored = storedIn(fileOrName)) return stored->report.kind;
+    const auto source = findStudySource(fileOrName);
+    return source ? source->kind : std::string();
+}
+
 std::optional<StudySource> findStudySource(const std::string& fileOrName)
 {
     if (isFile(fileOrName)) return studyInFile(fileOrName);
@@ -233,6 +271,13 @@ std::optional<StudySource> findStudySource(const std::string& fileOrName)
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings,
                     const std::vector<std::string>& options, OutsidePaths outside)
 {
+    if (auto stored = storedIn(fileOrName); stored && stored->problem.empty()) {
+        Source source{std::move(stored->studyText), fileOrName, {}, parseCase(std::move(stored->caseText), fileOrName)};
+        source.instead = true;
+        std::vector<std::string> all = std::move(stored->options);
+        all.insert(all.end(), options.begin(), options.end());
+        return planStudy(kind, std::move(source), settings, all, outside);
+    }
     if (isFile(fileOrName)) {
         const std::filesystem::path folder = std::filesystem::path(fileOrName).parent_path();
         if (auto study = studyInFile(fileOrName))

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,7 @@
 
 #include "core/case/case_document.h"
 #include "core/case_files/outside_path.h"
+#include "core/studies/study/item_study.h"
 #include "core/studies/study/study.h"
 #include "core/studies/study/study_key.h"
 
@@ -28,13 +30,13 @@ namespace touchdown {
 class StudyReader;
 
 struct StudyKind {
-    std::string name;                       // "work-precision"
-    std::string title;                      // "Accuracy against speed"
-    std::string help;                       // a sentence
-    StudyPerformance (*plan)(StudyReader&); // reads the keys; their problems are the reader's
-    StudyForm (*form)(const Case&);         // its keys with their defaults for a case
-    bool findsCase = false;                 // its report may hold a case, which --apply writes
-    std::string openEnd{};                  // why its duration cannot be predicted; "" where it can
+    std::string name;                            // "work-precision"
+    std::string title;                           // "Accuracy against speed"
+    std::string help;                            // a sentence
+    std::function<StudyWork(StudyReader&)> plan; // reads the keys; their problems are the reader's
+    StudyForm (*form)(const Case&);              // its keys with their defaults for a case
+    bool findsCase = false;                      // its report may hold a case, which --apply writes
+    std::string openEnd{};                       // why its duration cannot be predicted; "" where it can
 };
 /// In the order in which they are offered.
 std::span<const StudyKind> studyKinds();
@@ -44,11 +46,15 @@ struct StudyPlan {
     std::string name; // of the file, for problems
     std::string title;
     std::string text;                          // the study's file; "" where a case was given
+    std::vector<std::string> options;          // "key=value", over those of the text
     CaseDocument start;                        // the case that is studied
     std::vector<InputProblem> problems;        // all of them, those of the case among them
     std::string openEnd;                       // of the kind
     std::vector<std::filesystem::path> inputs; // all files that were read: the study, its cases and their files
     StudyPerformance perform;                  // set where there is no problem
+    std::size_t items = 0;                     // of a study that is a list
+    /// The same of such a study, also of a part of it; else not set.
+    std::function<StudyReport(const ItemOptions&, const StudyCallback&)> performList;
     bool valid() const { return problems.empty(); }
 };
 
@@ -60,6 +66,8 @@ struct StudySource {
 };
 /// Nothing where the name is that of a case, or of nothing.
 std::optional<StudySource> findStudySource(const std::string& fileOrName);
+/// The kind of the study that a file or a sample names, also a file that a study wrote; "" for none.
+std::string studyKindIn(const std::string& fileOrName);
 
 /// `fileOrName`: a study's file, a case file, a folder of the established program, or the name of a sample study of
 /// this kind or of a sample case. The settings are those of --set, on the case; the options are those of --option:

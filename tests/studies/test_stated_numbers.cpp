@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "core/case/parameters.h"
+#include "core/case_files/case_settings.h"
 #include "core/formats/csv_cell.h"
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"

@@ -2,22 +2,21 @@
 #include "core/studies/cycles/bouncing_map_task.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
+#include "core/case_files/case_text.h"
+#include "core/formats/decimal.h"
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/studies/cycles/bouncing_map_report.h"
 #include "core/studies/cycles/cycle_keys.h"
-#include "core/studies/cycles/cycles_report.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
-#include "core/work/parallel.h"
-#include "core/work/wall_clock.h"
 
 namespace touchdown {
 
@@ -27,11 +26,6 @@ constexpr int fewestPoints = 2, mostPoints = 100, standardPoints = 20; // of an 
 constexpr int mostStarts = 8;
 const std::vector<std::string> scales{"linear", "logarithmic"};
 constexpr int halvingsOfPlace = 60;
-constexpr double betweenMaps = 0.25; // that grow, while the map is made [s]
-constexpr const char* markedByWork =
-    " A case with another contact law, or with a film, is marked at the same W; the map shows what its own slider does "
-    "there.";
-constexpr std::array severities{0, 1, 2, 3, 1, 3}; // by MapClass
 
 std::optional<double> readEnd(StudyReader& reader, const std::string& name, const Parameter& keys, bool logarithmic)
 {
@@ -80,14 +74,6 @@ std::optional<BouncingMapAxis> readAxis(StudyReader& reader, const std::string& 
     for (int i = 0; i < points; ++i) values.push_back(axis.at(double(i) / (points - 1)));
     axis.values = std::move(values);
     return axis;
-}
-
-/// W of the map's law at a point [J].
-std::optional<double> workOfLaw(const BouncingMapTask& task, double x, double y)
-{
-    Case c = task.start;
-    if (setFromNumber(c, task.x.keys, x) || setFromNumber(c, task.y.keys, y)) return {};
-    return cycleWork(c);
 }
 
 /// The x at which the law of the map has this W, by bisection; W changes with x in one direction.
@@ -153,128 +139,28 @@ std::vector<MapMark> readMarks(StudyReader& reader, MarkedMapTask& task)
     return marks;
 }
 
-/// W at a mark [J].
-double workOf(const BouncingMapTask& task, const MapMark& mark)
+ItemRow rowOf(const MapCell& cell)
 {
-    return workOfLaw(task, mark.x, mark.y).value_or(0.0);
+    ItemRow row{cell.cycleWork};
+    for (const int runs : cell.ends) row.emplace_back(double(runs));
+    row.emplace_back(cell.problem);
+    return row;
 }
 
-std::string cellText(const BouncingMapTask& task, const MapCell& cell)
+/// Not done without a row.
+MapCell cellOf(double x, double y, const std::optional<ItemRow>& row)
 {
-    std::string text = task.x.text.of(cell.x) + ", " + task.y.text.of(cell.y) + ": " + std::string(name(cell.kind())) +
-                       "; W = " + fewDigits(cell.cycleWork, "pJ", 3) + "; " +
-                       counted(std::size_t(task.starts), "start") + ": ";
-    std::vector<std::string> ends;
-    for (std::size_t k = 0; k < cell.ends.size(); ++k)
-        if (cell.ends[k] > 0)
-            ends.push_back(std::to_string(cell.ends[k]) + " " + std::string(name(static_cast<BouncingEnd>(k))));
-    text += joined(ends);
-    return text + (cell.problem.empty() ? "" : " (" + cell.problem + ")");
-}
-
-ChartAxis chartAxis(const BouncingMapAxis& axis)
-{
-    return {axis.text.label, axis.text.unit, axis.text.displayUnit, axis.logarithmic};
-}
-
-StudyChart chartOf(const MarkedMapTask& task, const std::vector<MapCell>& cells)
-{
-    ChartPanel panel{chartAxis(task.x), chartAxis(task.y)};
-    ChartMap& map = panel.map.emplace();
-    map.x = task.x.values;
-    map.y = task.y.values;
-    for (std::size_t k = 0; k < mapClasses; ++k)
-        map.classes.push_back({std::string(name(static_cast<MapClass>(k))), severities[k]});
-    for (const MapCell& cell : cells) {
-        map.cells.push_back(cell.done ? static_cast<int>(cell.kind()) : -1);
-        map.details.push_back(cell.done ? cellText(task, cell) : "");
-    }
-    ChartSeries line{.name = "W = 0", .markers = false};
-    for (const auto& [x, y] : zeroWork(task)) line.points.push_back({.x = x, .y = y});
-    if (line.points.size() > 1) panel.series.push_back(std::move(line));
-    if (!task.marks.empty()) {
-        ChartSeries& marks = panel.series.emplace_back(ChartSeries{.name = "marked", .line = ChartLine::None});
-        for (const MapMark& mark : task.marks) marks.points.push_back({.x = mark.x, .y = mark.y, .label = mark.name});
-    }
-    return {
-        "Does the slider fly, is it caught, or does it bounce for ever?",
-        "Each cell: " + counted(std::size_t(task.starts), "run") + " of " + fewDigitsOfTime(task.search.duration, 3) +
-            " from different heights, each with the verdict of a run; one that bounces is enough. Line: W = 0, where "
-            "one loop of the contact law neither takes nor creates energy." +
-            (task.marksByWork ? markedByWork : ""),
-        {panel}};
-}
-
-StudyTable tableOf(const BouncingMapTask& task, const std::vector<MapCell>& cells)
-{
-    StudyTable table{.name = "map"};
-    table.columns = {{"x", task.x.text.unit, task.x.text.displayUnit, task.x.text.label},
-                     {"y", task.y.text.unit, task.y.text.displayUnit, task.y.text.label},
-                     {"work", "J", "pJ", "W, which one loop of the contact law takes"},
-                     {"class", "", "", "How the slider ends"},
-                     {"flies", "", "", "Share of the runs that fly at the end"},
-                     {"caught", "", "", "Share of the runs that end in contact"},
-                     {"bounces", "", "", "Share of the runs that bounce at the end"},
-                     {"unknown", "", "", "Share of the runs that are too short to tell"},
-                     {"failed", "", "", "Share of the runs that fail"},
-                     {.name = "remark", .secondary = true}};
-    for (const MapCell& cell : cells) {
-        if (!cell.done) continue;
-        std::vector<StudyValue> row{cell.x, cell.y, cell.cycleWork, std::string(name(cell.kind()))};
-        for (const int runs : cell.ends) row.emplace_back(double(runs) / task.starts);
-        row.emplace_back(cell.problem);
-        assert(row.size() == table.columns.size());
-        table.rows.push_back(std::move(row));
-    }
-    return table;
-}
-
-std::string findingOf(const std::vector<MapCell>& cells)
-{
-    const MapCount count = countOf(cells);
-    const std::size_t quiet = count.quietFlying + count.quietOther;
-    std::string text = "The slider bounces for ever in " + std::to_string(count.creating + count.taking) + " of " +
-                       counted(count.cells, "cell") + " of the map: in " + std::to_string(count.creating) +
-                       " with W < 0 and in " + std::to_string(count.taking) + " with W >= 0";
-    if (quiet == 0) return text + "; in no cell with W < 0 the bouncing ends.";
-    text += "; in " + counted(quiet, "cell") + " with W < 0 the bouncing ends, as the dashpots take the energy: ";
-    text += "the slider flies in " + std::to_string(count.quietFlying);
-    text += " of them and is caught, from one start or more, in " + std::to_string(count.quietOther);
-    return text + ".";
-}
-
-StudyTable marksTable(const BouncingMapTask& task)
-{
-    StudyTable table{.name = "marks"};
-    table.columns = {{"name", "", "", "Mark"},
-                     {"x", task.x.text.unit, task.x.text.displayUnit, task.x.text.label},
-                     {"y", task.y.text.unit, task.y.text.displayUnit, task.y.text.label},
-                     {"work", "J", "pJ", "W, which one loop of the contact law takes"}};
-    for (const MapMark& mark : task.marks) table.rows.push_back({mark.name, mark.x, mark.y, workOf(task, mark)});
-    return table;
-}
-
-/// How many marks have a law that creates energy.
-std::string findingOfMarks(const BouncingMapTask& task)
-{
-    SwingOf works;
-    std::size_t creating = 0;
-    for (const MapMark& mark : task.marks) {
-        works.add(workOf(task, mark));
-        creating += workOf(task, mark) < 0.0 ? 1 : 0;
-    }
-    return "W < 0 at " + std::to_string(creating) + " of " + counted(task.marks.size(), "mark") + "; W is from " +
-           fewDigits(works.least, "pJ", 3) + " to " + fewDigits(works.most, "pJ", 3) + " there.";
-}
-
-/// Where the law creates energy; empty where no cell does.
-std::string creationWarning(const std::vector<MapCell>& cells)
-{
-    const auto creates = [](const MapCell& cell) { return cell.done && cell.cycleWork < 0.0; };
-    const auto creating = std::ranges::count_if(cells, creates);
-    if (creating == 0) return {};
-    return "W is negative in " + std::to_string(creating) + " of " + counted(cells.size(), "cell") + " of the map" +
-           creatingLaw;
+    MapCell cell{.x = x, .y = y};
+    if (!row) return cell;
+    const auto number = [&](std::size_t i) {
+        const double* value = std::get_if<double>(&(*row)[i]);
+        return value == nullptr ? 0.0 : *value;
+    };
+    cell.done = true;
+    cell.cycleWork = number(0);
+    for (std::size_t k = 0; k < bouncingEnds; ++k) cell.ends[k] = static_cast<int>(number(k + 1));
+    if (const auto* problem = std::get_if<std::string>(&row->back())) cell.problem = *problem;
+    return cell;
 }
 
 } // namespace
@@ -329,55 +215,37 @@ std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce
     return keys;
 }
 
-void addBouncingMap(const MarkedMapTask& task, int jobs, const StudyCallback& callback, StudyReport& report)
+ItemStudy bouncingMapItems(const MarkedMapTask& task)
 {
-    const std::size_t columns = task.x.values.size(), count = columns * task.y.values.size();
-    std::vector<MapCell> cells(count);
-    std::vector<std::atomic<bool>> written(count); // a cell may be read from then on
-    const std::vector<std::size_t> order = scatteredOrder(count);
-    const auto judge = [&](std::size_t k, const GoOn& goOn) {
-        const std::size_t i = order[k];
-        cells[i] = judgeCell(task, task.x.values[i % columns], task.y.values[i / columns], goOn);
-        written[i].store(true, std::memory_order_release);
+    const std::size_t columns = task.x.values.size();
+    const auto placeOf = [task, columns](std::size_t i) {
+        return std::pair(task.x.values[i % columns], task.y.values[i / columns]);
     };
-    std::size_t shown = 0;
-    double shownAt = wallClock();
-    const bool whole = runParallel(count, jobs, judge, [&](std::size_t done) {
-        if (!callback) return true;
-        const std::string doing = "cell " + std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count);
-        const double share = double(done) / double(count);
-        if (done == shown || wallClock() - shownAt < betweenMaps) return callback({share, doing, nullptr});
-        shown = done;
-        shownAt = wallClock();
-        std::vector<MapCell> seen(count);
-        for (std::size_t i = 0; i < count; ++i)
-            if (written[i].load(std::memory_order_acquire)) seen[i] = cells[i];
-        StudyReport soFar = report;
-        soFar.charts.push_back(chartOf(task, seen));
-        return callback({share, doing, &soFar});
-    });
-    report.charts.push_back(chartOf(task, cells));
-    report.tables.push_back(tableOf(task, cells));
-    if (!task.marks.empty()) report.tables.push_back(marksTable(task));
-    if (std::string warning = creationWarning(cells); !warning.empty()) report.warnings.push_back(std::move(warning));
-    const auto failed = std::ranges::find(
-        cells, true, [](const MapCell& cell) { return cell.done && cell.runs(BouncingEnd::Failed) > 0; });
-    if (!whole) {
-        report.status = StudyStatus::Cancelled;
-        report.message = "stopped before all cells of the map were run";
-    } else if (std::ranges::all_of(cells, [](const MapCell& cell) { return cell.kind() == MapClass::Fails; })) {
-        report.status = StudyStatus::Failed;
-        report.message = "no cell of the map has a valid end: " + failed->problem;
-    } else {
-        report.findings.insert(report.findings.begin(), findingOf(cells));
-        if (!task.marks.empty()) report.findings.insert(report.findings.begin() + 1, findingOfMarks(task));
-        if (const std::size_t taking = countOf(cells).taking; taking > 0)
-            report.warnings.push_back("In " + counted(taking, "cell") +
-                                      " of the map the slider bounces at the end though W >= 0; a longer duration "
-                                      "shows whether that bouncing decays.");
-        if (failed != cells.end())
-            report.warnings.push_back("One run of the map or more failed: " + failed->problem + ".");
-    }
+    const std::string common = "map " + std::to_string(task.starts) + " " + decimalText(task.search.duration) + " " +
+                               task.x.keys.key + " " + task.y.keys.key + "\n" + formatCase(task.start);
+    return {
+        .count = columns * task.y.values.size(),
+        .width = bouncingEnds + 2,
+        .content =
+            [placeOf, common](std::size_t i) {
+                const auto [x, y] = placeOf(i);
+                return decimalText(x) + " " + decimalText(y) + " " + common;
+            },
+        .solve = [task, placeOf](std::size_t i, const GoOn& goOn) -> std::optional<ItemRow> {
+            const auto [x, y] = placeOf(i);
+            const MapCell cell = judgeCell(task, x, y, goOn);
+            return cell.done ? std::optional(rowOf(cell)) : std::nullopt;
+        },
+        .report =
+            [task, placeOf](const ItemRows& rows) {
+                std::vector<MapCell> cells;
+                for (std::size_t i = 0; i < rows.size(); ++i) {
+                    const auto [x, y] = placeOf(i);
+                    cells.push_back(cellOf(x, y, rows[i]));
+                }
+                return mapReport(task, cells);
+            },
+    };
 }
 
 } // namespace touchdown

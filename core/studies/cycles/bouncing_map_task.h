@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/studies/cycles/bouncing_map.h"
-#include "core/studies/study/study.h"
+#include "core/studies/study/item_study.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
@@ -21,8 +21,8 @@ struct MarkedMapTask : BouncingMapTask {
 std::optional<MarkedMapTask> readBouncingMap(StudyReader& reader, int starts, double duration);
 std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce);
 
-/// Adds chart, tables, findings and warnings to the report; its status is no longer Completed where the map was stopped
-/// or no run has an end.
-void addBouncingMap(const MarkedMapTask& task, int jobs, const StudyCallback& callback, StudyReport& report);
+/// An item for each cell; x runs first. Its row: W, the number of runs by BouncingEnd, the problem of a run that
+/// failed.
+ItemStudy bouncingMapItems(const MarkedMapTask& task);
 
 } // namespace touchdown

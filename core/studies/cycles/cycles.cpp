@@ -225,26 +225,38 @@ StudyCallback partOf(const StudyCallback& callback, double from, double to)
     };
 }
 
-StudyReport performAll(const std::optional<CyclesTask>& cycles, const std::optional<MarkedMapTask>& map, int jobs,
-                       const StudyCallback& callback)
+/// The cycles, then the map, in one report.
+StudyReport performBoth(const CyclesTask& cycles, const MarkedMapTask& map, int jobs, const StudyCallback& callback)
 {
     // Runs; following the cycles takes about as long as they do.
-    const double ofCycles = cycles ? 2.0 * double(cycles->values.size()) * cycles->starts : 0.0;
-    const double ofMap = map ? double(map->x.values.size() * map->y.values.size()) * map->starts : 0.0;
-    const double mapBegins = ofCycles > 0.0 ? ofCycles / (ofCycles + ofMap) : 0.0;
-    StudyReport report;
-    if (cycles) {
-        const StudyCallback part = partOf(callback, 0.0, mapBegins);
-        report = CyclesPerformance(*cycles, part).perform(jobs);
-    }
-    if (map && report.status == StudyStatus::Completed)
-        addBouncingMap(*map, jobs, partOf(callback, mapBegins, 1.0), report);
-    return report;
+    const double ofCycles = 2.0 * double(cycles.values.size()) * cycles.starts;
+    const double ofMap = double(map.x.values.size() * map.y.values.size()) * map.starts;
+    const double mapBegins = ofCycles / (ofCycles + ofMap);
+    const StudyCallback first = partOf(callback, 0.0, mapBegins);
+    StudyReport report = CyclesPerformance(cycles, first).perform(jobs);
+    if (report.status != StudyStatus::Completed) return report;
+    const auto withMap = [&](const StudyReport& ofTheMap) {
+        StudyReport whole = report;
+        whole.status = ofTheMap.status;
+        whole.message = ofTheMap.message;
+        whole.findings.insert(whole.findings.begin(), ofTheMap.findings.begin(), ofTheMap.findings.end());
+        std::ranges::copy(ofTheMap.warnings, std::back_inserter(whole.warnings));
+        std::ranges::copy(ofTheMap.charts, std::back_inserter(whole.charts));
+        std::ranges::copy(ofTheMap.tables, std::back_inserter(whole.tables));
+        return whole;
+    };
+    const StudyCallback second = partOf(callback, mapBegins, 1.0);
+    return withMap(performItems(bouncingMapItems(map), {.jobs = jobs}, [&](const StudyProgress& progress) {
+        if (!second) return true;
+        if (progress.soFar == nullptr) return second(progress);
+        const StudyReport whole = withMap(*progress.soFar);
+        return second({progress.share, progress.doing, &whole});
+    }));
 }
 
 } // namespace
 
-StudyPerformance planCycles(StudyReader& reader)
+StudyWork planCycles(StudyReader& reader)
 {
     CyclesTask task;
     task.start = reader.start();
@@ -276,8 +288,7 @@ StudyPerformance planCycles(StudyReader& reader)
     std::optional<MarkedMapTask> map;
     if (reader.has("map")) {
         map = readBouncingMap(reader, task.starts, task.search.duration);
-        if (!asksForCycles(reader))
-            return [map](int jobs, const StudyCallback& callback) { return performAll({}, map, jobs, callback); };
+        if (!asksForCycles(reader)) return map ? StudyWork(bouncingMapItems(*map)) : StudyWork();
     } else {
         for (const std::string& mark : reader.tables("mark"))
             reader.add(mark, "needs a map: the table [map] is missing");
@@ -296,7 +307,9 @@ StudyPerformance planCycles(StudyReader& reader)
     task.to = *to;
     task.units = sectionUnits(task.start);
     for (int i = 0; i < values; ++i) task.values.push_back(std::lerp(*from, *to, (i + 0.5) / values));
-    return [task, map](int jobs, const StudyCallback& callback) { return performAll(task, map, jobs, callback); };
+    return [task, map](int jobs, const StudyCallback& callback) {
+        return map ? performBoth(task, *map, jobs, callback) : CyclesPerformance(task, callback).perform(jobs);
+    };
 }
 
 StudyForm cyclesForm(const Case& c)

@@ -14,14 +14,14 @@
 // With that table and without parameter, from, to, values and crossings only the map is made.
 #pragma once
 
-#include "core/studies/study/study.h"
+#include "core/studies/study/item_study.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
 
 class StudyReader;
 
-StudyPerformance planCycles(StudyReader& reader);
+StudyWork planCycles(StudyReader& reader);
 StudyForm cyclesForm(const Case& c);
 
 } // namespace touchdown

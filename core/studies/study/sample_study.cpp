@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/formats/toml_document.h"
+#include "core/studies/study/study_head.h"
 
 namespace touchdown {
 
@@ -20,7 +21,7 @@ std::vector<SampleStudy> readSamples()
 {
     std::vector<SampleStudy> studies;
     for (const SampleStudyText& each : sampleStudyTexts()) {
-        const TomlDocument toml = readToml(each.text);
+        const TomlDocument toml = readStudyText(each.text);
         studies.push_back({each.name, rootText(toml, "kind"), rootText(toml, "title"), each.text});
     }
     std::ranges::stable_sort(studies, {}, &SampleStudy::kind);

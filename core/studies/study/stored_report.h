@@ -62,7 +62,7 @@ void pass(auto& stream, Passed<ChartSeries> auto& series)
 
 void pass(auto& stream, Passed<ChartBand> auto& band) { stream(band.alongX, band.lower, band.upper, band.label); }
 
-void pass(auto& stream, Passed<ChartClass> auto& each) { stream(each.name, each.severity); }
+void pass(auto& stream, Passed<ChartClass> auto& each) { stream(each.name, each.severity, each.shade); }
 
 void pass(auto& stream, Passed<ChartMap> auto& map) { stream(map.x, map.y, map.classes, map.cells, map.details); }
 
@@ -74,10 +74,12 @@ void pass(auto& stream, Passed<ChartPanel> auto& panel)
 
 void pass(auto& stream, Passed<StudyChart> auto& chart) { stream(chart.title, chart.caption, chart.panels); }
 
+void pass(auto& stream, Passed<StudyItem> auto& item) { stream(item.key, item.row); }
+
 void pass(auto& stream, Passed<StudyReport> auto& report)
 {
     stream(report.status, report.message, report.kind, report.title, report.findings, report.warnings, report.charts,
-           report.tables, report.wallSeconds);
+           report.tables, report.items, report.wallSeconds);
     passOptional(stream, report.found, [&](auto& found) { // as its text
         std::string text = formatCase(found);
         stream(text);
@@ -88,7 +90,7 @@ void pass(auto& stream, Passed<StudyReport> auto& report)
 
 void pass(auto& stream, Passed<StoredStudy> auto& stored)
 {
-    stream(stored.problem, stored.caseText, stored.studyText, stored.report);
+    stream(stored.problem, stored.caseText, stored.studyText, stored.options, stored.report);
 }
 
 } // namespace touchdown

@@ -84,8 +84,9 @@ struct ChartBand {
 
 /// How a cell of a map came out.
 struct ChartClass {
-    std::string name; // "agrees with the reference"
-    int severity = 0; // 0 good .. 3 failed: chooses the colour; classes of equal severity differ by pattern
+    std::string name;    // "agrees with the reference"
+    int severity = 0;    // 0 good .. 3 failed: chooses the colour; classes of equal severity differ by pattern
+    double shade = -1.0; // of a scale, 0 low .. 1 high, which chooses the colour instead; below 0: of none
 };
 
 /// Cells coloured by class: row by row, x runs first.
@@ -129,6 +130,12 @@ struct StudyTable {
     std::vector<std::vector<StudyValue>> rows{}; // each as long as `columns`; numbers are finite
 };
 
+/// A row of a study that is a list (item_study.h), with the key of its item.
+struct StudyItem {
+    std::string key;
+    std::vector<StudyValue> row;
+};
+
 struct StudyReport {
     StudyStatus status = StudyStatus::Completed;
     std::string message; // why it ended so, in a sentence; empty when completed
@@ -139,6 +146,7 @@ struct StudyReport {
     std::vector<StudyChart> charts;
     std::vector<StudyTable> tables; // the first one is what --csv writes
     std::optional<Case> found;      // a case that the study advises
+    std::vector<StudyItem> items{}; // of a list, in its order: with them it can be continued
     double wallSeconds = 0.0;
 };
 

@@ -13,10 +13,13 @@
 #include "core/formats/hdf5_file.h"
 #include "core/formats/text_file.h"
 #include "core/results/file_header.h"
+#include "core/studies/study/item_journal.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr int betweenWrites = 20; // times that one took, so that states of the file take a twentieth of the time
 
 /// A number of a table, if it is one.
 const double* numberIn(const StudyValue& value)
@@ -105,16 +108,18 @@ void writeBand(const Hdf5Group& group, const ChartBand& band)
 void writeMap(const Hdf5Group& group, const ChartMap& map)
 {
     std::vector<std::string> names;
-    std::vector<double> severities;
+    std::vector<double> severities, shades;
     for (const ChartClass& each : map.classes) {
         names.push_back(each.name);
         severities.push_back(each.severity);
+        shades.push_back(each.shade);
     }
     group.put("x", map.x);
     group.put("y", map.y);
     group.put("cells", std::vector<double>(map.cells.begin(), map.cells.end()));
     group.put("class_name", names);
     group.put("class_severity", severities);
+    group.put("class_shade", shades);
     group.put("details", map.details);
 }
 
@@ -143,21 +148,34 @@ void writeChart(const Hdf5Group& group, const StudyChart& chart)
     writeNumbered(group, "panels", chart.panels, writePanel);
 }
 
-void writeReport(const Hdf5Group& file, const StudyReport& report, const Case& c, const std::string& caseText,
-                 const std::string& studyText)
+void writeItems(const Hdf5Group& group, const std::vector<StudyItem>& items)
+{
+    std::vector<std::string> keys, rows;
+    for (const StudyItem& item : items) {
+        keys.push_back(item.key);
+        rows.push_back(rowText(item.row));
+    }
+    group.put("key", keys, "1", "Keys of the items");
+    group.put("row", rows, "1", "What came of each");
+}
+
+void writeReport(const Hdf5Group& file, const StudyReport& report, const StudySubject& subject)
 {
     writeFileHeader(file, studyFormat, studyFormatMajor, studyFormatMinor, dateNow(), report.title);
     file.set("kind", report.kind);
     file.set("status", name(report.status));
     file.set("message", report.message);
     file.set("wall_seconds", report.wallSeconds);
-    writeCaseGroup(file, c, caseText);
-    file.create("study").put("text", studyText, "1", "The study as it was given");
+    writeCaseGroup(file, subject.value, subject.caseText);
+    const Hdf5Group study = file.create("study");
+    study.put("text", subject.studyText, "1", "The study as it was given");
+    study.put("options", subject.options, "1", "Values of the study that were changed by --option");
     file.put("findings", report.findings, "1", "What the study found");
     file.put("warnings", report.warnings, "1", "What weakens that");
     const Hdf5Group tables = file.create("tables");
     for (const StudyTable& table : report.tables) writeTable(tables.create(table.name), table);
     writeNumbered(file, "charts", report.charts, writeChart);
+    if (!report.items.empty()) writeItems(file.create("items"), report.items);
     if (report.found)
         file.create("found").put("text", formatCase(*report.found), "1", "The case that the study advises");
 }
@@ -193,14 +211,16 @@ std::string StudyWriter::update(const StudyReport* soFar)
     if (!lock_) return "no file of a study is open";
     if (soFar != nullptr) pending_ = *soFar;
     const Clock::time_point now = Clock::now();
-    if (!pending_ || now - written_ < interval_) return {};
+    if (!pending_ || now - written_ < std::max<Clock::duration>(interval_, betweenWrites * tookToWrite_)) return {};
     StudyReport report = interruptedReport(std::move(*pending_));
     pending_.reset();
     report.kind = subject_.kind;
     if (report.title.empty()) report.title = subject_.title;
     report.wallSeconds = std::chrono::duration<double>(now - begin_).count();
+    const Clock::time_point begin = Clock::now();
     std::string problem = write(report);
     written_ = Clock::now();
+    tookToWrite_ = written_ - begin;
     return problem;
 }
 
@@ -214,9 +234,7 @@ std::string StudyWriter::finish(const StudyReport& report)
 
 std::string StudyWriter::write(const StudyReport& report)
 {
-    return writeHdf5File(*lock_, "the study", [&](const Hdf5Group& file) {
-        writeReport(file, report, subject_.value, subject_.caseText, subject_.studyText);
-    });
+    return writeHdf5File(*lock_, "the study", [&](const Hdf5Group& file) { writeReport(file, report, subject_); });
 }
 
 std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c,

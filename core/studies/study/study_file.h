@@ -28,6 +28,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/formats/output_file.h"
 #include "core/studies/study/study.h"
@@ -36,15 +37,16 @@ namespace touchdown {
 
 inline constexpr const char* studyFormat = "touchdown-study";
 inline constexpr int studyFormatMajor = 1;
-inline constexpr int studyFormatMinor = 1;
+inline constexpr int studyFormatMinor = 2;
 
 /// What the file of a study holds besides its report.
 struct StudySubject {
-    std::string kind;      // "hysteresis"
-    std::string title;     // of its report
-    Case value;            // that is studied
-    std::string caseText;  // with the contents of the files that it names
-    std::string studyText; // empty where the study took its defaults
+    std::string kind;                   // "hysteresis"
+    std::string title;                  // of its report
+    Case value;                         // that is studied
+    std::string caseText;               // with the contents of the files that it names
+    std::string studyText;              // empty where the study took its defaults
+    std::vector<std::string> options{}; // "key=value", over those of the text
 };
 
 /// What a study has found so far, as it stands on disk until the study ends: its findings could be wrong.
@@ -74,6 +76,7 @@ private:
     std::unique_ptr<OutputLock> lock_;   // of the open file
     std::optional<StudyReport> pending_; // not yet written
     Clock::time_point begin_, written_;
+    Clock::duration tookToWrite_{};
 };
 
 /// Each writes a whole file or none, also for a study that ended early, and returns "" or the problem in one sentence.

@@ -13,6 +13,7 @@
 #include "core/formats/reader_process.h"
 #include "core/results/file_header.h"
 #include "core/results/stored_values.h"
+#include "core/studies/study/item_journal.h"
 #include "core/studies/study/stored_report.h"
 #include "core/studies/study/study_file.h"
 
@@ -133,8 +134,12 @@ ChartMap readMap(const Hdf5Group& group)
     const std::vector<double> severities = group.get("class_severity").column();
     checkLength(severities.size(), names.size(), "class_severity");
     checkFinite(severities, "class_severity");
+    const std::vector<double> shades =
+        group.has("class_shade") ? group.get("class_shade").column() : std::vector<double>(names.size(), -1.0);
+    checkLength(shades.size(), names.size(), "class_shade");
+    checkFinite(shades, "class_shade");
     for (std::size_t i = 0; i < names.size(); ++i)
-        map.classes.push_back({names[i], static_cast<int>(std::clamp(severities[i], 0.0, 3.0))});
+        map.classes.push_back({names[i], static_cast<int>(std::clamp(severities[i], 0.0, 3.0)), shades[i]});
     const std::vector<double> cells = group.get("cells").column();
     checkLength(cells.size(), map.x.size() * map.y.size(), "cells");
     for (const double cell : cells) {
@@ -173,6 +178,19 @@ StudyChart readChart(const Hdf5Group& group)
     return {group.attribute("title"), group.attribute("caption"), readNumbered(group, "panels", readPanel)};
 }
 
+std::vector<StudyItem> readItems(const Hdf5Group& group)
+{
+    const std::vector<std::string> keys = group.get("key").texts(), rows = group.get("row").texts();
+    checkLength(rows.size(), keys.size(), "row");
+    std::vector<StudyItem> items;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        auto row = readRow(rows[i]);
+        if (!row) throw Hdf5Error("the row of item " + std::to_string(i + 1) + " is none");
+        items.push_back({keys[i], std::move(*row)});
+    }
+    return items;
+}
+
 StudyReport readReport(const Hdf5Group& file)
 {
     StudyReport report;
@@ -186,6 +204,7 @@ StudyReport readReport(const Hdf5Group& file)
     report.findings = file.get("findings").texts();
     report.warnings = file.get("warnings").texts();
     report.charts = readNumbered(file, "charts", readChart);
+    if (file.has("items")) report.items = readItems(file.group("items"));
     const Hdf5Group tables = file.group("tables");
     for (const std::string& table : tables.names()) report.tables.push_back(readTable(tables.group(table), table));
     if (file.has("found"))
@@ -239,7 +258,11 @@ StoredStudy readStudyDirectly(const std::filesystem::path& path)
             !problem.empty())
             return refused(std::move(problem));
         inspectHdf5File(file, readerLimits(path).data);
-        return {readReport(file), file.get("case/text").text(), file.get("study/text").text(), {}};
+        return {readReport(file),
+                file.get("case/text").text(),
+                file.get("study/text").text(),
+                {},
+                file.has("study/options") ? file.get("study/options").texts() : std::vector<std::string>()};
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());
     } catch (const std::bad_alloc&) {

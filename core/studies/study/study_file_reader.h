@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/studies/study/study.h"
 
@@ -14,9 +15,10 @@ namespace touchdown {
 
 struct StoredStudy {
     StudyReport report;
-    std::string caseText;  // of the case that was studied
-    std::string studyText; // empty where the study took its defaults
-    std::string problem;   // "" when it was read; else one sentence, and nothing else is set
+    std::string caseText;               // of the case that was studied
+    std::string studyText;              // empty where the study took its defaults
+    std::string problem;                // "" when it was read; else one sentence, and nothing else is set
+    std::vector<std::string> options{}; // "key=value", over those of the text
 };
 StoredStudy readStudy(const std::filesystem::path& file);
 /// The same in this process: for that process, and for files that this program wrote.

@@ -87,6 +87,15 @@ void removeKey(TomlDocument& toml, const std::string& key)
 
 } // namespace
 
+TomlDocument readStudyText(const std::string& text)
+{
+    TomlDocument toml = readToml(text);
+    const auto entry = [&](const char* key) { return std::ranges::find(toml.entries, key, &TomlEntry::key); };
+    if (entry("kind") == toml.entries.end())
+        if (const auto other = entry("study"); other != toml.entries.end()) other->key = "kind";
+    return toml;
+}
+
 std::vector<StudyKey> headKeys()
 {
     return {textKey("title", {}, "", "title of the report; default: that of the case"),

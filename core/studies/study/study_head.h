@@ -18,6 +18,9 @@ struct CaseDocument;
 /// Largest file of a study that is read [byte].
 inline constexpr std::uintmax_t maximumStudyFileSize = 1 << 20;
 
+/// The text of a study's file. Its kind may stand in the key `study`, too; it is the key `kind` of what is returned.
+TomlDocument readStudyText(const std::string& text);
+
 std::vector<StudyKey> headKeys();
 
 /// Whether the file is of this kind, or names none; else the kind is a problem of the reader.

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/study/item_study.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <mutex>
+#include <utility>
+
+#include "core/formats/words.h"
+#include "core/work/wall_clock.h"
+
+namespace touchdown {
+
+namespace {
+
+constexpr double betweenReports = 0.25; // while rows come, at least [s]
+constexpr double reportShare = 0.1;     // of the time that reports of a growing list may take [-]
+constexpr std::size_t mostNamed = 5;    // items in a sentence
+
+/// FNV-1a (Fowler, Noll, Vo 1991) of 64 bits.
+std::uint64_t hashOf(const std::string& text, std::uint64_t start)
+{
+    for (const char c : text) start = (start ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    return start;
+}
+
+class Performance {
+public:
+    Performance(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback)
+        : study_(study), options_(options), callback_(callback), rows_(study.count), keys_(study.count)
+    {
+        std::vector<std::size_t> mine;
+        for (std::size_t i = options.part.part - 1; i < study.count; i += options.part.of) mine.push_back(i);
+        for (const std::size_t k : scatteredOrder(mine.size())) order_.push_back(mine[k]);
+    }
+
+    StudyReport perform()
+    {
+        const auto work = [&](std::size_t k, const GoOn& goOn) {
+            takeOrSolve(order_[k], [&] { return goOn() && !halted_; });
+        };
+        const bool whole =
+            runParallel(order_.size(), options_.jobs, work, [&](std::size_t done) { return tell(done); }) && !halted_;
+        StudyReport report = study_.report(rows_);
+        finish(report, whole);
+        return report;
+    }
+
+private:
+    void takeOrSolve(std::size_t i, const GoOn& goOn)
+    {
+        std::string key = itemKey(study_.content(i));
+        std::optional<ItemRow> row;
+        bool isNew = false;
+        if (options_.kept != nullptr)
+            if (const auto found = options_.kept->find(key);
+                found != options_.kept->end() && found->second.size() == study_.width)
+                row = found->second;
+        if (!row && !options_.onlyKept) {
+            row = study_.solve(i, goOn);
+            isNew = row.has_value();
+        }
+        const std::lock_guard lock(mutex_);
+        if (!row) {
+            if (options_.onlyKept) missing_.push_back(i);
+            return;
+        }
+        if (isNew && options_.keep && problem_.empty()) {
+            problem_ = options_.keep(key, *row);
+            halted_ = !problem_.empty();
+        }
+        if (!isNew) ++taken_;
+        keys_[i] = std::move(key);
+        rows_[i] = std::move(row);
+        ++ready_;
+    }
+
+    bool tell(std::size_t done)
+    {
+        if (halted_) return false;
+        if (!callback_) return true;
+        const std::size_t count = order_.size();
+        const double share = double(done) / double(std::max<std::size_t>(count, 1)), now = wallClock();
+        const std::string doing = std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count);
+        std::optional<ItemRows> seen;
+        if (now >= nextReport_) {
+            const std::lock_guard lock(mutex_);
+            if (std::exchange(told_, ready_) < ready_) seen = rows_;
+        }
+        if (!seen) return callback_({share, doing, nullptr});
+        StudyReport soFar = study_.report(*seen);
+        soFar.findings.clear();
+        const bool goOn = callback_({share, doing, &soFar});
+        const double took = wallClock() - now;
+        nextReport_ = now + std::max(betweenReports, took / reportShare);
+        return goOn;
+    }
+
+    std::string missingText()
+    {
+        std::ranges::sort(missing_);
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < std::min(missing_.size(), mostNamed); ++i)
+            names.push_back(std::to_string(missing_[i] + 1));
+        if (missing_.size() > mostNamed) names.emplace_back("others");
+        return counted(missing_.size(), "item") + " of " + std::to_string(study_.count) +
+               " have no row in these files: " + joined(names);
+    }
+
+    void finish(StudyReport& report, bool whole)
+    {
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            if (rows_[i]) report.items.push_back({std::move(keys_[i]), std::move(*rows_[i])});
+        if (!problem_.empty()) {
+            report.status = StudyStatus::Failed;
+            report.message = problem_;
+        } else if (!missing_.empty()) {
+            report.status = StudyStatus::Failed;
+            report.message = missingText();
+        } else if (!whole) {
+            report.status = StudyStatus::Cancelled;
+            report.message =
+                "stopped after " + std::to_string(report.items.size()) + " of " + counted(study_.count, "item");
+        }
+        if (report.status != StudyStatus::Completed || !options_.part.isWhole()) report.findings.clear();
+        if (!options_.part.isWhole() && report.status == StudyStatus::Completed)
+            report.warnings.insert(report.warnings.begin(),
+                                   "This is part " + std::to_string(options_.part.part) + " of " +
+                                       std::to_string(options_.part.of) + ": " + std::to_string(report.items.size()) +
+                                       " of " + counted(study_.count, "item") + ". Join all parts for the findings.");
+    }
+
+    const ItemStudy& study_;
+    const ItemOptions& options_;
+    const StudyCallback& callback_;
+    std::vector<std::size_t> order_; // of the items of the part
+    std::mutex mutex_;               // of the next five
+    ItemRows rows_;
+    std::vector<std::string> keys_;
+    std::vector<std::size_t> missing_;
+    std::size_t ready_ = 0, taken_ = 0;
+    std::string problem_; // why a row could not be kept
+    std::atomic<bool> halted_ = false;
+    std::size_t told_ = 0; // rows of the last report
+    double nextReport_ = 0.0;
+};
+
+} // namespace
+
+std::string itemKey(const std::string& content)
+{
+    constexpr std::uint64_t basis = 0xcbf29ce484222325ULL, other = 0x84222325cbf29ce4ULL;
+    std::array<char, 33> text{};
+    const std::string all = TOUCHDOWN_VERSION "\n" + content;
+    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hashOf(all, basis)),
+                  static_cast<unsigned long long>(hashOf(all, other)));
+    return text.data();
+}
+
+StudyReport performItems(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback)
+{
+    return Performance(study, options, callback).perform();
+}
+
+} // namespace touchdown

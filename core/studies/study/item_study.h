@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A study that is a list of items: each gives a row of numbers and texts, on which the report alone depends. So the
+// items may be solved in any order, on any number of threads, in parts on several computers, and rows that are there
+// already are taken as they are.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <variant>
+#include <vector>
+
+#include "core/studies/study/study.h"
+#include "core/work/parallel.h"
+
+namespace touchdown {
+
+/// What came of one item; its numbers are finite.
+using ItemRow = std::vector<StudyValue>;
+/// By the number of the item, from 0; nothing where it is not there yet.
+using ItemRows = std::vector<std::optional<ItemRow>>;
+/// Rows by the keys of their items.
+using KeptRows = std::unordered_map<std::string, ItemRow>;
+
+struct ItemStudy {
+    std::size_t count = 0;
+    std::size_t width = 0; // of each row
+    /// All on which the row of an item depends: its case, how it is solved, what is read off. Any text.
+    std::function<std::string(std::size_t)> content;
+    /// Called on several threads; nothing where it was told to end. Failures of numerics are part of the row.
+    std::function<std::optional<ItemRow>(std::size_t, const GoOn& goOn)> solve;
+    /// Of the rows that are there; findings only where all are.
+    std::function<StudyReport(const ItemRows&)> report;
+};
+
+/// A study that is ready: a list, or something else that can be performed.
+using StudyWork = std::variant<StudyPerformance, ItemStudy>;
+
+/// Items `part`, `part` + `of`, `part` + 2 `of`, ... of a list, counted from 1.
+struct ItemPart {
+    std::size_t part = 1, of = 1;
+    bool has(std::size_t item) const { return item % of == part - 1; }
+    bool isWhole() const { return of == 1; }
+    /// How many of `count` items it has.
+    std::size_t size(std::size_t count) const { return (count + of - part) / of; }
+};
+
+struct ItemOptions {
+    int jobs = 1; // threads
+    ItemPart part{};
+    const KeptRows* kept = nullptr; // rows of an earlier call, of this study or of another one
+    bool onlyKept = false;          // nothing is solved: an item without a row makes the study fail
+    /// Receives each row that was solved as soon as it is there, from any thread, one at a time. Returns "", or why it
+    /// could not be kept, which ends the study.
+    std::function<std::string(const std::string& key, const ItemRow& row)> keep{};
+};
+
+/// The key of a row: the same only for the same content and the same version of this program. 32 hexadecimal digits.
+std::string itemKey(const std::string& content);
+
+/// Solves the items that have no row yet. The report has their rows as `items`, which a file of the study keeps.
+StudyReport performItems(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback);
+
+} // namespace touchdown

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/study/item_study.h"
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+
+#include <QTest>
+
+#include "tests/support/test_program.h"
+
+using namespace touchdown;
+
+namespace test_item_study {
+
+/// Squares; counts how often each was solved.
+struct Squares {
+    std::vector<std::atomic<int>> solved;
+    explicit Squares(std::size_t count) : solved(count) {}
+
+    ItemStudy study(double factor = 1.0)
+    {
+        return {.count = solved.size(),
+                .width = 1,
+                .content = [factor](std::size_t i) { return std::to_string(i) + " " + std::to_string(factor); },
+                .solve = [this, factor](std::size_t i, const GoOn&) -> std::optional<ItemRow> {
+                    ++solved[i];
+                    return ItemRow{factor * double(i * i)};
+                },
+                .report =
+                    [](const ItemRows& rows) {
+                        StudyReport report;
+                        StudyTable table{"squares", {{.name = "square"}}};
+                        for (const auto& row : rows)
+                            if (row) table.rows.push_back(*row);
+                        report.tables.push_back(std::move(table));
+                        report.findings.emplace_back("all done");
+                        return report;
+                    }};
+    }
+};
+
+KeptRows rowsOf(const StudyReport& report)
+{
+    KeptRows rows;
+    for (const StudyItem& item : report.items) rows.emplace(item.key, item.row);
+    return rows;
+}
+
+class TestItemStudy : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sameForAnyNumberOfThreads()
+    {
+        Squares one(101);
+        const StudyReport whole = performItems(one.study(), {.jobs = 1}, {});
+        QCOMPARE(whole.status, StudyStatus::Completed);
+        QCOMPARE(whole.items.size(), std::size_t(101));
+        for (const int jobs : {2, 3, 7}) {
+            Squares more(101);
+            const StudyReport report = performItems(more.study(), {.jobs = jobs}, {});
+            QVERIFY(report.tables[0].rows == whole.tables[0].rows);
+            for (const auto& count : more.solved) QCOMPARE(count.load(), 1);
+        }
+    }
+
+    /// All parts together have each item once, and joined they are the whole.
+    void partsJoin()
+    {
+        Squares direct(50);
+        const StudyReport whole = performItems(direct.study(), {}, {});
+        for (const std::size_t of : {1, 2, 3, 7, 50, 64}) {
+            Squares squares(50);
+            KeptRows kept;
+            for (std::size_t part = 1; part <= of; ++part) {
+                const StudyReport one = performItems(squares.study(), {.part = {part, of}}, {});
+                QCOMPARE(one.items.size(), ItemPart({part, of}).size(50));
+                QCOMPARE(one.findings.empty(), of > 1);
+                kept.merge(rowsOf(one));
+            }
+            for (const auto& count : squares.solved) QCOMPARE(count.load(), 1);
+            const StudyReport joined = performItems(squares.study(), {.kept = &kept, .onlyKept = true}, {});
+            QCOMPARE(joined.status, StudyStatus::Completed);
+            QVERIFY(joined.tables[0].rows == whole.tables[0].rows);
+            QCOMPARE(joined.findings, whole.findings);
+            for (const auto& count : squares.solved) QCOMPARE(count.load(), 1);
+        }
+    }
+
+    void aPartThatIsMissing()
+    {
+        Squares squares(10);
+        const KeptRows kept = rowsOf(performItems(squares.study(), {.part = {1, 2}}, {}));
+        const StudyReport joined = performItems(squares.study(), {.kept = &kept, .onlyKept = true}, {});
+        QCOMPARE(joined.status, StudyStatus::Failed);
+        QCOMPARE(joined.message, std::string("5 items of 10 have no row in these files: 2, 4, 6, 8, 10"));
+        QVERIFY(joined.findings.empty());
+    }
+
+    /// Rows of other content are not taken, nor are those of another width.
+    void onlyItsOwnRows()
+    {
+        Squares squares(10);
+        KeptRows kept = rowsOf(performItems(squares.study(2.0), {}, {}));
+        const StudyReport other = performItems(squares.study(3.0), {.kept = &kept}, {});
+        QCOMPARE(std::get<double>(other.items[3].row[0]), 27.0);
+        kept = rowsOf(other);
+        for (auto& [key, row] : kept) row.emplace_back(1.0);
+        const StudyReport again = performItems(squares.study(3.0), {.kept = &kept}, {});
+        QCOMPARE(again.items[3].row.size(), std::size_t(1));
+        QCOMPARE(squares.solved[3].load(), 3);
+    }
+
+    /// What was solved before a stop is kept, and the next call solves the rest alone.
+    void stopsAndGoesOn()
+    {
+        Squares squares(200);
+        KeptRows kept;
+        ItemOptions options;
+        options.keep = [&](const std::string& key, const ItemRow& row) {
+            kept.emplace(key, row);
+            return std::string();
+        };
+        ItemStudy slow = squares.study();
+        slow.solve = [&, solve = slow.solve](std::size_t i, const GoOn& goOn) {
+            while (kept.size() > 20 && goOn()) {
+            }
+            return goOn() ? solve(i, goOn) : std::nullopt;
+        };
+        const StudyReport stopped =
+            performItems(slow, options, [&](const StudyProgress& progress) { return progress.share < 0.1; });
+        QCOMPARE(stopped.status, StudyStatus::Cancelled);
+        QCOMPARE(stopped.items.size(), kept.size());
+        QVERIFY(!kept.empty() && kept.size() < 200);
+        const KeptRows before = kept;
+        options.kept = &before;
+        const StudyReport whole = performItems(squares.study(), options, {});
+        QCOMPARE(whole.status, StudyStatus::Completed);
+        QCOMPARE(whole.items.size(), std::size_t(200));
+        for (const auto& count : squares.solved) QCOMPARE(count.load(), 1);
+    }
+
+    /// A row that cannot be kept ends the study: nothing is solved in vain.
+    void aFullDisk()
+    {
+        Squares squares(1000);
+        ItemOptions options;
+        options.keep = [](const std::string&, const ItemRow&) { return std::string("no space left"); };
+        const StudyReport report = performItems(squares.study(), options, {});
+        QCOMPARE(report.status, StudyStatus::Failed);
+        QCOMPARE(report.message, std::string("no space left"));
+        QVERIFY(std::ranges::count_if(squares.solved, [](const auto& count) { return count > 0; }) < 1000);
+    }
+
+    void keysDiffer()
+    {
+        std::set<std::string> keys;
+        for (int i = 0; i < 100000; ++i) keys.insert(itemKey("case " + std::to_string(i)));
+        QCOMPARE(keys.size(), std::size_t(100000));
+        QCOMPARE(keys.begin()->size(), std::size_t(32));
+    }
+};
+
+TOUCHDOWN_TEST(TestItemStudy)
+
+} // namespace test_item_study
+
+#include "test_item_study.moc"
