@@ -7,6 +7,7 @@ build_packages=(
     qt6-base-dev qt6-charts-dev qt6-svg-dev
     libqt6opengl6-dev # Qt Charts is not found without it
     libeigen3-dev libfftw3-dev libhdf5-dev libtomlplusplus-dev libudunits2-dev libzip-dev libcli11-dev
+    libboost-dev # quasi-random points
     libdxflib-dev nlohmann-json3-dev
     fonts-dejavu-core # without a font, every letter is an empty box
 )

@@ -34,6 +34,7 @@ set(rooms
     core/studies/study
     core/studies/lesson
     core/studies/runs
+    core/studies/sweep
     core/studies/precision
     core/studies/stability
     core/studies/hysteresis
@@ -44,6 +45,7 @@ set(rooms
     core/studies/design
     core/studies/statements
     core/studies
+    core/studies/engine
     ui/style
     ui/calculation
     ui/plot

@@ -22,6 +22,12 @@ struct CommandArguments {
     std::string out;                   // HDF5; "" for none
     std::string csv;                   // "" for none
     std::string apply;                 // the case that the study found; "" for none
+    std::string part;                  // "K/N" of a list study; "" for all of it
+    std::vector<std::string> join;     // files of parts
+    bool resume = false;               // a list study goes on in its file
+    std::string engine;                // of a list study: "local", "slurm", "command"; "" for this process
+    int parts = 0;                     // of the engine; 0: not given
+    std::string sbatch, submit;        // options of sbatch; the command of the launcher
     int jobs = 0;                      // 0: as many as there are cores
     bool fixedAttitude = false;
     bool asTemplate = false; // print a study of the case instead

@@ -93,6 +93,18 @@ void addStudy(CLI::App& command, CommandArguments& arguments, const std::string&
         ->type_name("KEY=VALUE");
     addFile(command, "--out", arguments.out, "Writes findings, charts and tables as HDF5", "FILE.h5");
     addFile(command, "--csv", arguments.csv, "Writes the first table as CSV", "FILE.csv");
+    command.add_option("--part", arguments.part, "Of a list, such as a sweep: items K, K + N, K + 2 N, ... alone")
+        ->type_name("K/N");
+    command.add_option("--join", arguments.join, "Of a list: joins the files of all its parts")
+        ->type_name("FILE.h5 ...");
+    command.add_flag("--resume", arguments.resume, "Of a list: goes on in the file of --out, without the items in it");
+    command.add_option("--engine", arguments.engine, "Of a list: solves its parts elsewhere; --out is then a folder")
+        ->type_name("local|slurm|command");
+    command.add_option("--parts", arguments.parts, "Number of parts for --engine")->check(CLI::Range(1, 100000));
+    command.add_option("--sbatch", arguments.sbatch, "Options of sbatch, such as \"--time=1:00:00 --partition=long\"")
+        ->type_name("\"...\"");
+    command.add_option("--submit", arguments.submit, "For --engine command, such as \"parallel -j8\"")
+        ->type_name("\"...\"");
     if (kind.findsCase)
         addFile(command, "--apply", arguments.apply, "Writes the case that the study found", "FILE.toml");
     command.add_option("--jobs", arguments.jobs, "Number of solutions in parallel; default: the number of cores")
@@ -108,6 +120,21 @@ std::vector<std::string> namesOf(const CLI::App& app)
     for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
         names.push_back(command->get_name());
     return names;
+}
+
+/// `touchdown study FILE` where the file names its kind.
+void addKind(std::vector<std::string>& words)
+{
+    if (words.size() < 2 || words.front() != "study") return;
+    const auto isKind = [](const std::string& word) {
+        return std::ranges::find(studyKinds(), word, &StudyKind::name) != studyKinds().end();
+    };
+    if (std::ranges::any_of(words, isKind) || (!words[1].starts_with("--join") && words[1].starts_with('-'))) return;
+    for (std::size_t i = 1; i < words.size(); ++i)
+        if (const std::string kind = studyKindIn(words[i]); isKind(kind)) {
+            words.insert(words.begin() + 1, kind);
+            return;
+        }
 }
 
 /// `touchdown help run` means `touchdown run --help`.
@@ -193,7 +220,8 @@ int refuseArguments(const CLI::App& app, const CLI::ParseError& error, bool json
 /// Parses the arguments, runs the command and returns an ExitCode.
 int commandLine(int argc, char** argv)
 {
-    const std::vector<std::string> words = argumentsOf(argc, argv);
+    std::vector<std::string> words = argumentsOf(argc, argv);
+    addKind(words);
     std::optional<StopSignals> signals;
     if (!words.empty() && runsLong(words.front())) {
         signals.emplace();
@@ -299,6 +327,8 @@ int commandLine(int argc, char** argv)
         for (const CLI::App* kind : kinds) {
             if (!kind->parsed()) continue;
             arguments.kind = kind->get_name();
+            // The parts hold the study.
+            if (arguments.name.empty() && !arguments.join.empty()) arguments.name = arguments.join.front();
             findCase(*kind, arguments, "FILE, a study or a case, or a sample of `touchdown list`,");
         }
         addShortcut(arguments.kind, "tolerance", tolerance, arguments.options);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/commands/describe_readings.h"
 #include "app/commands/study_command.h"
 #include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
@@ -271,6 +272,7 @@ std::optional<int> describeStudy(const std::string& key, bool json)
     constexpr std::string_view prefix = "study.";
     if (key == "study") return describeKinds(json);
     const std::string name = key.starts_with(prefix) ? key.substr(prefix.size()) : key;
+    if (name == "sweep.readings" || name == "readings") return describeReadings(json);
     for (const StudyKind& kind : studyKinds()) {
         if (name == kind.name) return describeKind(kind, {}, json);
         if (name.starts_with(kind.name + '.')) return describeKind(kind, name.substr(kind.name.size() + 1), json);

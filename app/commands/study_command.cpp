@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/commands/case_commands.h"
+#include "app/commands/list_study.h"
 #include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
@@ -227,7 +228,10 @@ std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArgumen
         problems.push_back({"", 0, "--out",
                             "writes findings, charts and tables as HDF5; write the case that was found with --apply " +
                                 arguments.out});
-    std::ranges::move(targetProblems(targetsOf(arguments), plan.inputs), std::back_inserter(problems));
+    std::vector<std::filesystem::path> inputs = plan.inputs;
+    for (const std::string& part : arguments.join) inputs.emplace_back(part);
+    if (arguments.resume) std::erase(inputs, std::filesystem::path(arguments.out)); // it goes on in its file
+    std::ranges::move(targetProblems(targetsOf(arguments), inputs), std::back_inserter(problems));
     return problems;
 }
 
@@ -276,32 +280,45 @@ void warnOf(const StudyPlan& plan)
     for (const auto* list : {&plan.start.warnings, &plan.start.unused}) complainOf(*list, "warning: ");
 }
 
-int studyCommand(const CommandArguments& arguments)
+int studyCommand(const CommandArguments& given)
 {
-    if (arguments.asTemplate) return printTemplate(arguments);
+    if (given.asTemplate) return printTemplate(given);
+    CommandArguments arguments = given;
+    if (!arguments.engine.empty() && !arguments.out.empty()) {
+        std::error_code error; // what cannot be written is told below
+        std::filesystem::create_directories(arguments.out, error);
+        arguments.out = std::filesystem::absolute(std::filesystem::path(arguments.out) / "result.h5").string();
+    }
     const StudyPlan plan =
         openStudy(arguments.kind, arguments.name, arguments.settings, arguments.options, arguments.outside());
     warnOf(plan);
-    if (const auto problems = problemsOf(plan, arguments); !problems.empty()) return refuse(problems, arguments.json);
+    ListStudy list;
+    std::vector<InputProblem> wrong = problemsOf(plan, arguments);
+    list.check(plan, arguments, wrong);
+    if (!wrong.empty()) return refuse(wrong, arguments.json);
     TargetLocks locks({{"--csv", arguments.csv}, {"--apply", arguments.apply}});
     if (!locks.problems().empty()) return refuse(locks.problems(), arguments.json);
     StudyWriter out;
     if (!arguments.out.empty()) {
         const Case& c = plan.start.value;
         // The text holds the contents of the files that the case names: the report needs no other file.
-        const std::string problem =
-            out.open(arguments.out, {plan.kind, plan.title, c, updateCaseText(plan.start.text, c), plan.text});
+        const std::string problem = out.open(
+            arguments.out, {plan.kind, plan.title, c, updateCaseText(plan.start.text, c), plan.text, plan.options});
         if (!problem.empty()) return refuse({{"", 0, "--out", problem}}, arguments.json);
+        if (const std::string taken = plan.performList ? list.open(arguments) : ""; !taken.empty())
+            return refuse({{"", 0, "--out", taken}}, arguments.json);
     }
 
     ProgressLine line(arguments.progress);
-    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    StudyReport report = plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, [&](const StudyProgress& progress) {
+    const StudyCallback follow = [&](const StudyProgress& progress) {
         // A state that cannot be written is no reason to stop: the problem is reported when the final report is
         // written.
         if (!arguments.out.empty()) out.update(progress.soFar);
         return line.show({progress.share, progress.doing});
-    });
+    };
+    const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    StudyReport report = plan.performList ? list.perform(plan, arguments, follow)
+                                          : plan.perform(arguments.jobs > 0 ? arguments.jobs : cores, follow);
     if (report.status == StudyStatus::Completed) line.show({1.0}); // also of a study that reports no progress
     line.end();
     locks.release();
@@ -309,7 +326,12 @@ int studyCommand(const CommandArguments& arguments)
     if (!problems.empty()) {
         report.status = StudyStatus::Failed;
         report.message = problems.front();
+    } else {
+        list.close();
     }
+    if (arguments.resume)
+        complain(std::to_string(list.taken(report)) + " of " + counted(report.items.size(), "item") +
+                 " were there already");
     print(arguments.json ? studyJson(report) : studyText(report, outputWidth()));
     if (report.status != StudyStatus::Completed) {
         complain(statusText(name(report.status), report.message));

@@ -32,6 +32,7 @@
 #include "core/studies/study/study_file_reader.h"
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
+#include "core/studies/sweep/sweep.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -211,6 +212,10 @@ CaseDocument openSample(const std::string& kind, const std::string& name, Outsid
 std::span<const StudyKind> studyKinds()
 {
     static const std::vector<StudyKind> kinds{
+        {"sweep", "Any values of a case, varied",
+         "Runs a case, or solves its static state or modes, over lists of values, grids or samples of any keys: one "
+         "table, curves, maps, correlations",
+         planSweep, sweepForm},
         {"work-precision", "Accuracy against speed",
          "Runs a case by several methods with several settings: the error of each against a proven reference, and its "
          "time",

@@ -189,11 +189,12 @@ void TestCommandLine::validateStudies()
     QCOMPARE(
         said("case = \"fig10a\"\n"),
         QByteArray(
-            "a.toml: kind: is missing: it is one of work-precision, stability, hysteresis, cycles, response, advise, "
+            "a.toml: kind: is missing: it is one of sweep, work-precision, stability, hysteresis, cycles, response, "
+            "advise, "
             "design, convergence, statements\n"));
     QCOMPARE(
         said("case = \"fig10a\"\nkind = \"hysterese\"\n"),
-        QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of work-precision, "
+        QByteArray("a.toml:2: kind: \"hysterese\" is no kind of study: allowed is one of sweep, work-precision, "
                    "stability, hysteresis, cycles, response, advise, design, convergence, statements; did you mean "
                    "hysteresis?\n"));
     QCOMPARE(said("case = \"fig10a\"\nkind = \"hysteresis\"\n[set]\nrun.step = \"1 nm\"\n").left(24),
@@ -341,7 +342,8 @@ void TestCommandLine::describeStudies()
     QCOMPARE(folder_->touchdown({"describe", "hysteresis.step"}).err,
              QByteArray("step: unknown key of a study of kind hysteresis; did you mean steps?\n"));
     QVERIFY(folder_->touchdown({"describe", "hysteresys"}).err.contains("did you mean hysteresis?"));
-    QVERIFY(folder_->touchdown({"describe", "study.hysteresys"}).err.contains("allowed is one of work-precision, "));
+    QVERIFY(
+        folder_->touchdown({"describe", "study.hysteresys"}).err.contains("allowed is one of sweep, work-precision, "));
 }
 
 TOUCHDOWN_TEST(TestCommandLine)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <csignal>
+#include <random>
 
 #include "core/studies/study/study_file_reader.h"
 #include "core/studies/study_plan.h"
@@ -139,6 +140,93 @@ private slots:
         QCOMPARE(folder_->files(), (QStringList{"a.h5", "a.toml", "b.h5"}));
     }
 
+    /// A file that names its kind needs no word, and one that a study wrote goes on as it is.
+    void aFileThatNamesItsKind()
+    {
+        folder_->put("a.toml", sweep_);
+        const Outcome o = folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--csv", "a.csv"});
+        QCOMPARE(o.code, 0);
+        const Outcome again = folder_->touchdown({"study", "a.h5", "--out", "a.h5", "--csv", "b.csv", "--resume"});
+        QVERIFY2(again.err.contains("30 of 30 items were there already"), again.err);
+        QCOMPARE(read("b.csv"), read("a.csv"));
+    }
+    /// Parts on several computers give what one run gives.
+    void partsAndJoin()
+    {
+        folder_->put("a.toml", sweep_);
+        QCOMPARE(folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--csv", "a.csv"}).code, 0);
+        QStringList parts;
+        for (const char* part : {"1", "2", "3"}) {
+            parts << QString("p%1.h5").arg(part);
+            const Outcome o = folder_->touchdown(
+                {"study", "a.toml", "--part", QString("%1/3").arg(part), "--out", parts.last(), "--jobs", part});
+            QCOMPARE(o.code, 0);
+        }
+        const Outcome joined =
+            folder_->touchdown(QStringList{"study", "--join"} + parts + QStringList{"--out", "b.h5", "--csv", "b.csv"});
+        QVERIFY2(joined.code == 0, joined.err);
+        QCOMPARE(read("b.csv"), read("a.csv"));
+        const StudyReport whole = readStudy(folder_->path("a.h5").toStdString()).report,
+                          all = readStudy(folder_->path("b.h5").toStdString()).report;
+        QCOMPARE(all.findings, whole.findings);
+        QVERIFY(all.tables[0].rows == whole.tables[0].rows);
+        const Outcome missing = folder_->touchdown({"study", "--join", "p1.h5", "p3.h5", "--out", "c.h5"});
+        QCOMPARE(missing.code, 1);
+        QVERIFY2(missing.err.contains("10 items of 30 have no row in these files"), missing.err);
+    }
+    /// Killed at any moment and continued: the same table, and nothing is solved twice.
+    void killedAndContinued()
+    {
+        folder_->put("a.toml", sweep_);
+        QCOMPARE(folder_->touchdown({"study", "a.toml", "--csv", "a.csv"}).code, 0);
+        std::mt19937 random(1);
+        int kills = 0;
+        for (int trial = 0; trial < 4; ++trial) {
+            const QString out = QString("k%1.h5").arg(trial);
+            const QStringList arguments{"study", "a.toml", "--out", out, "--csv", "k.csv", "--resume", "--jobs", "2"};
+            for (int rows = 0; rows < 20;) {
+                QProcess process;
+                process.setWorkingDirectory(folder_->path());
+                process.start(TOUCHDOWN_COMMAND, arguments);
+                const int wanted = rows + 1 + int(random() % 8);
+                QTRY_VERIFY_WITH_TIMEOUT(
+                    (rows = linesOf(out + ".items")) > wanted || process.state() == QProcess::NotRunning, 60000);
+                process.kill();
+                QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(20000));
+                ++kills;
+                if (!QFile::exists(folder_->path(out + ".items"))) break;
+            }
+            const int before = linesOf(out + ".items") - 1;
+            const Outcome o = folder_->touchdown(arguments);
+            QCOMPARE(o.code, 0);
+            if (before >= 0)
+                QVERIFY2(o.err.contains(QByteArray::number(before) + " of 30 items were there already"), o.err);
+            QCOMPARE(read("k.csv"), read("a.csv"));
+            QVERIFY(!QFile::exists(folder_->path(out + ".items")));
+        }
+        QVERIFY(kills >= 4);
+    }
+    /// Rows of an interrupted study are not thrown away by a command that does not ask for them.
+    void nobodysWorkIsLost()
+    {
+        folder_->put("a.toml", sweep_);
+        folder_->put("a.h5.items", "touchdown-items 1\nkey\t1\t" + checkOf("key\t1") + "\n");
+        const Outcome o = folder_->touchdown({"study", "a.toml", "--out", "a.h5"});
+        QCOMPARE(o.code, 2);
+        QVERIFY2(o.err.contains("holds 1 row of a study that was interrupted; go on with --resume"), o.err);
+        QCOMPARE(folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--resume"}).code, 0);
+    }
+    /// An axis with one more value solves what is new alone.
+    void aChangedAxis()
+    {
+        folder_->put("a.toml", sweep_);
+        QCOMPARE(folder_->touchdown({"study", "a.toml", "--out", "a.h5"}).code, 0);
+        folder_->put("a.toml", QByteArray(sweep_).replace("count = 6", "count = 11"));
+        const Outcome o = folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--resume"});
+        QCOMPARE(o.code, 0);
+        QVERIFY2(o.err.contains("30 of 55 items were there already"), o.err);
+    }
+
     void refuses_data()
     {
         QTest::addColumn<QStringList>("arguments");
@@ -147,13 +235,23 @@ private slots:
             QTest::newRow(name) << arguments << says;
         };
         row("no study", {"study"},
-            "study: a kind (work-precision, stability, hysteresis, cycles, response, advise, design, convergence");
-        row("a study that is not there", {"study", "sweep", "contact_hertz"}, "sweep");
+            "study: a kind (sweep, work-precision, stability, hysteresis, cycles, response, advise, design, "
+            "convergence");
+        row("a study that is not there", {"study", "swep", "contact_hertz"}, "did you mean sweep?");
         row("no file", {"study", "hysteresis"}, "hysteresis: FILE");
         row("a file that is not there", {"study", "hysteresis", "b.toml"}, "b.toml: is neither a file, ");
         row("another kind", {"study", "stability", "a.toml"}, "a.toml:1: kind: is \"hysteresis\", not \"stability\"");
         row("a design by name", {"study", "hysteresis", "film_fig1_micro_pa"}, "film_fig1_micro_pa: ");
         row("a directory", {"study", "hysteresis", "."}, ".: ");
+        row("a part of no list", {"study", "hysteresis", "fig10a", "--part", "1/2", "--out", "b.h5"},
+            "--part: is for a study that is a list of items");
+        row("a part beyond", {"study", "sweep", "fig10a", "--part", "3/2", "--out", "b.h5"}, "--part: must be K/N");
+        row("no part", {"study", "sweep", "fig10a", "--part", "1", "--out", "b.h5"}, "--part: must be K/N");
+        row("a part without a file", {"study", "sweep", "fig10a", "--part", "1/2"}, "--part: needs --out FILE.h5");
+        row("resumed without a file", {"study", "sweep", "fig10a", "--resume"}, "--resume: needs --out FILE.h5");
+        row("joined from nothing", {"study", "sweep", "fig10a", "--join", "no.h5", "--out", "b.h5"}, "--join: no.h5");
+        row("joined from a part of a part",
+            {"study", "sweep", "fig10a", "--join", "no.h5", "--out", "b.h5", "--part", "1/2"}, "--join: stands alone");
         row("a bad setting", {"study", "hysteresis", "fig10a", "--set", "run.duratio=1"},
             "--set: run.duratio: unknown key; did you mean run.duration?");
         row("a bad option", {"study", "hysteresis", "fig10a", "--option", "step=1"},
@@ -181,8 +279,6 @@ private slots:
         row("a misspelt kind", {"study", "hysteresys", "fig10a"},
             "\"hysteresys\" is no kind of study; did you mean hysteresis?");
         row("no kind at all", {"study", "bogus", "fig10a"}, "\"bogus\" is no kind of study: allowed is one of ");
-        row("a study without its kind", {"study", "a.toml", "--json"},
-            "did you mean `touchdown study hysteresis a.toml --json`?");
         row("a misspelt option", {"study", "hysteresis", "fig10a", "--option", "steps=3", "--jsom"},
             "hysteresis: --jsom is no option; did you mean --json?");
         row("two studies", {"study", "hysteresis", "fig10a", "--json", "fig10b"},
@@ -247,6 +343,23 @@ private slots:
     }
 
 private:
+    QByteArray read(const QString& name) const
+    {
+        QFile file(folder_->path(name));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    int linesOf(const QString& name) const { return int(read(name).count('\n')); }
+    static QByteArray checkOf(const QByteArray& text)
+    {
+        std::uint64_t hash = 0xcbf29ce484222325ULL;
+        for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+        return QByteArray::number(qulonglong(hash), 16).rightJustified(16, '0');
+    }
+    const QByteArray sweep_ =
+        "study = \"sweep\"\ncase = \"fig10a\"\nset = { \"run.duration\" = \"100 us\" }\n[[axis]]\nkey = "
+        "\"initial.flying_height\"\nfrom = \"5 nm\"\nto = \"30 nm\"\ncount = 6\n[[axis]]\nkey = "
+        "\"ono_yamane.meniscus_force\"\nfrom = \"1 mN\"\nto = \"9 mN\"\ncount = 5\n[[reading]]\nquantity = "
+        "\"flying_height\"\n[[reading]]\nquantity = \"motion\"\n";
     const QStringList quick_{"--option", "steps=2", "hold=20 us", "equilibria=false"};
     std::unique_ptr<CommandFolder> folder_;
 };

@@ -108,7 +108,7 @@ private slots:
         const QString readme = textOf("README.md");
         for (const StudyKind& kind : studyKinds()) {
             const bool sample = std::ranges::any_of(sampleStudyTexts(), [&](const SampleStudyText& study) {
-                return study.text.find("kind = \"" + kind.name + "\"") != std::string::npos;
+                return study.text.find("\"" + kind.name + "\"") != std::string::npos;
             });
             const bool scene = std::ranges::any_of(sampleCases(), [&](const SampleCase& each) {
                 const Case c = openCase(each.name).value;

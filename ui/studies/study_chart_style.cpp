@@ -9,6 +9,7 @@
 #include <QFontMetricsF>
 
 #include "core/studies/study/study.h"
+#include "ui/plot/colour_scale.h"
 
 namespace touchdown {
 
@@ -136,9 +137,15 @@ std::vector<ClassStyle> classStyles(const std::vector<ChartClass>& classes, cons
     for (const ChartClass& c : classes) {
         const auto severity = static_cast<std::size_t>(std::clamp(c.severity, 0, mostSevere));
         ClassStyle style;
-        style.colour = severityColour(c.severity, dark);
-        style.pattern = patterns[asSevere[severity]++ % patterns.size()];
-        style.letter = freeLetter(QString::fromStdString(c.name), letters);
+        if (c.shade >= 0.0) {
+            style.colour = mapColour(ColourMap::Viridis, c.shade);
+            style.letter = QChar('A' + static_cast<int>(styles.size() % 26)); // in the order of the scale
+            letters += style.letter;
+        } else {
+            style.colour = severityColour(c.severity, dark);
+            style.pattern = patterns[asSevere[severity]++ % patterns.size()];
+        }
+        if (style.letter.isNull()) style.letter = freeLetter(QString::fromStdString(c.name), letters);
         style.ink = qGray(style.colour.rgb()) > 125 ? QColor("#14181c") : QColor("#ffffff");
         styles.push_back(style);
     }

@@ -27,7 +27,7 @@ namespace {
 /// The kind that the study's text names; empty if it names none.
 QString kindIn(const QString& text)
 {
-    const TomlDocument toml = readToml(text.toStdString());
+    const TomlDocument toml = readStudyText(text.toStdString());
     const auto entry = std::ranges::find(toml.entries, "kind", &TomlEntry::key);
     const auto* kind = entry == toml.entries.end() ? nullptr : std::get_if<std::string>(&entry->value);
     return kind == nullptr ? QString() : QString::fromStdString(*kind);

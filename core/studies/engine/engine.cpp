@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/engine/engine.h"
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+#include <system_error>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "core/case_files/case_text.h"
+#include "core/formats/text_file.h"
+#include "core/formats/words.h"
+#include "core/studies/engine/shell.h"
+#include "core/studies/study/item_journal.h"
+#include "core/studies/study/study_file.h"
+#include "core/studies/study/study_file_reader.h"
+#include "core/studies/study_plan.h"
+#include "core/work/wall_clock.h"
+
+namespace touchdown {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double betweenLooks = 2.0;   // at files and queue [s]
+constexpr double latencyOfFiles = 6.0; // after which a file that another computer wrote must be there [s]
+constexpr std::size_t lastOfLog = 300; // characters of a part's log in a message
+
+/// A part as its files tell it.
+struct Part {
+    std::size_t number = 1;
+    std::size_t items = 0; // that it has in all
+    std::size_t rows = 0;  // that are solved
+    bool done = false;
+    bool alive = false; // waits or runs
+    bool submitted = false;
+    double endedAt = 0.0;       // wall clock at which it was first seen without a job [s]; 0: it has one
+    std::size_t rowsBefore = 0; // when it was submitted last
+    int tries = 0;              // in a row without a new row
+    std::string problem{};      // of its file
+};
+
+std::string replaced(std::string text, const std::string& what, const std::string& by)
+{
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+        text.replace(at, what.size(), by);
+    return text;
+}
+
+std::size_t linesIn(const fs::path& file)
+{
+    std::ifstream in(file, std::ios::binary);
+    std::size_t lines = 0;
+    std::vector<char> block(1 << 16);
+    while (in.read(block.data(), std::streamsize(block.size())), in.gcount() > 0)
+        lines += std::size_t(std::count(block.begin(), block.begin() + in.gcount(), '\n'));
+    return lines;
+}
+
+class Engine {
+public:
+    Engine(const StudyPlan& plan, const EngineTask& task, const StudyCallback& callback,
+           const std::function<void(const std::string&)>& tell)
+        : plan_(plan), task_(task), callback_(callback), tell_(tell), folder_(fs::absolute(task.folder))
+    {
+        for (std::size_t k = 1; k <= task.parts; ++k) {
+            parts_.emplace_back().number = k;
+            parts_.back().items = ItemPart{k, task.parts}.size(plan.items);
+        }
+    }
+
+    StudyReport perform()
+    {
+        if (std::string problem = prepare(); !problem.empty()) return failed(problem);
+        while (true) {
+            if (std::string problem = look(); !problem.empty()) return failed(problem);
+            if (std::ranges::all_of(parts_, &Part::done)) return join();
+            if (std::string problem = submitWhatIsNotDone(); !problem.empty()) return failed(problem);
+            if (!wait()) return left();
+        }
+    }
+
+private:
+    fs::path fileOf(const Part& part) const { return folder_ / ("part_" + std::to_string(part.number) + ".h5"); }
+    fs::path logOf(const Part& part) const { return folder_ / "log" / (std::to_string(part.number) + ".txt"); }
+    fs::path script() const { return folder_ / "part.sh"; }
+
+    static StudyReport failed(std::string reason)
+    {
+        StudyReport report;
+        report.status = StudyStatus::Failed;
+        report.message = std::move(reason);
+        return report;
+    }
+
+    StudyReport left() const
+    {
+        StudyReport report;
+        report.status = StudyStatus::Cancelled;
+        report.message = task_.kind == EngineKind::Slurm
+                             ? "the jobs go on; the same command follows them again and joins their parts"
+                             : "stopped; the same command goes on with what is solved";
+        return report;
+    }
+
+    /// The folder with the study and the script. Returns the problem, or "".
+    std::string prepare()
+    {
+        std::error_code error;
+        fs::create_directories(folder_ / "log", error);
+        if (error) return "cannot make the folder " + folder_.string() + ": " + error.message();
+        const fs::path study = folder_ / "study.h5";
+        const Case& c = plan_.start.value;
+        const std::string caseText = updateCaseText(plan_.start.text, c);
+        if (fs::exists(study)) {
+            const StoredStudy stored = readStudy(study);
+            if (!stored.problem.empty()) return stored.problem;
+            if (stored.caseText != caseText || stored.studyText != plan_.text || stored.options != plan_.options)
+                return folder_.string() +
+                       " holds another study, or this one before it was changed; name another folder";
+        } else {
+            StudyReport empty;
+            empty.kind = plan_.kind;
+            empty.title = plan_.title;
+            StudyWriter writer;
+            std::string problem = writer.open(study, {plan_.kind, plan_.title, c, caseText, plan_.text, plan_.options});
+            if (problem.empty()) problem = writer.finish(interruptedReport(empty));
+            if (!problem.empty()) return problem;
+        }
+        // Another number of parts would leave files of the first ones.
+        if (fs::exists(script())) {
+            const auto text = readTextFile(script(), 1 << 20);
+            const auto* before = std::get_if<std::string>(&text);
+            if (before != nullptr && before->find("parts=" + std::to_string(task_.parts) + "\n") == std::string::npos)
+                return folder_.string() + " was made for another number of parts (part.sh)";
+        } else if (std::string problem = writeTextFile(script(), scriptText()); !problem.empty()) {
+            return script().string() + ": " + problem;
+        }
+        fs::permissions(script(), fs::perms::owner_exec, fs::perm_options::add, error);
+        readJobs();
+        return {};
+    }
+
+    std::string scriptText() const
+    {
+        std::string text = "#!/bin/bash\n";
+        if (task_.kind == EngineKind::Slurm)
+            text += "#SBATCH --job-name=touchdown\n#SBATCH --output=" + (folder_ / "log" / "%a.txt").string() +
+                    "\n#SBATCH --open-mode=append\n#SBATCH --cpus-per-task=" + std::to_string(task_.jobs) + "\n";
+        return text +
+               "# Solves one part of the study: part $1, or the one that Slurm names. What its file holds already is "
+               "not\n"
+               "# solved again.\n"
+               "parts=" +
+               std::to_string(task_.parts) +
+               "\n"
+               "part=${1:-$SLURM_ARRAY_TASK_ID}\n"
+               "cd " +
+               shellWord(folder_.string()) + " || exit 1\n" + (task_.kind == EngineKind::Slurm ? "exec " : "") +
+               shellWord(task_.program.string()) + " study " + plan_.kind +
+               " study.h5 --part \"$part/$parts\" --out \"part_$part.h5\" --resume --jobs " +
+               std::to_string(task_.jobs) +
+               (task_.kind == EngineKind::Slurm ? " > /dev/null\n" : " > /dev/null 2>> \"log/$part.txt\"\n");
+    }
+
+    void readJobs()
+    {
+        std::ifstream in(folder_ / "jobs.txt");
+        for (std::string job; in >> job;) jobs_.push_back(job);
+    }
+
+    /// What is done, by the files; what waits or runs, by the queue. Returns the problem, or "".
+    std::string look()
+    {
+        for (Part& part : parts_) {
+            if (part.done) continue;
+            const fs::path journal = ItemJournal::besides(fileOf(part));
+            std::error_code error;
+            if (fs::exists(journal, error)) {
+                const std::size_t lines = linesIn(journal);
+                part.rows = std::max(part.rows, std::min(lines > 0 ? lines - 1 : 0, part.items));
+            } else if (fs::exists(fileOf(part), error)) {
+                const StoredStudy stored = readStudy(fileOf(part));
+                part.rows = stored.report.items.size();
+                part.problem = stored.problem;
+                part.done = stored.problem.empty() && part.rows >= part.items;
+            }
+            part.done = part.done || part.items == 0;
+        }
+        if (task_.kind == EngineKind::Slurm) return lookAtQueue();
+        const bool runs = process_ && !process_->ended();
+        for (Part& part : parts_) part.alive = runs && part.submitted;
+        if (process_ && !runs) process_.reset();
+        return {};
+    }
+
+    std::string lookAtQueue()
+    {
+        std::set<std::size_t> alive;
+        std::erase_if(jobs_, [&](const std::string& job) {
+            const ShellAnswer answer = askShell("squeue -h -r -j " + shellWord(job) + " -o %K");
+            if (answer.code != 0) {
+                // A job that ended some minutes ago is not known any more; anything else may pass.
+                if (answer.output.find("Invalid job id") != std::string::npos) return true;
+                queueKnown_ = false;
+                return false;
+            }
+            std::istringstream tasks(answer.output);
+            bool any = false;
+            for (std::size_t task = 0; tasks >> task;) any = alive.insert(task).second || any;
+            return !any && answer.output.empty();
+        });
+        if (!std::exchange(queueKnown_, true)) {
+            if (silentSince_ == 0.0) {
+                silentSince_ = wallClock();
+                tell_("the queue of Slurm does not answer; looking again");
+            }
+            return {};
+        }
+        silentSince_ = 0.0;
+        for (Part& part : parts_) {
+            part.alive = alive.contains(part.number);
+            part.submitted = part.submitted || part.alive;
+        }
+        return {};
+    }
+
+    /// Returns the problem, or "".
+    std::string submitWhatIsNotDone()
+    {
+        if (silentSince_ > 0.0 || process_) return {};
+        std::vector<std::string> numbers;
+        std::vector<Part*> submitted;
+        for (Part& part : parts_) {
+            if (part.done || part.alive) {
+                part.endedAt = 0.0;
+                continue;
+            }
+            if (part.submitted) {
+                if (part.endedAt == 0.0) part.endedAt = wallClock();
+                if (wallClock() - part.endedAt < (task_.kind == EngineKind::Slurm ? latencyOfFiles : 0.0)) continue;
+                part.tries = part.rows > part.rowsBefore ? 1 : part.tries + 1;
+                if (part.tries >= task_.tries)
+                    return "part " + std::to_string(part.number) + " ended " + std::to_string(part.tries) +
+                           " times without solving an item" +
+                           (part.problem.empty() ? lastWords(part) : ": " + part.problem);
+                tell_("part " + std::to_string(part.number) + " ended with " + std::to_string(part.rows) + " of " +
+                      counted(part.items, "item") + "; submitted again");
+            }
+            numbers.push_back(std::to_string(part.number));
+            submitted.push_back(&part);
+        }
+        if (numbers.empty()) return {};
+        if (std::string problem = submit(numbers); !problem.empty()) return problem;
+        for (Part* part : submitted) {
+            part->submitted = part->alive = true;
+            part->rowsBefore = part->rows;
+            part->endedAt = 0.0;
+        }
+        return {};
+    }
+
+    std::string submit(const std::vector<std::string>& numbers)
+    {
+        if (task_.kind != EngineKind::Slurm) {
+            std::string command =
+                task_.kind == EngineKind::Local ? "for part in {parts}; do {script} $part; done" : task_.submit;
+            if (command.find("{script}") == std::string::npos && command.find("{parts}") == std::string::npos)
+                command += " {script} ::: {parts}";
+            command = replaced(std::move(command), "{script}", shellWord(script().string()));
+            command = replaced(std::move(command), "{parts}", joined(numbers, " "));
+            process_ = std::make_unique<ShellProcess>(command + " 2>> " +
+                                                      shellWord((folder_ / "log" / "launcher.txt").string()));
+            return {};
+        }
+        const ShellAnswer answer = askShell("sbatch --parsable --array=" + joined(numbers, ",") + " " + task_.options +
+                                            " " + shellWord(script().string()));
+        if (answer.code != 0) return "sbatch refused the jobs: " + std::string(trimmed(answer.output));
+        std::istringstream lines(answer.output);
+        std::string job, line;
+        while (std::getline(lines, line)) // a plugin may write lines of its own before
+            if (!line.empty() && line.find_first_not_of("0123456789;abcdefghijklmnopqrstuvwxyz_-") == std::string::npos)
+                job = line.substr(0, line.find(';'));
+        if (job.empty()) return "sbatch gave no number of a job: " + std::string(trimmed(answer.output));
+        jobs_.push_back(job);
+        std::ofstream(folder_ / "jobs.txt", std::ios::app) << job << '\n';
+        return {};
+    }
+
+    std::string lastWords(const Part& part) const
+    {
+        for (const fs::path& file : {logOf(part), folder_ / "log" / "launcher.txt"}) {
+            const auto text = readTextFile(file, 1 << 24, FileContent::Any);
+            const auto* log = std::get_if<std::string>(&text);
+            if (log == nullptr || trimmed(*log).empty()) continue;
+            const std::string_view all = trimmed(*log);
+            return ": " + std::string(all.substr(all.size() - std::min(all.size(), lastOfLog)));
+        }
+        return {};
+    }
+
+    /// Tells the progress until the next look; false to stop.
+    bool wait()
+    {
+        std::size_t rows = 0, done = 0, alive = 0;
+        for (const Part& part : parts_) {
+            rows += part.done ? part.items : part.rows;
+            done += part.done ? 1 : 0;
+            alive += part.alive ? 1 : 0;
+        }
+        const std::string doing = std::to_string(rows) + " of " + counted(plan_.items, "item") + ", " +
+                                  std::to_string(done) + " of " + counted(parts_.size(), "part") + " done, " +
+                                  std::to_string(alive) + " under way";
+        const double until = wallClock() + betweenLooks;
+        do {
+            if (callback_ && !callback_({double(rows) / double(std::max<std::size_t>(plan_.items, 1)), doing, nullptr}))
+                return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+            if (process_ && process_->ended()) return true;
+        } while (wallClock() < until);
+        return true;
+    }
+
+    StudyReport join()
+    {
+        KeptRows kept;
+        for (const Part& part : parts_) {
+            if (part.items == 0) continue;
+            StoredStudy stored = readStudy(fileOf(part));
+            for (StudyItem& item : stored.report.items) kept.emplace(std::move(item.key), std::move(item.row));
+        }
+        return plan_.performList({.jobs = task_.jobs, .kept = &kept, .onlyKept = true}, callback_);
+    }
+
+    const StudyPlan& plan_;
+    const EngineTask& task_;
+    const StudyCallback& callback_;
+    const std::function<void(const std::string&)>& tell_;
+    fs::path folder_;
+    std::vector<Part> parts_;
+    std::vector<std::string> jobs_; // of Slurm, that may be in its queue
+    bool queueKnown_ = true;
+    double silentSince_ = 0.0; // wall clock since which the queue does not answer [s]; 0: it does
+    std::unique_ptr<ShellProcess> process_;
+};
+
+} // namespace
+
+std::string reasonAgainst(EngineKind kind)
+{
+    if (kind != EngineKind::Slurm) return {};
+    for (const char* program : {"sbatch", "squeue"})
+        if (askShell(std::string("command -v ") + program).code != 0)
+            return std::string("there is no ") + program + " on this computer: Slurm is not installed, or not in PATH";
+    return {};
+}
+
+StudyReport performByEngine(const StudyPlan& plan, const EngineTask& task, const StudyCallback& callback,
+                            const std::function<void(const std::string&)>& tell)
+{
+    return Engine(plan, task, callback, tell).perform();
+}
+
+} // namespace touchdown

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/studies/sweep/sweep_form.h"
+
+#include <utility>
+#include <variant>
+
+#include "core/case/case_key.h"
+#include "core/formats/toml_document.h"
+#include "core/formats/units.h"
+#include "core/studies/runs/reading.h"
+
+namespace touchdown {
+
+namespace {
+
+const std::vector<std::string> methods{"grid", "random", "latin-hypercube", "sobol"};
+
+Calculation standardCalculation(const Case& c)
+{
+    return c.model == ModelKind::Film ? Calculation::Steady : Calculation::Run;
+}
+
+/// What a sweep of this case varies and reads where its file does not say.
+struct Standard {
+    std::string axis; // a key; empty where none suits
+    std::vector<std::pair<std::string, std::string>> readings{};
+};
+Standard standardOf(const Case& c)
+{
+    switch (c.model) {
+    case ModelKind::Springs:
+        return {"springs.flying_height", {{"flying_height", "end"}, {"minimum_spacing", "least"}, {"motion", ""}}};
+    case ModelKind::Film: return {"disk.speed", {{"minimum_spacing", ""}, {"pitch", ""}, {"roll", ""}}};
+    case ModelKind::Contact: break;
+    }
+    return {"approach.closest", {{"largest_contact_force", ""}}};
+}
+
+} // namespace
+
+std::string standardSweepLists(const Case& c)
+{
+    const Standard standard = standardOf(c);
+    std::string text;
+    const auto found = caseKey(c, standard.axis);
+    if (const auto* key = std::get_if<Parameter>(&found)) {
+        const double own = numberOf(*key, c);
+        const auto shown = [&](double factor) {
+            return tomlString(formatQuantity(roundedIn(factor * own, key->displayUnit, 3), key->displayUnit));
+        };
+        if (own != 0.0)
+            text += "[[axis]]\nkey = " + tomlString(standard.axis) + "\nfrom = " + shown(0.5) + "\nto = " + shown(1.5) +
+                    "\ncount = " + std::to_string(standardSweepCount) + "\n\n";
+    }
+    for (const auto& [quantity, at] : standard.readings)
+        text += "[[reading]]\nquantity = " + tomlString(quantity) + "\n" +
+                (at.empty() ? std::string() : "at = " + tomlString(at) + "\n") + "\n";
+    return text;
+}
+
+StudyForm sweepForm(const Case& c)
+{
+    StudyForm form;
+    form.remark = "Each [[axis]] is a key of the case with its values; each [[reading]] is a column of the table.";
+    form.keys = {
+        choiceKey("calculate", std::string(name(standardCalculation(c))), {"run", "steady", "modes"},
+                  "what is done with each case: a run in time, its static state, or the modes about that"),
+        tableKey("samples", "Instead of a grid over all axes: points that are drawn, with the distribution of each "
+                            "axis."),
+        onlyOffered(choiceKey("samples.method", "grid", methods, "grid: every value of each axis with all others")),
+        onlyOffered(integerKey("samples.count", 64, 1, 10000000, "of the points")),
+        onlyOffered(integerKey("samples.seed", 1, 0, 2147483647, "the same seed draws the same points")),
+        inList(textKey("axis.key", {}, "a key of the case in quotation marks", "what changes along the axis")),
+        inList(listKey("axis.keys", {}, "instead of key: several that take the same value")),
+        inList(listKey("axis.values", {}, "all values; or from, to and count")),
+        inList(textKey("axis.from", {}, "", "first value")),
+        inList(textKey("axis.to", {}, "", "last value")),
+        inList(integerKey("axis.count", standardSweepCount, 1, mostSweepValues, "of the values, both ends included")),
+        inList(choiceKey("axis.spacing", sweepSpacings.front(), sweepSpacings, "distances of the values")),
+        inList(choiceKey("axis.distribution", sweepDistributions.front(), sweepDistributions, "of samples")),
+        inList(textKey("axis.mean", {}, "", "of a normal distribution, which from and to cut off")),
+        inList(textKey("axis.deviation", {}, "", "its standard deviation")),
+        inList(booleanKey("axis.average", false,
+                          "the readings are averaged over this axis; of flies, caught and bounces that is the share")),
+        inList(textKey("reading.quantity", {}, "a name such as \"minimum_spacing\"",
+                       "what is read; `touchdown describe study.sweep.readings` lists all")),
+        inList(textKey("reading.at", "end", "",
+                       "of a quantity over time: end, tail (mean over the last tenth), swing, "
+                       "rms, mean, least, most")),
+    };
+    form.lists = standardSweepLists(c);
+    return form;
+}
+
+} // namespace touchdown

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What a sweep varies and reads, from its file:
+//
+//   calculate = "run"              # run, steady or modes
+//   [[axis]]
+//   key = "springs.flying_height"  # any key of the case; keys = [...] that move together
+//   from = "3 nm"                  # or values = ["3 nm", "5 nm"]
+//   to = "9 nm"
+//   count = 7
+//   [[reading]]
+//   quantity = "flying_height"
+//   at = "end"
+//   [samples]                      # instead of a grid: points drawn over all axes
+//   method = "sobol"
+//   count = 64
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case/case.h"
+#include "core/studies/runs/joint_key.h"
+#include "core/studies/runs/reading.h"
+#include "core/studies/sweep/sample_points.h"
+
+namespace touchdown {
+
+class StudyReader;
+
+struct SweepValue {
+    double number = 0.0; // [unit of the axis]; where its key is no number, the place in the list, from 1
+    std::string text{};  // as a case file writes it; of keys that are no number
+};
+
+struct SweepAxis {
+    Parameter key; // of one or of several that move together
+    ParameterText text;
+    bool isNumber = true;
+    bool logarithmic = false;
+    bool average = false;               // readings are averaged over it
+    std::vector<SweepValue> values{};   // of a grid, or to be drawn from
+    double from = 0.0, to = 0.0;        // of samples, where there are no values [unit]
+    double mean = 0.0, deviation = 0.0; // of a normal distribution between from and to; 0: even [unit]
+
+    /// The value that a share of the probability lies below.
+    SweepValue at(double share) const;
+    std::string nameOf(const SweepValue& value) const;
+    /// "springs_flying_height".
+    std::string columnName() const;
+};
+
+struct SweepSamples {
+    SampleMethod method = SampleMethod::Sobol;
+    std::size_t count = 0;
+    int seed = 1;
+};
+
+struct SweepTask {
+    Case start;
+    Calculation calculate = Calculation::Run;
+    std::vector<SweepAxis> axes;
+    std::optional<SweepSamples> samples{};
+    std::vector<Reading> readings;                 // stated errors behind what they belong to
+    std::vector<std::vector<SweepValue>> points{}; // of samples
+
+    std::size_t count() const;
+    /// A value for each axis. In a grid the last axis runs first.
+    std::vector<SweepValue> valuesOf(std::size_t item) const;
+    Case caseOf(std::size_t item) const;
+};
+
+SweepTask readSweep(StudyReader& reader);
+
+} // namespace touchdown
