@@ -8,6 +8,7 @@
 #include "core/simulation/run.h"
 #include "core/studies/advice/advisor_report.h"
 #include "core/studies/advice/advisor_study.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 
 namespace touchdown {
@@ -29,10 +30,7 @@ StudyReport performAdvice(const AdvisorTask& task, int jobs, const StudyCallback
         return report;
     };
     const auto tell = [&](double share, const std::string& doing, const AdvisorResult* more) {
-        if (!callback) return true;
-        std::optional<StudyReport> soFar;
-        if (more != nullptr) soFar = reportOf(*more);
-        return callback({share, doing, soFar ? &*soFar : nullptr});
+        return tellProgress(callback, {share, doing}, more != nullptr, [&] { return reportOf(*more); });
     };
     return reportOf(advise(task, jobs, tell));
 }

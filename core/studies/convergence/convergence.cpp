@@ -15,6 +15,7 @@
 #include "core/studies/convergence/film_convergence_report.h"
 #include "core/studies/convergence/film_convergence_task.h"
 #include "core/studies/runs/work_done.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/parallel.h"
 #include "core/work/wall_clock.h"
@@ -154,12 +155,9 @@ StudyReport perform(const Case& start, ConvergenceOptions options, int jobs, con
     options.jobs = jobs;
     int told = 0;
     const auto done = [&](int solved, double share, const ConvergenceStudy& study) {
-        if (!callback) return true;
-        std::optional<StudyReport> soFar;
-        if (std::exchange(told, solved) < solved) soFar = convergenceReport(study);
-        return callback({.share = share,
-                         .doing = std::to_string(solved) + " of " + std::to_string(options.levels) + " levels",
-                         .soFar = soFar ? &*soFar : nullptr});
+        return tellProgress(callback,
+                            {share, std::to_string(solved) + " of " + std::to_string(options.levels) + " levels"},
+                            std::exchange(told, solved) < solved, [&] { return convergenceReport(study); });
     };
     return convergenceReport(studyConvergence(start, options, done));
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/simulation/static_state/steady.h"
+#include "core/studies/study/growing_report.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -99,10 +100,8 @@ private:
     /// Between solutions, so that none is being written.
     bool tellSoFar(const std::string& doing)
     {
-        if (!callback_ || !reportOf_) return true;
         findErrors();
-        const StudyReport soFar = reportOf_(study_);
-        return callback_({.share = told_, .doing = doing, .soFar = &soFar});
+        return tellProgress(callback_, {told_, doing}, bool(reportOf_), [this] { return reportOf_(study_); });
     }
 
     bool solveReferences()

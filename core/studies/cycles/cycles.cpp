@@ -19,6 +19,7 @@
 #include "core/studies/cycles/cycle_keys.h"
 #include "core/studies/cycles/cycles_report.h"
 #include "core/studies/hysteresis/held_steps.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/parallel.h"
 
@@ -58,16 +59,9 @@ public:
         whole = whole && runParallel(1, 1, trace, [this](std::size_t) { return tell(0.5 + 0.5 * traced_, "cycles"); });
         CyclesResult& result = found();
         StudyReport report = cyclesReport(task_, result);
-        if (!whole) {
-            report.status = StudyStatus::Cancelled;
-            report.message = "stopped before all cycles were followed";
-            report.findings.clear();
-        } else if (std::ranges::all_of(result.runs,
-                                       [](const BouncingRun& run) { return run.end == BouncingEnd::Failed; })) {
-            report.status = StudyStatus::Failed;
-            report.message = "no run has a valid end: " + result.runs.front().problem;
-            report.findings.clear();
-        }
+        if (!whole) return ended(report, StudyStatus::Cancelled, "stopped before all cycles were followed");
+        if (std::ranges::all_of(result.runs, [](const BouncingRun& run) { return run.end == BouncingEnd::Failed; }))
+            return ended(report, StudyStatus::Failed, "no run has a valid end: " + result.runs.front().problem);
         return report;
     }
 
@@ -169,14 +163,9 @@ private:
 
     bool tell(double share, const std::string& doing)
     {
-        if (!callback_) return true;
         const std::lock_guard lock(mutex_);
-        std::optional<StudyReport> soFar;
-        if (std::exchange(news_, 0) > 0) {
-            soFar = cyclesReport(task_, found());
-            soFar->findings.clear();
-        }
-        return callback_({.share = share, .doing = doing, .soFar = soFar ? &*soFar : nullptr});
+        return tellProgress(callback_, {share, doing}, std::exchange(news_, 0) > 0,
+                            [this] { return withoutFindings(cyclesReport(task_, found())); });
     }
 
     const CyclesTask& task_;

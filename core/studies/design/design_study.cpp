@@ -10,6 +10,7 @@
 
 #include "core/formats/units.h"
 #include "core/studies/design/design_task.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/parallel.h"
 
@@ -170,12 +171,8 @@ StudyReport perform(const Case& start, const DesignTask& task, const StudyCallba
     };
     // Also where the search ended by itself before it was told to stop.
     const bool whole = runParallel(1, 1, search, [&](std::size_t) {
-        if (!callback) return true;
-        StudyProgress now = progress.now();
-        std::optional<StudyReport> soFar;
-        if (const std::optional<DesignStudy> better = progress.better()) soFar = designReport(task, *better);
-        if (soFar) now.soFar = &*soFar;
-        return callback(now);
+        const std::optional<DesignStudy> better = progress.better();
+        return tellProgress(callback, progress.now(), better.has_value(), [&] { return designReport(task, *better); });
     });
     if (!whole && study.status != StudyStatus::Completed) study.status = StudyStatus::Cancelled;
     return designReport(task, study);

@@ -18,6 +18,7 @@
 #include "core/studies/hysteresis/hysteresis_report.h"
 #include "core/studies/hysteresis/hysteresis_result.h"
 #include "core/studies/runs/work_done.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/parallel.h"
 
@@ -143,12 +144,7 @@ public:
         addStepWarnings();
         if (!plan_.notTraced.empty()) result_.warnings.push_back(plan_.notTraced);
         StudyReport report = hysteresisReport(task_, result_);
-        if (!whole) {
-            report.status = StudyStatus::Cancelled;
-            report.message = "stopped before all values were held";
-            report.findings.clear();
-        }
-        return report;
+        return whole ? report : ended(report, StudyStatus::Cancelled, "stopped before all values were held");
     }
 
 private:
@@ -214,23 +210,14 @@ private:
 
     bool tell()
     {
-        if (!callback_) return true;
         const std::lock_guard lock(mutex_);
-        StudyProgress progress;
-        progress.share = share();
-        progress.doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
-                         std::to_string(result_.steps.size()) + " values";
+        std::string doing = parameterText(task_.parameter).label + ", " + std::to_string(held_) + " of " +
+                            std::to_string(result_.steps.size()) + " values";
         if (const std::string time = expectedTime(task_.start, static_cast<int>(task_.count()), task_.hold);
             held_ == 0 && !time.empty())
-            progress.doing += ", " + time + " in all by an estimate";
-        std::optional<StudyReport> soFar;
-        if (held_ > told_) {
-            soFar = hysteresisReport(task_, result_);
-            soFar->findings.clear();
-            progress.soFar = &*soFar;
-            told_ = held_;
-        }
-        return callback_(progress);
+            doing += ", " + time + " in all by an estimate";
+        return tellProgress(callback_, {share(), doing}, std::exchange(told_, held_) < held_,
+                            [this] { return withoutFindings(hysteresisReport(task_, result_)); });
     }
 
     const Plan& plan_;

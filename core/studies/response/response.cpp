@@ -8,6 +8,7 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
@@ -16,6 +17,7 @@
 #include "core/simulation/run.h"
 #include "core/studies/response/response_report.h"
 #include "core/studies/response/response_sweep.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/parallel.h"
 
@@ -110,15 +112,9 @@ public:
                                result_ = std::move(result);
                            });
         StudyReport report = responseReport(task_, result_);
-        if (!whole) {
-            report.status = StudyStatus::Cancelled;
-            report.message = "stopped before all frequencies were done";
-            report.findings.clear();
-        } else if (std::ranges::none_of(result_.points, [](const ResponsePoint& at) { return at.motion.valid(); })) {
-            report.status = StudyStatus::Failed;
-            report.message = "no motion is valid: " + result_.points.front().motion.problem;
-            report.findings.clear();
-        }
+        if (!whole) return ended(report, StudyStatus::Cancelled, "stopped before all frequencies were done");
+        if (std::ranges::none_of(result_.points, [](const ResponsePoint& at) { return at.motion.valid(); }))
+            return ended(report, StudyStatus::Failed, "no motion is valid: " + result_.points.front().motion.problem);
         return report;
     }
 
@@ -147,23 +143,14 @@ private:
 
     bool tell()
     {
-        if (!callback_) return true;
         const std::lock_guard lock(mutex_);
         const std::size_t points = result_.points.size(), all = points + std::size_t(task_.starts), done = done_;
-        StudyProgress progress{.share = double(done) / double(all),
-                               .doing = std::string(done >= points      ? "other starts, "
-                                                    : 2 * done < points ? "up, "
-                                                                        : "down, ") +
-                                        std::to_string(done) + " of " + std::to_string(all) + " motions",
-                               .soFar = nullptr};
-        std::optional<StudyReport> soFar;
-        if (points_ > told_) {
-            soFar = responseReport(task_, result_);
-            soFar->findings.clear();
-            progress.soFar = &*soFar;
-            told_ = points_;
-        }
-        return callback_(progress);
+        const std::string way = done >= points ? "other starts, " : 2 * done < points ? "up, " : "down, ";
+        return tellProgress(
+            callback_,
+            {double(done) / double(all), way + std::to_string(done) + " of " + std::to_string(all) + " motions"},
+            std::exchange(told_, points_) < points_,
+            [this] { return withoutFindings(responseReport(task_, result_)); });
     }
 
     const ResponseTask& task_;

@@ -15,6 +15,7 @@
 #include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/studies/runs/work_done.h"
+#include "core/studies/study/growing_report.h"
 #include "core/work/parallel.h"
 
 namespace touchdown {
@@ -284,14 +285,11 @@ CheckedStatements checkStatements(const StatementTask& task, int jobs, const Stu
     const std::size_t total = shared.all.size() + drawn.size();
     std::size_t told = 0;
     const auto tell = [&](std::size_t ended) {
-        if (!callback) return true;
         const std::string doing = "run " + std::to_string(std::min(ended + 1, total)) + " of " + std::to_string(total);
-        std::optional<StudyReport> soFar;
-        if (reportOf && std::exchange(told, ended) < ended) {
+        return tellProgress(callback, {done.share(), doing}, reportOf && std::exchange(told, ended) < ended, [&] {
             const std::lock_guard lock(mutex);
-            soFar = reportOf(checkAll());
-        }
-        return callback({.share = done.share(), .doing = doing, .soFar = soFar ? &*soFar : nullptr});
+            return reportOf(checkAll());
+        });
     };
     // Ensembles may compare with runs of the cases themselves, which end first.
     const bool whole =
