@@ -66,12 +66,7 @@ public:
     }
 
 private:
-    std::optional<Case> caseAt(double value) const
-    {
-        Case c = task_.start;
-        if (!setParameter(c, task_.parameter, value).empty()) return {};
-        return c;
-    }
+    std::optional<Case> caseAt(double value) const { return caseWith(task_.start, task_.parameter, value); }
 
     void searchAt(std::size_t i, const GoOn& goOn)
     {
@@ -177,25 +172,6 @@ private:
     std::atomic<double> traced_ = 0.0;
 };
 
-/// One end of the range, with which the case is valid.
-std::optional<double> readEnd(StudyReader& reader, const CyclesTask& task, const char* name, double standard)
-{
-    const bool isStandard = task.parameter.key == standardKey;
-    if (!reader.has(name)) {
-        if (isStandard) return standard;
-        reader.add(name, "is missing: the parameter has no range of its own");
-        return {};
-    }
-    const auto value = readValue(reader, name, task.parameter);
-    if (!value) return {};
-    Case at = task.start;
-    if (const std::string problem = setParameter(at, task.parameter, *value); !problem.empty()) {
-        reader.add(name, problem);
-        return {};
-    }
-    return value;
-}
-
 /// Whether a file with the table [map] has cycles followed as well.
 bool asksForCycles(StudyReader& reader)
 {
@@ -285,8 +261,10 @@ StudyWork planCycles(StudyReader& reader)
     const std::optional<Parameter> parameter = readKeys(reader, "parameter", keys, task.text);
     if (!parameter) return {};
     task.parameter = *parameter;
-    const std::optional<double> from = readEnd(reader, task, "from", 0.0),
-                                to = readEnd(reader, task, "to", largestMeniscusForce(task.start));
+    const auto end = [&](const char* name, double own) {
+        return readEnd(reader, name, *parameter, parameter->key == standardKey ? std::optional(own) : std::nullopt);
+    };
+    const std::optional<double> from = end("from", 0.0), to = end("to", largestMeniscusForce(task.start));
     if (!from || !to) return {};
     if (*from == *to) {
         reader.add("to", "is the same as from: there is nothing to follow");

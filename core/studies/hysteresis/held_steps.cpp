@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/studies/study/study_reader.h"
 
 namespace touchdown {
 
@@ -52,6 +52,27 @@ std::string setParameter(Case& c, const Parameter& parameter, double value)
     if (const auto problem = setFromNumber(changed, parameter, value)) return parameter.key + ": " + *problem;
     for (const CaseProblem& problem : checkCombinations(changed)) return problem.key + ": " + problem.message;
     c = std::move(changed);
+    return {};
+}
+
+std::optional<Case> caseWith(Case c, const Parameter& parameter, double value)
+{
+    return setParameter(c, parameter, value).empty() ? std::optional(std::move(c)) : std::nullopt;
+}
+
+std::optional<double> readEnd(StudyReader& reader, const char* key, const Parameter& parameter,
+                              std::optional<double> standard)
+{
+    const bool given = reader.has(key);
+    if (!given && !standard) reader.add(key, "is missing: the parameter has no range of its own");
+    const std::optional<double> value =
+        given ? reader.number(key, parameter.unit, parameter.displayUnit, parameter.minimum, parameter.maximum)
+              : standard;
+    if (!value) return {};
+    Case at = reader.start();
+    const std::string problem = setParameter(at, parameter, *value);
+    if (problem.empty()) return value;
+    reader.add(key, problem);
     return {};
 }
 

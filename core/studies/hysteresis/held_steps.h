@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,8 @@
 #include "core/studies/runs/measured_run.h"
 
 namespace touchdown {
+
+class StudyReader;
 
 struct HeldSteps {
     Case start; // as it stands, with the first value's start
@@ -41,6 +44,12 @@ bool belongsToStart(const std::string& key);
 
 /// The case at a value; what is wrong with it, in a sentence, or "".
 std::string setParameter(Case& c, const Parameter& parameter, double value);
+/// Nothing where it is not valid there.
+std::optional<Case> caseWith(Case c, const Parameter& parameter, double value);
+/// An end of the range of a parameter, with which the studied case is valid, by its key "from" or "to"; `standard`
+/// where the file gives none. Nothing where there is a problem, which is added.
+std::optional<double> readEnd(StudyReader& reader, const char* key, const Parameter& parameter,
+                              std::optional<double> standard);
 
 /// A run that has ended.
 struct HeldEnd {

@@ -175,11 +175,7 @@ private:
 
     void trace(const GoOn& goOn)
     {
-        const CaseAt caseAt = [this](double value) -> std::optional<Case> {
-            Case c = task_.start;
-            if (!setParameter(c, task_.parameter, value).empty()) return {};
-            return c;
-        };
+        const CaseAt caseAt = [this](double value) { return caseWith(task_.start, task_.parameter, value); };
         const auto tell = [&](double share) {
             traced_ = share;
             return goOn();
@@ -235,32 +231,15 @@ private:
 /// The key and its ends, each within the case's ranges; false where there is a problem.
 bool readRange(StudyReader& reader, const Range& standard, HeldSteps& steps)
 {
-    const Case& c = reader.start();
     const std::string key = reader.text("parameter", "a key of the case in quotation marks").value_or(standard.key);
-    const bool named = reader.has("parameter");
-    const auto found = sceneKey(c, key);
+    const auto found = sceneKey(reader.start(), key);
     if (const auto* problem = std::get_if<std::string>(&found)) {
         reader.add("parameter", inQuotes(key) + " " + *problem);
         return false;
     }
     steps.parameter = std::get<Parameter>(found);
-    const auto end = [&](const char* name, double otherwise) -> std::optional<double> {
-        const bool given = reader.has(name);
-        std::optional<double> value = reader.number(name, steps.parameter.unit, steps.parameter.displayUnit,
-                                                    steps.parameter.minimum, steps.parameter.maximum);
-        if (!given && key != standard.key) {
-            reader.add(name,
-                       "is missing: " + std::string(named ? "the parameter has no range of its own" : "it is needed"));
-            return {};
-        }
-        if (!given) value = otherwise;
-        if (!value) return {};
-        Case at = c;
-        if (const std::string problem = setParameter(at, steps.parameter, *value); !problem.empty()) {
-            reader.add(name, problem);
-            return {};
-        }
-        return value;
+    const auto end = [&](const char* name, double own) {
+        return readEnd(reader, name, steps.parameter, key == standard.key ? std::optional(own) : std::nullopt);
     };
     const std::optional<double> from = end("from", standard.from), to = end("to", standard.to);
     if (!from || !to) return false;

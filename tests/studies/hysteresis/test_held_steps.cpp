@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/studies/study/study_reader.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -121,6 +122,36 @@ private slots:
                 carryOver(next, before);
                 QCOMPARE(next.initial.branch, given);
             }
+    }
+
+    void endsOfARange_data()
+    {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<bool>("hasStandard");
+        QTest::addColumn<double>("value"); // NaN: none, and a problem
+        QTest::newRow("given") << "from = \"5 nm\"" << false << 5e-9;
+        QTest::newRow("given over the standard") << "from = \"5 nm\"" << true << 5e-9;
+        QTest::newRow("the standard") << "" << true << 8e-9;
+        QTest::newRow("missing") << "" << false << std::nan("");
+        QTest::newRow("no length") << "from = \"5 mN\"" << true << std::nan("");
+        QTest::newRow("out of range") << "from = \"-1 m\"" << true << std::nan("");
+    }
+    void endsOfARange()
+    {
+        QFETCH(QString, text);
+        QFETCH(bool, hasStandard);
+        QFETCH(double, value);
+        const Case c;
+        const Parameter key = keyOf(c, "springs.flying_height");
+        const TomlDocument toml = readToml(text.toStdString());
+        std::vector<InputProblem> problems;
+        StudyReader reader(toml, "study", c, problems);
+        const auto found = readEnd(reader, "from", key, hasStandard ? std::optional(8e-9) : std::nullopt);
+        QCOMPARE(found.has_value(), !std::isnan(value));
+        if (found) QCOMPARE(*found, value);
+        QCOMPARE(problems.size(), std::size_t(found ? 0 : 1));
+        if (found) QCOMPARE(caseWith(c, key, *found).value().springs.flyingHeight, value);
+        QVERIFY(!caseWith(c, key, 2.0 * key.maximum));
     }
 
     void thereAndBack()
