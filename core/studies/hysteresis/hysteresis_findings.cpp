@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/hysteresis/hysteresis_findings.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,7 +8,7 @@
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/physics/contact/ono_yamane.h"
-#include "core/studies/hysteresis/hysteresis_result.h"
+#include "core/studies/hysteresis/hysteresis_report.h"
 
 namespace touchdown {
 

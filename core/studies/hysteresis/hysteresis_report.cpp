@@ -8,8 +8,6 @@
 
 #include "core/formats/units.h"
 #include "core/formats/words.h"
-#include "core/studies/hysteresis/hysteresis_findings.h"
-#include "core/studies/hysteresis/hysteresis_result.h"
 
 namespace touchdown {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/hysteresis/hysteresis_findings.h"
+#include "core/studies/hysteresis/hysteresis_report.h"
 
 #include <QTest>
 

@@ -6,7 +6,6 @@
 
 #include <QTest>
 
-#include "core/studies/hysteresis/hysteresis_findings.h"
 #include "core/studies/hysteresis/hysteresis_report.h"
 #include "tests/support/held_loop.h"
 #include "tests/support/test_program.h"
