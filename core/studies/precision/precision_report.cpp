@@ -377,19 +377,18 @@ StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs)
     return chart;
 }
 
-std::vector<StudyTable> precisionTables(const PrecisionTask& task, const PrecisionRuns& runs)
+StudyReport precisionReport(const PrecisionTask& task, const PrecisionRuns& runs)
 {
-    return {runsTable(task, runs), frontTable(task, runs)};
-}
-
-void tellPrecision(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report)
-{
+    StudyReport report;
+    report.charts = {precisionChart(task, runs)};
+    report.tables = {runsTable(task, runs), frontTable(task, runs)};
     // That errors mean little comes before them.
     if (runs.reference.horizon) tellReference(task, runs, report);
     tellChosen(task, runs, report);
     tellFront(task, runs, report);
     if (!runs.reference.horizon) tellReference(task, runs, report);
     tellOthers(task, runs, report);
+    return report;
 }
 
 } // namespace touchdown

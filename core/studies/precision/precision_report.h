@@ -3,8 +3,6 @@
 // Accuracy against speed as sentences, a chart and tables.
 #pragma once
 
-#include <vector>
-
 #include "core/studies/study/study.h"
 
 namespace touchdown {
@@ -13,9 +11,7 @@ struct PrecisionRuns;
 struct PrecisionTask;
 
 StudyChart precisionChart(const PrecisionTask& task, const PrecisionRuns& runs);
-/// "runs": one row for each setting. "front": what is on the Pareto front of error and time.
-std::vector<StudyTable> precisionTables(const PrecisionTask& task, const PrecisionRuns& runs);
-/// Adds to findings and warnings.
-void tellPrecision(const PrecisionTask& task, const PrecisionRuns& runs, StudyReport& report);
+/// With the tables "runs", one row for each setting, and "front", what is on the Pareto front of error and time.
+StudyReport precisionReport(const PrecisionTask& task, const PrecisionRuns& runs);
 
 } // namespace touchdown

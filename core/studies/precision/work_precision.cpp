@@ -79,10 +79,8 @@ private:
     /// All of them at the pace of the timed runs [s].
     double secondsOfEnsembles() const
     {
-        double cost = expectedCost(task_.ensembleReference.c);
-        for (const SweptMethod& method : task_.methods)
-            for (const MethodSetting& setting : method.settings)
-                if (setting.inEnsemble) cost += expectedCost(setting.c);
+        double cost = 0.0;
+        for (const Ensemble& each : plannedEnsembles()) cost += expectedCost(each.c);
         return runs_.secondsPerCost * cost * task_.ensemble.starts / std::max(jobs_, 1);
     }
 
@@ -101,12 +99,7 @@ private:
 
     StudyReport reportNow() const
     {
-        StudyReport report;
-        if (runs_.reference.label.empty()) return report;
-        tellPrecision(task_, runs_, report);
-        report.charts.push_back(precisionChart(task_, runs_));
-        report.tables = precisionTables(task_, runs_);
-        return report;
+        return runs_.reference.label.empty() ? StudyReport() : precisionReport(task_, runs_);
     }
 
     /// Not at every run: springs take a thousandth of a second, and a report is drawn.
