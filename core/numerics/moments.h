@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <span>
+#include <vector>
 
 namespace touchdown {
 
@@ -19,6 +21,15 @@ inline Moments momentsOf(std::span<const double> values)
     const double mean = first + sum / count;
     for (const double value : values) squares += (value - mean) * (value - mean);
     return {mean, std::sqrt(squares / count)};
+}
+
+/// The mean of the two middle values of an even number; 0 of none.
+inline double medianOf(std::vector<double> values)
+{
+    if (values.empty()) return 0.0;
+    std::ranges::sort(values);
+    const std::size_t middle = values.size() / 2;
+    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 } // namespace touchdown

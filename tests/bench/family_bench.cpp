@@ -12,6 +12,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/case_files/case_text.h"
+#include "core/numerics/moments.h"
 #include "core/physics/film/film_grid.h"
 #include "core/physics/slider/edge_ridges.h"
 #include "core/physics/slider/recess.h"

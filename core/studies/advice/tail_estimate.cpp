@@ -23,7 +23,7 @@ constexpr std::array lessShares{0.9, 0.8};  // of the part, that predict the sam
 constexpr std::array seenShares{0.65, 0.5}; // of the part, that predict what was seen of it
 constexpr double fewestTailSamples = 48.0;  // that tell anything
 
-struct Moments {
+struct TailMoments {
     double mean = 0.0, variance = 0.0;
 };
 
@@ -34,7 +34,7 @@ struct Window {
 };
 
 template <typename Weight>
-Moments moments(std::span<const double> values, Weight&& weight)
+TailMoments moments(std::span<const double> values, Weight&& weight)
 {
     // About the first, so that squares keep their digits.
     double sum = 0.0, first = 0.0, second = 0.0;
@@ -48,12 +48,12 @@ Moments moments(std::span<const double> values, Weight&& weight)
     return {values[0] + mean, std::max(0.0, second / sum - mean * mean)};
 }
 
-Moments plain(std::span<const double> values)
+TailMoments plain(std::span<const double> values)
 {
     return moments(values, [](std::size_t) { return 1.0; });
 }
 
-Moments windowed(std::span<const double> values)
+TailMoments windowed(std::span<const double> values)
 {
     const double step = 2.0 * std::numbers::pi / static_cast<double>(values.size());
     return moments(values, [step](std::size_t k) { return 1.0 - std::cos(step * (static_cast<double>(k) + 0.5)); });
@@ -90,10 +90,10 @@ double foretoldVariance(double v1, double v2, double v3, double from, double to)
     return rest + (v3 - rest) * meanPower(ratio, from, to);
 }
 
-Moments foretoldByBlocks(std::span<const double> spacing, double interval, Window window)
+TailMoments foretoldByBlocks(std::span<const double> spacing, double interval, Window window)
 {
     const std::size_t block = spacing.size() / 4, first = spacing.size() - 2 * block;
-    std::array<Moments, 3> at;
+    std::array<TailMoments, 3> at;
     for (std::size_t i = 0; i < 3; ++i) at[i] = windowed(spacing.subspan(first + i * (block / 2), block));
     const double v1 = at[0].variance, v2 = at[1].variance, v3 = at[2].variance;
     const double average = (v1 + v2 + v3) / 3.0, averageMean = (at[0].mean + at[1].mean + at[2].mean) / 3.0;
@@ -103,7 +103,7 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, Windo
     const double from = (window.from - middle) / distance, to = (window.to - middle) / distance;
     const bool stays = std::max(std::abs(v2 - v1), std::abs(v3 - v2)) <= sameVariance * average;
     const double variance = stays ? -1.0 : foretoldVariance(v1, v2, v3, from, to);
-    Moments tail{averageMean, variance >= 0.0 ? variance : average};
+    TailMoments tail{averageMean, variance >= 0.0 ? variance : average};
     const double d1 = at[1].mean - at[0].mean, d2 = at[2].mean - at[1].mean, ratio = d2 / d1;
     if (std::abs(d1) > leak * std::sqrt(v1) && ratio > 0.0 && ratio < slowestCreep)
         // The mean creeps by itself.
@@ -114,8 +114,8 @@ Moments foretoldByBlocks(std::span<const double> spacing, double interval, Windo
 }
 
 /// What rings on. Nothing where the second half does not ring so, grows, or its mean does not stay.
-std::optional<Moments> ringingMoments(std::span<const double> spacing, double interval, Window window,
-                                      const std::vector<RingingRate>& rates)
+std::optional<TailMoments> ringingMoments(std::span<const double> spacing, double interval, Window window,
+                                          const std::vector<RingingRate>& rates)
 {
     const std::span<const double> half = spacing.subspan(spacing.size() / 2);
     const std::optional<RingingFit> fit = fitRinging(half, interval, rates);
@@ -142,11 +142,12 @@ void forgetAll(TailEstimate& estimate)
     estimate.sameKind = false;
 }
 
-Moments predicted(std::span<const double> spacing, double interval, Window window,
-                  const std::vector<RingingRate>& rates)
+TailMoments predicted(std::span<const double> spacing, double interval, Window window,
+                      const std::vector<RingingRate>& rates)
 {
     if (!rates.empty())
-        if (const std::optional<Moments> ringing = ringingMoments(spacing, interval, window, rates)) return *ringing;
+        if (const std::optional<TailMoments> ringing = ringingMoments(spacing, interval, window, rates))
+            return *ringing;
     return foretoldByBlocks(spacing, interval, window);
 }
 
@@ -185,7 +186,7 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     if (samples.reachEnd(duration)) {
         const std::size_t first = std::min(
             count - 1, static_cast<std::size_t>(std::ceil((1.0 - tailShare) * duration / samples.interval - 1e-6)));
-        const Moments tail = plain(all.subspan(first));
+        const TailMoments tail = plain(all.subspan(first));
         estimate.mean = tail.mean;
         estimate.spread = std::sqrt(tail.variance);
         estimate.kind = kindOf(touching.subspan(first));
@@ -197,13 +198,13 @@ TailEstimate estimateTail(const SpacingSamples& samples, double duration, const 
     }
     const double reached = samples.reached();
     const Window last{(1.0 - tailShare) * duration, duration};
-    const Moments tail = predicted(all, samples.interval, last, rates);
+    const TailMoments tail = predicted(all, samples.interval, last, rates);
     estimate.mean = tail.mean;
     estimate.spread = std::sqrt(tail.variance);
     estimate.kind = kindOf(touching.subspan(count - count / 4));
     // What hits is thrown back otherwise by the least difference: how long a bounce lasts no part of it tells.
     estimate.sameKind = estimate.kind != EndKind::Intermittent;
-    const auto deviates = [&](const Moments& by, const Moments& from, double factor) {
+    const auto deviates = [&](const TailMoments& by, const TailMoments& from, double factor) {
         estimate.meanUncertainty = std::max(estimate.meanUncertainty, factor * std::abs(by.mean - from.mean));
         estimate.spreadUncertainty =
             std::max(estimate.spreadUncertainty, factor * std::abs(std::sqrt(by.variance) - std::sqrt(from.variance)));

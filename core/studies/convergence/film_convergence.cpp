@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/moments.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/study/growing_report.h"
 #include "core/work/wall_clock.h"
@@ -185,14 +186,6 @@ FilmConvergence performFilmConvergence(const FilmConvergenceTask& task, int jobs
                                        const std::function<StudyReport(const FilmConvergence&)>& reportOf)
 {
     return FilmRuns(task, jobs, callback, reportOf).perform();
-}
-
-double medianOf(std::vector<double> values)
-{
-    if (values.empty()) return 0.0;
-    std::ranges::sort(values);
-    const std::size_t middle = values.size() / 2;
-    return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 std::vector<FilmGridSummary> summarize(const FilmConvergenceTask& task, const FilmConvergence& study)

@@ -94,9 +94,6 @@ inline constexpr double heldShare = 2.0 / 3.0;
 /// Method by method, from coarse to fine; grids without an error are left out.
 std::vector<FilmGridSummary> summarize(const FilmConvergenceTask& task, const FilmConvergence& study);
 
-/// The mean of the two middle values of an even number; 0 of none.
-double medianOf(std::vector<double> values);
-
 /// Least-squares slope of log(error) against log(1/(nodes - 1)) over the grids with at most a third of the lines of the
 /// reference, as the reference's own error distorts finer ones; none with fewer than three of them, or below 0.
 std::optional<double> observedFilmOrder(const FilmConvergenceTask& task, const std::vector<FilmGridSummary>& summaries,

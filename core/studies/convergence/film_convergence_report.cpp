@@ -7,6 +7,7 @@
 
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/numerics/moments.h"
 
 namespace touchdown {
 

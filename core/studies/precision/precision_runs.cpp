@@ -290,13 +290,6 @@ std::string nameOf(const PrecisionTask& task, const PrecisionPoint& point)
     return nameOf(method.name, method.settings[point.setting].label);
 }
 
-double PrecisionPoint::median() const
-{
-    if (seconds.empty()) return 0.0;
-    const std::size_t middle = seconds.size() / 2;
-    return seconds.size() % 2 == 1 ? seconds[middle] : 0.5 * (seconds[middle - 1] + seconds[middle]);
-}
-
 bool performRuns(const PrecisionTask& task, int jobs, PrecisionRuns& runs, const RunsCallback& callback)
 {
     return Performance(task, jobs, runs, callback).perform();

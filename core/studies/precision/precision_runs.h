@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "core/numerics/moments.h"
 #include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/trajectory_error.h"
 #include "core/studies/study/study.h"
@@ -34,7 +35,7 @@ struct PrecisionPoint {
     double work = 0.0;           // right-hand sides, or films solved
 
     double fastest() const { return seconds.empty() ? 0.0 : seconds.front(); }
-    double median() const;
+    double median() const { return medianOf(seconds); }
 };
 
 /// "rk4 (10 ns)".

@@ -106,12 +106,6 @@ private slots:
         coarse.reference = 97; // a third of its cells: 32, so that one grid is left
         QVERIFY(!observedFilmOrder(coarse, all, 0));
     }
-    void medians()
-    {
-        QCOMPARE(medianOf({}), 0.0);
-        QCOMPARE(medianOf({3.0, 1.0, 2.0}), 2.0);
-        QCOMPARE(medianOf({4.0, 1.0, 2.0, 3.0}), 2.5);
-    }
     void aRunWithoutSolution()
     {
         FilmConvergenceTask task = knownTask();
