@@ -15,7 +15,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double highestGrowth = 3.0; // that is drawn
+constexpr double highestGrowth = 3.0;                 // that is drawn
+constexpr double leastPhase = 0.01, mostPhase = 10.0; // omega h, at which it is drawn [-]
 constexpr int pointsPerDecade = 60;
 
 /// The least over all motions, and where it is found.
@@ -120,15 +121,14 @@ ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vect
     return panel;
 }
 
-void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from,
-               double to)
+void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth)
 {
     ChartSeries& series = panel.series.emplace_back();
     series.name = name;
     series.markers = false;
-    const int count = static_cast<int>(std::lround(pointsPerDecade * std::log10(to / from)));
+    const int count = static_cast<int>(std::lround(pointsPerDecade * std::log10(mostPhase / leastPhase)));
     for (int k = 0; k <= count; ++k) {
-        const double w = from * std::pow(to / from, double(k) / count), value = growth(w);
+        const double w = leastPhase * std::pow(mostPhase / leastPhase, double(k) / count), value = growth(w);
         if (value <= highestGrowth)
             series.points.push_back({.x = w, .y = value});
         else if (!series.points.empty())
@@ -136,7 +136,8 @@ void addGrowth(ChartPanel& panel, const std::string& name, const std::function<d
     }
 }
 
-ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping, double from, double to)
+ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping,
+                       const std::vector<LocalMotion>& motions, double step)
 {
     ChartPanel panel;
     panel.x = {.label = "Angular frequency times step", .logarithmic = true};
@@ -144,16 +145,11 @@ ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping,
     panel.bands.push_back({.alongX = false, .lower = 1.0, .upper = 1.0, .label = "stable up to here"});
     const Complex direction(-damping, std::sqrt(std::max(0.0, 1.0 - damping * damping)));
     for (const LinearMethod& method : methods)
-        addGrowth(
-            panel, method.name, [&](double w) { return method.growth(w * direction); }, from, to);
-    return panel;
-}
-
-void addStepBands(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step)
-{
+        addGrowth(panel, method.name, [&](double w) { return method.growth(w * direction); });
     for (const LocalMotion& motion : motions)
         if (const double w = step * motion.fastest(); w > 0.0)
             panel.bands.push_back({.alongX = true, .lower = w, .upper = w, .label = motion.where});
+    return panel;
 }
 
 StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step)

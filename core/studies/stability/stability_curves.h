@@ -40,11 +40,11 @@ double dampingRatio(const LocalMotion& motion);
 /// shows every bounded region whole.
 ChartPanel regionPanel(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step);
 
-/// Growth of an oscillation with this damping ratio, against omega h.
-ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping, double from, double to);
-void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth, double from,
-               double to);
-void addStepBands(ChartPanel& panel, const std::vector<LocalMotion>& motions, double step);
+/// Growth of an oscillation with this damping ratio, against omega h from 0.01 to 10; lines at |lambda| h of the
+/// motions.
+ChartPanel growthPanel(const std::vector<LinearMethod>& methods, double damping,
+                       const std::vector<LocalMotion>& motions, double step);
+void addGrowth(ChartPanel& panel, const std::string& name, const std::function<double(double)>& growth);
 
 StudyTable limitTable(const std::vector<LinearMethod>& methods, const std::vector<LocalMotion>& motions, double step);
 StudyTable eigenvalueTable(const std::vector<LocalMotion>& motions);

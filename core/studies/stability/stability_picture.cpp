@@ -82,6 +82,13 @@ bool followSprings(const Case& given, SpringWay& way, const std::function<bool()
     return true;
 }
 
+void setCharts(StudyReport& picture, const std::string& ofRegions, const ChartPanel& regions,
+               const std::string& ofGrowth, const std::vector<ChartPanel>& growth)
+{
+    picture.charts = {{"Where each method is stable", ofRegions, {regions}},
+                      {"Growth in one step against the step", ofGrowth, growth}};
+}
+
 bool makeSpringPicture(const Case& c, StudyReport& picture, const std::function<bool()>& goOn)
 {
     SpringWay way;
@@ -99,24 +106,20 @@ bool makeSpringPicture(const Case& c, StudyReport& picture, const std::function<
     const double length = adaptive ? way.meanStep : c.run.step;
     const CaseStep step{length, "steps of " + fewDigitsOfTime(length) + (adaptive ? " on average" : ""), adaptive};
 
-    StudyChart regions;
-    regions.title = "Where each method is stable";
-    regions.caption = "A method damps y' = lambda y inside its line and amplifies it outside; newmark damps it left of "
-                      "its line. Marks: the case's own eigenvalues times its " +
-                      step.text +
-                      ". The lower half of the plane is its mirror image. cvode's Adams methods change order and step "
-                      "and have no single region.";
-    regions.panels.push_back(regionPanel(methods, way.motions, step.length));
-
     const LocalMotion& fastest = *std::ranges::max_element(way.motions, {}, &LocalMotion::fastest);
-    StudyChart growth;
-    growth.title = "Growth in one step against the step";
-    growth.caption = "The largest factor by which a step changes the fastest motion of the case, " + fastest.where +
-                     ", whose damping ratio is " + fewDigits(dampingRatio(fastest), "") +
-                     ": above 1 it is unstable. Vertical lines: the case's eigenvalues with " + step.text + ".";
-    growth.panels.push_back(growthPanel(methods, dampingRatio(fastest), 0.01, 10.0));
-    addStepBands(growth.panels.back(), way.motions, step.length);
-    picture.charts = {std::move(regions), std::move(growth)};
+    const double damping = dampingRatio(fastest);
+    setCharts(
+        picture,
+        "A method damps y' = lambda y inside its line and amplifies it outside; newmark damps it left of its line. "
+        "Marks: the case's own eigenvalues times its " +
+            step.text +
+            ". The lower half of the plane is its mirror image. cvode's Adams methods change order and step and "
+            "have no single region.",
+        regionPanel(methods, way.motions, step.length),
+        "The largest factor by which a step changes the fastest motion of the case, " + fastest.where +
+            ", whose damping ratio is " + fewDigits(damping, "") +
+            ": above 1 it is unstable. Vertical lines: the case's eigenvalues with " + step.text + ".",
+        {growthPanel(methods, damping, way.motions, step.length)});
     picture.tables = {limitTable(methods, way.motions, step.length), eigenvalueTable(way.motions)};
     tellLimits(methods, way.motions, step, picture);
     return true;
@@ -215,30 +218,21 @@ bool makeFilmPicture(const Case& c, StudyReport& picture, const std::function<bo
     const double damping = std::max(0.0, dampingRatio(fastest));
 
     const std::vector<LinearMethod> methods = filmMethods();
-    StudyChart regions;
-    regions.title = "Where each method is stable";
-    regions.caption = "Euler, BDF2, BDF2OPT and the formula fitted to the fastest mode, of the air, are stable outside "
-                      "of their lines; the trapezoidal rule, of the slider, left of its line, Fox & Goodwin's inside. "
-                      "Marks: the modes of the static state times its " +
-                      step.text +
-                      "; contact adds its stiffness to them. The lower half of the plane is its mirror image.";
-    regions.panels.push_back(regionPanel(filmMethods(step.length * fastest.fastest()), motions, step.length));
-
-    StudyChart growth;
-    growth.title = "Growth in one step against the step";
-    growth.caption = "Left: rules alone, on the fastest mode, whose damping ratio is " + fewDigits(damping, "") +
-                     ". Right: slider and film together, the film a spring with the leak that gives it that damping. "
-                     "Above 1 a method is unstable; the staggered, iterated method "
-                     "ends where its iterations do not converge.";
-    growth.panels.push_back(growthPanel(methods, damping, 0.01, 10.0));
-    addStepBands(growth.panels.back(), motions, step.length);
-    ChartPanel& together = growth.panels.emplace_back(growthPanel({}, damping, 0.01, 10.0));
+    ChartPanel together = growthPanel({}, damping, motions, step.length);
     for (const CoupledMethod& method : coupledMethods(c))
-        addGrowth(
-            together, method.name, [&](double w) { return coupledGrowth(method.rule, w, 0.0, 2.0 * damping); }, 0.01,
-            10.0);
-    addStepBands(together, motions, step.length);
-    picture.charts = {std::move(regions), std::move(growth)};
+        addGrowth(together, method.name, [&](double w) { return coupledGrowth(method.rule, w, 0.0, 2.0 * damping); });
+    setCharts(
+        picture,
+        "Euler, BDF2, BDF2OPT and the formula fitted to the fastest mode, of the air, are stable outside of their "
+        "lines; the trapezoidal rule, of the slider, left of its line, Fox & Goodwin's inside. Marks: the modes "
+        "of the static state times its " +
+            step.text + "; contact adds its stiffness to them. The lower half of the plane is its mirror image.",
+        regionPanel(filmMethods(step.length * fastest.fastest()), motions, step.length),
+        "Left: rules alone, on the fastest mode, whose damping ratio is " + fewDigits(damping, "") +
+            ". Right: slider and film together, the film a spring with the leak that gives it that damping. "
+            "Above 1 a method is unstable; the staggered, iterated method ends where its iterations do not "
+            "converge.",
+        {growthPanel(methods, damping, motions, step.length), together});
 
     tellLimits(methods, motions, step, picture);
     StudyTable limits = limitTable(methods, motions, step.length);
