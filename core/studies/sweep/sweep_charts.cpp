@@ -89,7 +89,7 @@ public:
             ChartMap map = empty;
             map.cells.assign(cells, -1);
             map.details.assign(cells, "");
-            const double step = reading.isText ? 0.0 : addShades(map, r);
+            const Shades shades = reading.isText ? Shades() : addShades(map, r);
             for (const SweepPoint& point : at_.points()) {
                 if (point.rows.empty()) continue;
                 const std::size_t cell = cellOf(point);
@@ -97,10 +97,7 @@ public:
                 map.details[cell] = at_.nameOf(point) + ": " + at_.textOf(point, r) +
                                     (at_.firstProblem(point).empty() ? "" : " (" + at_.firstProblem(point) + ")");
                 const double number = at_.numberOf(point, r);
-                map.cells[cell] = std::isfinite(number)
-                                      ? std::clamp(int(std::floor(number / step) - lowestShade(r, step)), 0,
-                                                   int(map.classes.size()) - 1)
-                                      : classOf(map, value);
+                map.cells[cell] = std::isfinite(number) ? shades.of(number) : classOf(map, value);
             }
             ChartPanel panel{at_.chartAxis(x), at_.chartAxis(y)};
             panel.map = std::move(map);
@@ -120,22 +117,29 @@ public:
         return {least, most};
     }
 
-    /// How many steps lie below the lowest shade.
-    double lowestShade(std::size_t reading, double step) const { return std::floor(rangeOf(reading).first / step); }
+    /// Steps of the values, each a class of a map.
+    struct Shades {
+        double step = 1.0;  // [unit of the reading]
+        double first = 0.0; // steps that lie below the lowest one
+        int count = 1;
+        int of(double value) const { return std::clamp(int(std::floor(value / step) - first), 0, count - 1); }
+    };
 
-    /// One class for each step of the values, from low to high; returns the step [unit of the reading].
-    double addShades(ChartMap& map, std::size_t reading) const
+    /// From low to high.
+    Shades addShades(ChartMap& map, std::size_t reading) const
     {
+        Shades shades;
         const auto [least, most] = rangeOf(reading);
-        if (!(least <= most)) return 1.0;
+        if (!(least <= most)) return shades;
         const std::string unit = at_.reading(reading).column().displayUnit;
         const double factor = unitFactor(unit), size = std::max(most - least, 1e-9 * std::abs(most));
-        const double step = (size > 0.0 ? roundStep(size / factor / mostShades) : 1.0) * factor;
-        const double first = lowestShade(reading, step);
-        const int shades = std::max(1, int(std::floor(most / step) - first) + 1);
-        for (int k = 0; k < shades; ++k)
-            map.classes.push_back({shadeName(first + k, step, unit), 0, shades == 1 ? 0.5 : double(k) / (shades - 1)});
-        return step;
+        shades.step = (size > 0.0 ? roundStep(size / factor / mostShades) : 1.0) * factor;
+        shades.first = std::floor(least / shades.step);
+        shades.count = std::max(1, int(std::floor(most / shades.step) - shades.first) + 1);
+        for (int k = 0; k < shades.count; ++k)
+            map.classes.push_back({shadeName(shades.first + k, shades.step, unit), 0,
+                                   shades.count == 1 ? 0.5 : double(k) / (shades.count - 1)});
+        return shades;
     }
 
     static std::string shadeName(double steps, double step, const std::string& unit)
