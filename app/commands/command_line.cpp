@@ -130,11 +130,13 @@ void addKind(std::vector<std::string>& words)
         return std::ranges::find(studyKinds(), word, &StudyKind::name) != studyKinds().end();
     };
     if (std::ranges::any_of(words, isKind) || (!words[1].starts_with("--join") && words[1].starts_with('-'))) return;
-    for (std::size_t i = 1; i < words.size(); ++i)
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        if (words[i - 1].starts_with("--") && words[i - 1] != "--join") continue; // the value of an option
         if (const std::string kind = studyKindIn(words[i]); isKind(kind)) {
             words.insert(words.begin() + 1, kind);
             return;
         }
+    }
 }
 
 /// `touchdown help run` means `touchdown run --help`.

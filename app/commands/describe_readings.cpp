@@ -31,8 +31,8 @@ int describeReadings(bool json)
         (row.what.overTime ? overTime : single).push_back({quantity.name, unit, joined(row.where), quantity.longName});
     }
     std::vector<std::vector<std::string>> at;
-    for (std::size_t i = 1; i < takenCount; ++i) {
-        const auto taken = static_cast<Taken>(i);
+    for (std::size_t i = 1; i < readAtCount; ++i) {
+        const auto taken = static_cast<ReadAt>(i);
         at.push_back({std::string(name(taken)), std::string(meaning(taken))});
         places[std::string(name(taken))] = meaning(taken);
     }

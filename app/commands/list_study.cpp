@@ -9,7 +9,7 @@
 #include <thread>
 #include <utility>
 
-#include "app/commands/case_commands.h"
+#include "app/commands/command_arguments.h"
 #include "app/terminal/console.h"
 #include "core/studies/engine/engine.h"
 #include "core/studies/study/study_file_reader.h"

@@ -43,6 +43,10 @@ struct BouncingMapTask {
     std::vector<MapMark> marks{};
 };
 
+struct MarkedMapTask : BouncingMapTask {
+    bool marksByWork = false; // a mark or more stands where the law of the map has the W of its case
+};
+
 enum class MapClass : std::uint8_t { Flies, FliesOrCaught, Caught, Bounces, Unknown, Fails };
 inline constexpr std::size_t mapClasses = 6;
 inline std::string_view name(MapClass kind)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/studies/cycles/bouncing_map_task.h"
+#include "core/studies/cycles/bouncing_map.h"
 #include "core/studies/study/study.h"
 
 namespace touchdown {

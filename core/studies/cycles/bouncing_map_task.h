@@ -13,10 +13,6 @@ namespace touchdown {
 
 class StudyReader;
 
-struct MarkedMapTask : BouncingMapTask {
-    bool marksByWork = false; // a mark or more stands where the law of the map has the W of its case
-};
-
 /// Nothing where there is a problem, which the reader collects. `starts` is the default of map.starts.
 std::optional<MarkedMapTask> readBouncingMap(StudyReader& reader, int starts, double duration);
 std::vector<StudyKey> bouncingMapKeys(const Case& c, double largestMeniscusForce);

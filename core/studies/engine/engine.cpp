@@ -151,12 +151,12 @@ private:
     {
         std::string text = "#!/bin/bash\n";
         if (task_.kind == EngineKind::Slurm)
-            text += "#SBATCH --job-name=touchdown\n#SBATCH --output=" + (folder_ / "log" / "%a.txt").string() +
-                    "\n#SBATCH --open-mode=append\n#SBATCH --cpus-per-task=" + std::to_string(task_.jobs) + "\n";
+            text += "#SBATCH --job-name=touchdown\n#SBATCH --output=log/%a.txt\n#SBATCH --open-mode=append\n#SBATCH "
+                    "--cpus-per-task=" +
+                    std::to_string(task_.jobs) + "\n";
         return text +
-               "# Solves one part of the study: part $1, or the one that Slurm names. What its file holds already is "
-               "not\n"
-               "# solved again.\n"
+               "# Solves one part of the study: part $1, or the one that Slurm names.\n"
+               "# What its file holds already is not solved again.\n"
                "parts=" +
                std::to_string(task_.parts) +
                "\n"
@@ -275,12 +275,13 @@ private:
                 command += " {script} ::: {parts}";
             command = replaced(std::move(command), "{script}", shellWord(script().string()));
             command = replaced(std::move(command), "{parts}", joined(numbers, " "));
-            process_ = std::make_unique<ShellProcess>(command + " 2>> " +
-                                                      shellWord((folder_ / "log" / "launcher.txt").string()));
+            process_ = std::make_unique<ShellProcess>("{ " + command + "\n} >> " +
+                                                      shellWord((folder_ / "log" / "launcher.txt").string()) + " 2>&1");
             return {};
         }
-        const ShellAnswer answer = askShell("sbatch --parsable --array=" + joined(numbers, ",") + " " + task_.options +
-                                            " " + shellWord(script().string()));
+        const ShellAnswer answer =
+            askShell("cd " + shellWord(folder_.string()) + " && sbatch --parsable --array=" + joined(numbers, ",") +
+                     " " + task_.options + " " + shellWord(script().string()));
         if (answer.code != 0) return "sbatch refused the jobs: " + std::string(trimmed(answer.output));
         std::istringstream lines(answer.output);
         std::string job, line;

@@ -26,17 +26,17 @@ namespace {
 constexpr std::size_t mostModes = 3;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-struct TakenRow {
+struct ReadAtRow {
     std::string_view name, meaning;
 };
-constexpr std::array<TakenRow, takenCount> takenRows{{{"", "one number"},
-                                                      {"end", "the last sample"},
-                                                      {"tail", "mean over the last tenth of the run"},
-                                                      {"swing", "peak to peak over the last tenth"},
-                                                      {"rms", "standard deviation over the last tenth"},
-                                                      {"mean", "mean over the whole run"},
-                                                      {"least", "the least value in the whole run"},
-                                                      {"most", "the largest value in the whole run"}}};
+constexpr std::array<ReadAtRow, readAtCount> readAtRows{{{"", "one number"},
+                                                         {"end", "the last sample"},
+                                                         {"tail", "mean over the last tenth of the run"},
+                                                         {"swing", "peak to peak over the last tenth"},
+                                                         {"rms", "standard deviation over the last tenth"},
+                                                         {"mean", "mean over the whole run"},
+                                                         {"least", "the least value in the whole run"},
+                                                         {"most", "the largest value in the whole run"}}};
 
 /// A single number or text of a run.
 struct RunReading {
@@ -175,21 +175,24 @@ double valueOver(const Case& c, const MeasuredRun& run, const Reading& reading, 
 {
     const Summary& summary = run.summary;
     const std::string& quantity = reading.quantity.name;
-    if (reading.at == Taken::End) return valueOr(summary.final, quantity, unknown);
+    if (reading.at == ReadAt::End) return valueOr(summary.final, quantity, unknown);
     const Extremes extremes = valueOr(summary.extremes, quantity, {unknown, unknown});
-    if (reading.at == Taken::Least) return extremes.least;
-    if (reading.at == Taken::Most) return extremes.most;
-    const double begin = reading.at == Taken::Mean || run.time.empty() ? 0.0 : (1.0 - tailShare) * run.time.back();
+    if (reading.at == ReadAt::Least) return extremes.least;
+    if (reading.at == ReadAt::Most) return extremes.most;
+    const double begin = reading.at == ReadAt::Mean || run.time.empty() ? 0.0 : (1.0 - tailShare) * run.time.back();
     const std::span<const double> samples = evenSamples(c, run, column, begin);
     if (samples.empty()) return unknown;
-    if (reading.at == Taken::Rms) return momentsOf(samples).deviation;
-    if (reading.at != Taken::Swing) return momentsOf(samples).mean;
+    if (reading.at == ReadAt::Rms) return momentsOf(samples).deviation;
+    if (reading.at != ReadAt::Swing) return momentsOf(samples).mean;
     if (const Statistics* tail = valueIn(summary.tail, quantity)) return tail->max - tail->min;
     const auto [least, most] = std::ranges::minmax(samples);
     return most - least;
 }
 
-bool needsSamples(Taken at) { return at == Taken::Tail || at == Taken::Swing || at == Taken::Rms || at == Taken::Mean; }
+bool needsSamples(ReadAt at)
+{
+    return at == ReadAt::Tail || at == ReadAt::Swing || at == ReadAt::Rms || at == ReadAt::Mean;
+}
 
 std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& readings, const GoOn& goOn)
 {
@@ -212,7 +215,7 @@ std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& r
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const Reading& reading = readings[i];
         const std::string& quantity = reading.quantity.name;
-        if (reading.at != Taken::Single) {
+        if (reading.at != ReadAt::Single) {
             const auto column = std::size_t(std::ranges::find(sampled, quantity) - sampled.begin());
             const std::span<const double> samples =
                 column < sampled.size() ? std::span<const double>(run.columns[column]) : std::span<const double>();
@@ -268,8 +271,8 @@ std::optional<CaseReadings> readState(const Case& c, Calculation calculation, co
 
 } // namespace
 
-std::string_view name(Taken taken) { return takenRows[static_cast<std::size_t>(taken)].name; }
-std::string_view meaning(Taken taken) { return takenRows[static_cast<std::size_t>(taken)].meaning; }
+std::string_view name(ReadAt taken) { return readAtRows[static_cast<std::size_t>(taken)].name; }
+std::string_view meaning(ReadAt taken) { return readAtRows[static_cast<std::size_t>(taken)].meaning; }
 
 std::vector<ReadableQuantity> readableQuantities(Calculation calculation, const Case& c)
 {
@@ -335,7 +338,7 @@ StudyColumn Reading::column() const
 {
     const auto unitOf = [](const std::string& unit) { return unit == "1" ? std::string() : unit; };
     StudyColumn column{quantity.name, unitOf(quantity.unit), unitOf(quantity.displayUnit), quantity.longName, isError};
-    if (at == Taken::Single) return column;
+    if (at == ReadAt::Single) return column;
     column.name += "_" + std::string(name(at));
     column.longName += ": " + std::string(meaning(at));
     return column;
@@ -355,12 +358,12 @@ std::variant<Reading, std::string> findReading(Calculation calculation, const Ca
     }
     if (!row->overTime) {
         if (!at.empty()) return inQuotes(quantity) + " is one number, so that `at` has no meaning";
-        return Reading{row->quantity, Taken::Single, row->isText};
+        return Reading{row->quantity, ReadAt::Single, row->isText};
     }
     std::vector<std::string> names;
-    for (std::size_t i = 1; i < takenCount; ++i) {
-        names.emplace_back(takenRows[i].name);
-        if (at == names.back() || (at.empty() && i == 1)) return Reading{row->quantity, static_cast<Taken>(i)};
+    for (std::size_t i = 1; i < readAtCount; ++i) {
+        names.emplace_back(readAtRows[i].name);
+        if (at == names.back() || (at.empty() && i == 1)) return Reading{row->quantity, static_cast<ReadAt>(i)};
     }
     return "at = " + inQuotes(at) + " is none of " + joined(names);
 }
@@ -372,7 +375,7 @@ std::vector<Reading> withErrors(Calculation calculation, const Case& c, const st
         all.push_back(each);
         const std::string error = each.quantity.name + "_error";
         const auto isIt = [&](const Reading& other) { return other.quantity.name == error; };
-        if (each.at != Taken::Single || std::ranges::any_of(readings, isIt)) continue;
+        if (each.at != ReadAt::Single || std::ranges::any_of(readings, isIt)) continue;
         auto found = findReading(calculation, c, error, "");
         if (auto* reading = std::get_if<Reading>(&found)) {
             reading->isError = true;

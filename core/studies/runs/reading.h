@@ -27,7 +27,7 @@ inline std::string_view name(Calculation calculation)
 }
 
 /// Where a quantity of a run is taken; the last tenth is that of the duration.
-enum class Taken : std::uint8_t {
+enum class ReadAt : std::uint8_t {
     Single, // it is one number
     End,    // the last sample
     Tail,   // mean over the last tenth
@@ -38,10 +38,10 @@ enum class Taken : std::uint8_t {
     Most
 };
 /// "end"; "" of Single.
-std::string_view name(Taken taken);
+std::string_view name(ReadAt taken);
 /// What it means, in a few words.
-std::string_view meaning(Taken taken);
-inline constexpr std::size_t takenCount = 8;
+std::string_view meaning(ReadAt taken);
+inline constexpr std::size_t readAtCount = 8;
 
 /// One row of the table of all readings.
 struct ReadableQuantity {
@@ -62,7 +62,7 @@ std::vector<ReadingRow> allReadings();
 
 struct Reading {
     Quantity quantity;
-    Taken at = Taken::Single;
+    ReadAt at = ReadAt::Single;
     bool isText = false;
     bool isError = false; // the stated error of the reading before it
 

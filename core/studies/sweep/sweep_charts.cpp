@@ -101,7 +101,10 @@ public:
             }
             ChartPanel panel{at_.chartAxis(x), at_.chartAxis(y)};
             panel.map = std::move(map);
-            report.charts.push_back({reading.column().longName, "Each cell is one point of the sweep.", {panel}});
+            report.charts.push_back(
+                {at_.chartAxis(reading).label,
+                 at_.averages() ? "Each cell is the mean of its items." : "Each cell is one item of the sweep.",
+                 {panel}});
         }
     }
 

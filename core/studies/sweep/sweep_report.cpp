@@ -11,7 +11,7 @@
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 #include "core/numerics/moments.h"
-#include "core/numerics/rank_correlation.h"
+#include "core/studies/sweep/rank_correlation.h"
 #include "core/studies/sweep/sweep_charts.h"
 #include "core/studies/sweep/sweep_points.h"
 
@@ -43,8 +43,12 @@ private:
         StudyTable table{"sweep"};
         for (std::size_t k = 0; k < at_.axes(); ++k) {
             const SweepAxis& axis = at_.axis(k);
-            table.columns.push_back({axis.columnName(), axis.isNumber ? axis.text.unit : "",
-                                     axis.isNumber ? axis.text.displayUnit : "", axis.text.label});
+            // A key may have the name of a reading: "contact".
+            const auto isAxis = [&](const Reading& reading) { return reading.column().name == axis.columnName(); };
+            const bool taken = std::ranges::any_of(at_.task().readings, isAxis);
+            table.columns.push_back({axis.columnName() + (taken ? "_of_the_case" : ""),
+                                     axis.isNumber ? axis.text.unit : "", axis.isNumber ? axis.text.displayUnit : "",
+                                     axis.text.label});
         }
         for (const Reading& reading : at_.task().readings) {
             table.columns.push_back(reading.column());

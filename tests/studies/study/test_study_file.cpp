@@ -60,7 +60,7 @@ private slots:
         const Hdf5Access access;
         const Hdf5Group file = open();
         QCOMPARE(file.attribute("format"), std::string("touchdown-study"));
-        QCOMPARE(file.attribute("format_version"), std::string("1.1"));
+        QCOMPARE(file.attribute("format_version"), std::string("1.2"));
         QCOMPARE(file.attribute("kind"), std::string("work-precision"));
         QCOMPARE(file.attribute("status"), std::string("completed"));
         QCOMPARE(file.attribute("title"), std::string("Some study"));

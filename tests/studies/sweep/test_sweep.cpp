@@ -113,6 +113,18 @@ private slots:
         QVERIFY(!none.message.empty());
     }
 
+    /// An axis with the name of a reading: both are columns.
+    void namesDiffer()
+    {
+        const StudyReport report = performed(
+            shortRun(), "[[axis]]\nkey = \"contact\"\nvalues = [\"none\", \"ono-yamane\"]\n[[reading]]\nquantity "
+                        "= \"contact\"\n");
+        const StudyTable& table = report.tables.front();
+        QCOMPARE(table.columns[0].name, std::string("contact_of_the_case"));
+        QCOMPARE(table.columns[1].name, std::string("contact"));
+        QCOMPARE(std::get<std::string>(table.rows[0][0]), std::string("none"));
+    }
+
     /// The share of starts that are caught, by an axis that is averaged over.
     void shares()
     {

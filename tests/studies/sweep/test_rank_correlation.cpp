@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/numerics/rank_correlation.h"
+#include "core/studies/sweep/rank_correlation.h"
 
 #include <QTest>
 
