@@ -44,8 +44,8 @@ private slots:
         QVERIFY(QFile::link("two.h5", folder_->path("link.h5")));
         QProcess first;
         first.setWorkingDirectory(folder_->path());
-        first.start(TOUCHDOWN_COMMAND,
-                    {"run", "fig10a", "--set", "run.duration=9 s", "--out", "two.h5", "--csv", "two.csv"});
+        first.start(TOUCHDOWN_COMMAND, {"run", "fig10a", "--set", "run.duration=9 s", "--set",
+                                        "run.sample_interval=1 us", "--out", "two.h5", "--csv", "two.csv"});
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder_->path("two.h5")), 20000);
         const Outcome second = folder_->touchdown(arguments);
         QCOMPARE(second.code, 2);
