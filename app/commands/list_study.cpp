@@ -11,6 +11,7 @@
 
 #include "app/commands/command_arguments.h"
 #include "app/terminal/console.h"
+#include "core/formats/words.h"
 #include "core/studies/engine/engine.h"
 #include "core/studies/study/study_file_reader.h"
 #include "core/studies/study_plan.h"
@@ -18,6 +19,8 @@
 namespace touchdown {
 
 namespace {
+
+constexpr std::size_t mostParts = 1000000000;
 
 /// "3/20"; nothing for anything else.
 std::optional<ItemPart> readPart(const std::string& text)
@@ -27,7 +30,8 @@ std::optional<ItemPart> readPart(const std::string& text)
     const auto first = std::from_chars(text.data(), end, part.part);
     if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return {};
     const auto second = std::from_chars(first.ptr + 1, end, part.of);
-    const bool good = second.ec == std::errc() && second.ptr == end && part.part >= 1 && part.part <= part.of;
+    const bool good =
+        second.ec == std::errc() && second.ptr == end && part.part >= 1 && part.part <= part.of && part.of <= mostParts;
     return good ? std::optional(part) : std::nullopt;
 }
 
@@ -68,13 +72,24 @@ void ListStudy::check(const StudyPlan& plan, const CommandArguments& arguments, 
     for (const std::string& file : arguments.join) take(file, "--join", problems);
     if (arguments.resume && std::filesystem::exists(arguments.out)) take(arguments.out, "--resume", problems);
     options_.onlyKept = !arguments.join.empty();
+    if (arguments.resume || !arguments.engine.empty() || !std::filesystem::exists(arguments.out)) return;
+    const StoredStudy there = readStudy(arguments.out);
+    if (there.problem.empty() && there.report.status != StudyStatus::Completed && !there.report.items.empty())
+        refuse("--out", arguments.out + " holds " + counted(there.report.items.size(), "row") +
+                            " of a study that ended early; go on with --resume, or remove that file");
 }
 
 std::string ListStudy::open(const CommandArguments& arguments)
 {
     if (arguments.out.empty() || options_.onlyKept || !arguments.engine.empty()) return {};
     options_.keep = [this](const std::string& key, const ItemRow& row) { return journal_.keep(key, row); };
-    return journal_.open(arguments.out, arguments.resume, kept_);
+    KeptRows inJournal;
+    std::string problem = journal_.open(arguments.out, arguments.resume, inJournal);
+    // The study's file is replaced while the study goes on: its rows stand in the journal from now on.
+    for (auto row = kept_.begin(); row != kept_.end() && problem.empty(); ++row)
+        if (!inJournal.contains(row->first)) problem = journal_.keep(row->first, row->second);
+    kept_.merge(inJournal);
+    return problem;
 }
 
 void ListStudy::checkEngine(const StudyPlan& plan, const CommandArguments& arguments,
@@ -121,13 +136,13 @@ StudyReport ListStudy::perform(const StudyPlan& plan, const CommandArguments& ar
     }
     options_.jobs = arguments.jobs > 0 ? arguments.jobs : cores;
     options_.kept = &kept_;
+    options_.taken = &taken_;
     return plan.performList(options_, callback);
 }
 
-std::size_t ListStudy::taken(const StudyReport& report) const
+std::string ListStudy::takenText(const StudyPlan& plan) const
 {
-    return std::size_t(
-        std::ranges::count_if(report.items, [&](const StudyItem& item) { return kept_.contains(item.key); }));
+    return std::to_string(taken_) + " of " + counted(options_.part.size(plan.items), "item") + " were there already";
 }
 
 void ListStudy::take(const std::string& file, const char* option, std::vector<InputProblem>& problems)

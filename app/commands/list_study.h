@@ -23,8 +23,8 @@ public:
     /// Keeps rows from now on. Returns the problem, or "". The study's file is locked.
     std::string open(const CommandArguments& arguments);
     StudyReport perform(const StudyPlan& plan, const CommandArguments& arguments, const StudyCallback& callback);
-    /// How many rows of the report were there already.
-    std::size_t taken(const StudyReport& report) const;
+    /// "12 of 30 items were there already".
+    std::string takenText(const StudyPlan& plan) const;
     /// Once the study's file has all rows.
     void close() { journal_.remove(); }
 
@@ -36,6 +36,7 @@ private:
     KeptRows kept_;
     ItemOptions options_;
     ItemJournal journal_;
+    std::size_t taken_ = 0;
 };
 
 } // namespace touchdown

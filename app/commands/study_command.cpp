@@ -230,7 +230,10 @@ std::vector<InputProblem> problemsOf(const StudyPlan& plan, const CommandArgumen
                                 arguments.out});
     std::vector<std::filesystem::path> inputs = plan.inputs;
     for (const std::string& part : arguments.join) inputs.emplace_back(part);
-    if (arguments.resume) std::erase(inputs, std::filesystem::path(arguments.out)); // it goes on in its file
+    std::error_code error;
+    if (arguments.resume) // it goes on in its file
+        std::erase_if(inputs,
+                      [&](const auto& input) { return std::filesystem::equivalent(input, arguments.out, error); });
     std::ranges::move(targetProblems(targetsOf(arguments), inputs), std::back_inserter(problems));
     return problems;
 }
@@ -329,9 +332,7 @@ int studyCommand(const CommandArguments& given)
     } else {
         list.close();
     }
-    if (arguments.resume)
-        complain(std::to_string(list.taken(report)) + " of " + counted(report.items.size(), "item") +
-                 " were there already");
+    if (arguments.resume) complain(list.takenText(plan));
     print(arguments.json ? studyJson(report) : studyText(report, outputWidth()));
     if (report.status != StudyStatus::Completed) {
         complain(statusText(name(report.status), report.message));

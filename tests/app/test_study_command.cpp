@@ -216,6 +216,42 @@ private slots:
         QVERIFY2(o.err.contains("holds 1 row of a study that was interrupted; go on with --resume"), o.err);
         QCOMPARE(folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--resume"}).code, 0);
     }
+    /// Rows that are in the study's file when it is continued stay when that is killed, and rows that this part or this
+    /// axis does not use stay, too.
+    void rowsOfTheFileStay()
+    {
+        folder_->put("a.toml", sweep_);
+        const QStringList first{"study", "a.toml", "--out", "a.h5", "--part", "1/2"};
+        QCOMPARE(folder_->touchdown(first).code, 0);
+        const Outcome second = folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--part", "2/2", "--resume"});
+        QVERIFY2(second.err.contains("0 of 15 items were there already"), second.err);
+        const Outcome all = folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--resume"});
+        QVERIFY2(all.err.contains("30 of 30 items were there already"), all.err);
+
+        folder_->put("b.toml", QByteArray(sweep_).replace("count = 6", "count = 5000"));
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.start(TOUCHDOWN_COMMAND, {"study", "b.toml", "--out", "a.h5", "--resume"});
+        QTRY_VERIFY_WITH_TIMEOUT(linesOf("a.h5.items") > 40, 60000);
+        process.kill();
+        QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished(20000));
+        const Outcome last = folder_->touchdown({"study", "a.toml", "--out", "a.h5", "--resume"});
+        QVERIFY2(last.err.contains("30 of 30 items were there already"), last.err);
+    }
+    /// A study that was stopped is not replaced by a command that does not go on with it.
+    void aStoppedStudyStays()
+    {
+        folder_->put("a.toml", QByteArray(sweep_).replace("count = 6", "count = 5000"));
+        QProcess process;
+        process.setWorkingDirectory(folder_->path());
+        process.start(TOUCHDOWN_COMMAND, {"study", "a.toml", "--out", "a.h5"});
+        QTRY_VERIFY_WITH_TIMEOUT(linesOf("a.h5.items") > 10, 60000);
+        process.terminate();
+        QVERIFY(process.waitForFinished(20000));
+        const Outcome o = folder_->touchdown({"study", "a.toml", "--out", "a.h5"});
+        QCOMPARE(o.code, 2);
+        QVERIFY2(o.err.contains("of a study that ended early; go on with --resume"), o.err);
+    }
     /// An axis with one more value solves what is new alone.
     void aChangedAxis()
     {

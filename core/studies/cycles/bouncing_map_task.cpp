@@ -158,7 +158,8 @@ MapCell cellOf(double x, double y, const std::optional<ItemRow>& row)
     };
     cell.done = true;
     cell.cycleWork = number(0);
-    for (std::size_t k = 0; k < bouncingEnds; ++k) cell.ends[k] = static_cast<int>(number(k + 1));
+    for (std::size_t k = 0; k < bouncingEnds; ++k)
+        cell.ends[k] = static_cast<int>(std::clamp(number(k + 1), 0.0, double(mostStarts)));
     if (const auto* problem = std::get_if<std::string>(&row->back())) cell.problem = *problem;
     return cell;
 }

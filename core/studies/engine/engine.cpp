@@ -103,7 +103,7 @@ private:
     {
         StudyReport report;
         report.status = StudyStatus::Cancelled;
-        report.message = task_.kind == EngineKind::Slurm
+        report.message = task_.kind == EngineKind::Slurm && !jobs_.empty()
                              ? "the jobs go on; the same command follows them again and joins their parts"
                              : "stopped; the same command goes on with what is solved";
         return report;
@@ -133,6 +133,7 @@ private:
             if (problem.empty()) problem = writer.finish(interruptedReport(empty));
             if (!problem.empty()) return problem;
         }
+        if (std::string problem = copySurface(c); !problem.empty()) return problem;
         // Another number of parts would leave files of the first ones.
         if (fs::exists(script())) {
             const auto text = readTextFile(script(), 1 << 20);
@@ -145,6 +146,21 @@ private:
         fs::permissions(script(), fs::perms::owner_exec, fs::perm_options::add, error);
         readJobs();
         return {};
+    }
+
+    /// The file of a measured surface stands where the case names it, beside the study. Returns the problem, or "".
+    std::string copySurface(const Case& c) const
+    {
+        const fs::path file = c.diskSurface.file;
+        if (file.empty()) return {};
+        const fs::path name = file.lexically_normal();
+        if (name.is_absolute()) return {};
+        if (*name.begin() == "..")
+            return "the case names " + file.string() + ", outside its folder; put it beside the case for an engine";
+        std::error_code error;
+        fs::create_directories((folder_ / name).parent_path(), error);
+        fs::copy_file(c.folder / name, folder_ / name, fs::copy_options::update_existing, error);
+        return error ? "cannot copy " + file.string() + " to " + folder_.string() + ": " + error.message() : "";
     }
 
     std::string scriptText() const
@@ -211,10 +227,18 @@ private:
                 queueKnown_ = false;
                 return false;
             }
-            std::istringstream tasks(answer.output);
-            bool any = false;
-            for (std::size_t task = 0; tasks >> task;) any = alive.insert(task).second || any;
-            return !any && answer.output.empty();
+            std::istringstream lines(answer.output);
+            bool any = false, said = false;
+            for (std::string line; std::getline(lines, line);) { // beside numbers, there may be warnings
+                const std::string word(trimmed(line));
+                if (word.empty()) continue;
+                said = true;
+                if (word.find_first_not_of("0123456789") != std::string::npos || word.size() > 9) continue;
+                alive.insert(std::stoul(word));
+                any = true;
+            }
+            queueKnown_ = queueKnown_ && (any || !said);
+            return !said;
         });
         if (!std::exchange(queueKnown_, true)) {
             if (silentSince_ == 0.0) {
@@ -273,10 +297,10 @@ private:
                 task_.kind == EngineKind::Local ? "for part in {parts}; do {script} $part; done" : task_.submit;
             if (command.find("{script}") == std::string::npos && command.find("{parts}") == std::string::npos)
                 command += " {script} ::: {parts}";
-            command = replaced(std::move(command), "{script}", shellWord(script().string()));
+            command = replaced(std::move(command), "{script}", "./part.sh");
             command = replaced(std::move(command), "{parts}", joined(numbers, " "));
-            process_ = std::make_unique<ShellProcess>("{ " + command + "\n} >> " +
-                                                      shellWord((folder_ / "log" / "launcher.txt").string()) + " 2>&1");
+            process_ = std::make_unique<ShellProcess>("cd " + shellWord(folder_.string()) + " && { " + command +
+                                                      "\n} >> log/launcher.txt 2>&1");
             return {};
         }
         const ShellAnswer answer =
@@ -301,7 +325,8 @@ private:
             const auto* log = std::get_if<std::string>(&text);
             if (log == nullptr || trimmed(*log).empty()) continue;
             const std::string_view all = trimmed(*log);
-            return ": " + std::string(all.substr(all.size() - std::min(all.size(), lastOfLog)));
+            const std::string_view last = all.substr(all.rfind('\n') + 1); // of no line end: from the beginning
+            return ": " + std::string(last.substr(0, lastOfLog));
         }
         return {};
     }

@@ -394,7 +394,17 @@ std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, con
         refused.problem = wrong.key + ": " + wrong.message;
         return refused;
     }
-    return calculation == Calculation::Run ? readRun(c, readings, goOn) : readState(c, calculation, readings, goOn);
+    auto found =
+        calculation == Calculation::Run ? readRun(c, readings, goOn) : readState(c, calculation, readings, goOn);
+    if (!found || !found->problem.empty()) return found;
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        if (!std::holds_alternative<std::monostate>(found->values[i])) continue;
+        const std::string& quantity = readings[i].quantity.name;
+        const std::vector<ReadableQuantity> all = readableQuantities(calculation, c);
+        if (std::ranges::find(all, quantity, [](const auto& each) { return each.quantity.name; }) == all.end())
+            found->problem = "this case has no " + inQuotes(quantity);
+    }
+    return found;
 }
 
 } // namespace touchdown

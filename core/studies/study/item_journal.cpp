@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -49,8 +50,10 @@ std::optional<StudyValue> readValue(std::string_view text)
 {
     if (text.empty()) return StudyValue();
     if (text.front() != '"') {
-        const std::optional<double> number = readDecimal(text);
-        return number ? std::optional<StudyValue>(*number) : std::nullopt;
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool whole = error == std::errc() && end == text.data() + text.size();
+        return whole && std::isfinite(number) ? std::optional<StudyValue>(number) : std::nullopt;
     }
     std::string plain;
     for (std::size_t i = 1; i < text.size(); ++i) {
@@ -116,8 +119,9 @@ std::string ItemJournal::open(const std::filesystem::path& studyFile, bool goOn,
         if (const auto* problem = std::get_if<FileProblem>(&content))
             return "cannot read " + file_.string() + ": " + problem->message;
         before = std::move(std::get<std::string>(content));
-        if (!before.empty() && !before.starts_with(heading))
-            return file_.string() + " is in the way: it does not hold rows of a study";
+        const std::string_view first = std::string_view(before).substr(0, before.find('\n'));
+        const bool begun = before.find('\n') == std::string::npos && heading.starts_with(first);
+        if (first != heading && !begun) return file_.string() + " is in the way: it does not hold rows of a study";
     }
     KeptRows rows;
     for (std::size_t begin = 0; begin < before.size();) {
@@ -131,7 +135,10 @@ std::string ItemJournal::open(const std::filesystem::path& studyFile, bool goOn,
     kept.merge(rows);
     descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
     if (descriptor_ < 0) return "cannot write to " + file_.string() + ": " + reasonNow();
-    if (before.empty()) return append(std::string(heading));
+    if (before.find('\n') == std::string::npos) { // new, or its program was killed at its first line
+        if (::ftruncate(descriptor_, 0) != 0) return "cannot write to " + file_.string() + ": " + reasonNow();
+        return append(std::string(heading));
+    }
     return before.ends_with('\n') ? std::string() : append(""); // ends a line that was cut short
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <mutex>
+#include <unordered_set>
 #include <utility>
 
 #include "core/formats/words.h"
@@ -110,10 +111,28 @@ private:
                " have no row in these files: " + joined(names);
     }
 
+    /// Kept rows that this list has no use for, or did not reach.
+    void addOthers(StudyReport& report) const
+    {
+        std::unordered_set<std::string> used;
+        for (const StudyItem& item : report.items) used.insert(item.key);
+        std::vector<std::string> others;
+        for (const auto& [key, row] : *options_.kept)
+            if (!used.contains(key)) others.push_back(key);
+        std::ranges::sort(others);
+        for (const std::string& key : others) {
+            const ItemRow& row = options_.kept->at(key);
+            report.items.push_back({key, row});
+        }
+    }
+
     void finish(StudyReport& report, bool whole)
     {
         for (std::size_t i = 0; i < rows_.size(); ++i)
             if (rows_[i]) report.items.push_back({std::move(keys_[i]), std::move(*rows_[i])});
+        const std::size_t ready = report.items.size();
+        if (options_.kept != nullptr && !options_.onlyKept) addOthers(report);
+        if (options_.taken != nullptr) *options_.taken = taken_;
         if (!problem_.empty()) {
             report.status = StudyStatus::Failed;
             report.message = problem_;
@@ -122,15 +141,14 @@ private:
             report.message = missingText();
         } else if (!whole) {
             report.status = StudyStatus::Cancelled;
-            report.message =
-                "stopped after " + std::to_string(report.items.size()) + " of " + counted(study_.count, "item");
+            report.message = "stopped after " + std::to_string(ready) + " of " + counted(study_.count, "item");
         }
         if (report.status != StudyStatus::Completed || !options_.part.isWhole()) report.findings.clear();
         if (!options_.part.isWhole() && report.status == StudyStatus::Completed)
             report.warnings.insert(report.warnings.begin(),
                                    "This is part " + std::to_string(options_.part.part) + " of " +
-                                       std::to_string(options_.part.of) + ": " + std::to_string(report.items.size()) +
-                                       " of " + counted(study_.count, "item") + ". Join all parts for the findings.");
+                                       std::to_string(options_.part.of) + ": " + std::to_string(ready) + " of " +
+                                       counted(study_.count, "item") + ". Join all parts for the findings.");
     }
 
     const ItemStudy& study_;

@@ -42,7 +42,6 @@ using StudyWork = std::variant<StudyPerformance, ItemStudy>;
 /// Items `part`, `part` + `of`, `part` + 2 `of`, ... of a list, counted from 1.
 struct ItemPart {
     std::size_t part = 1, of = 1;
-    bool has(std::size_t item) const { return item % of == part - 1; }
     bool isWhole() const { return of == 1; }
     /// How many of `count` items it has.
     std::size_t size(std::size_t count) const { return (count + of - part) / of; }
@@ -53,6 +52,7 @@ struct ItemOptions {
     ItemPart part{};
     const KeptRows* kept = nullptr; // rows of an earlier call, of this study or of another one
     bool onlyKept = false;          // nothing is solved: an item without a row makes the study fail
+    std::size_t* taken = nullptr;   // receives how many rows were there already
     /// Receives each row that was solved as soon as it is there, from any thread, one at a time. Returns "", or why it
     /// could not be kept, which ends the study.
     std::function<std::string(const std::string& key, const ItemRow& row)> keep{};
@@ -61,7 +61,8 @@ struct ItemOptions {
 /// The key of a row: the same only for the same content and the same version of this program. 32 hexadecimal digits.
 std::string itemKey(const std::string& content);
 
-/// Solves the items that have no row yet. The report has their rows as `items`, which a file of the study keeps.
+/// Solves the items that have no row yet. The report has their rows as `items`, which a file of the study keeps; behind
+/// them all other kept rows, so that none is lost.
 StudyReport performItems(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback);
 
 } // namespace touchdown

@@ -125,7 +125,7 @@ public:
         double step = 1.0;  // [unit of the reading]
         double first = 0.0; // steps that lie below the lowest one
         int count = 1;
-        int of(double value) const { return std::clamp(int(std::floor(value / step) - first), 0, count - 1); }
+        int of(double value) const { return int(std::clamp(std::floor(value / step) - first, 0.0, double(count - 1))); }
     };
 
     /// From low to high.

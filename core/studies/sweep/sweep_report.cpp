@@ -96,6 +96,7 @@ private:
         for (const std::size_t r : at_.drawn()) {
             std::vector<std::pair<double, std::string>> clear;
             for (std::size_t k = 0; k < at_.axes(); ++k) {
+                if (!at_.axis(k).isNumber) continue; // texts have no order
                 std::vector<double> x, y;
                 for (const SweepPoint& point : at_.points())
                     if (const double value = at_.numberOf(point, r); std::isfinite(value)) {
@@ -132,12 +133,18 @@ private:
                 if (most == nullptr || value > at_.numberOf(*most, r)) most = &point;
             }
             if (least == nullptr) continue;
+            const auto hasValue = [&](const SweepPoint& point) { return std::isfinite(at_.numberOf(point, r)); };
+            const auto known = std::size_t(std::ranges::count_if(at_.points(), hasValue));
             const std::string name = at_.reading(r).column().longName;
             const auto shown = [&](const SweepPoint& point) {
                 return at_.textOf(point, r) + " (" + at_.nameOf(point) + ")";
             };
             ranges.push_back(name + (at_.numberOf(*least, r) == at_.numberOf(*most, r)
-                                         ? ": " + at_.textOf(*least, r) + " everywhere."
+                                         ? ": " + at_.textOf(*least, r) +
+                                               (known == at_.points().size()
+                                                    ? std::string(" everywhere.")
+                                                    : " wherever there is a value, at " + std::to_string(known) +
+                                                          " of " + counted(at_.points().size(), "point") + ".")
                                          : ": from " + shown(*least) + " to " + shown(*most) + "."));
         }
         for (std::size_t r = 0; r < at_.readings(); ++r)

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/case_files/outside_path.h"
 #include "core/formats/quotation.h"
 #include "core/formats/toml_document.h"
 #include "core/formats/units.h"
@@ -126,10 +127,20 @@ private:
             }
         const auto texts = lists_->texts(table + ".values");
         if (!texts) return false;
+        std::set<std::string> seen;
         for (const std::string& text : *texts) {
             Case tried = task_.start;
+            if (axis.key.kind == ParameterKind::Text && lists_->outsidePaths() == OutsidePaths::Refused &&
+                leadsOutside(tried.folder, tried.folder / text)) {
+                lists_->add(table + ".values", outsideProblem(text, "the study"));
+                return false;
+            }
             if (const auto problem = setFromText(tried, axis.key, text)) {
                 lists_->add(table + ".values", inQuotes(text) + ": " + *problem);
+                return false;
+            }
+            if (!seen.insert(toText(tried, axis.key)).second) {
+                lists_->add(table + ".values", inQuotes(text) + " is twice in the list");
                 return false;
             }
             const double place = double(axis.values.size() + 1);

@@ -138,7 +138,7 @@ private:
     {
         EngineTask task;
         task.kind = kind;
-        task.folder = file(kind == EngineKind::Command ? "parts" : "parts of it's");
+        task.folder = file("parts {parts} of it's");
         task.program = TOUCHDOWN_COMMAND;
         task.parts = 3;
         return task;

@@ -45,7 +45,8 @@ private slots:
             QVERIFY2(*back == row, rowText(row).c_str());
             QVERIFY(rowText(row).find('\n') == std::string::npos);
         }
-        QVERIFY(!readRow("1\tsix").has_value());
+        for (const char* none : {"1\tsix", "inf", "nan", "1.5xyz", "0x10", "1e999"})
+            QVERIFY(!readRow(none).has_value());
         QVERIFY(!readRow("\"cut\\").has_value());
     }
 
@@ -95,6 +96,22 @@ private slots:
             QCOMPARE(third.open(file(), true, again), std::string());
             QCOMPARE(again.size(), some.size() + 1);
         }
+    }
+
+    void killedAtItsFirstLine()
+    {
+        for (const char* begun : {"", "touch", "touchdown-items 1"}) {
+            put(begun);
+            KeptRows kept;
+            ItemJournal journal;
+            QCOMPARE(journal.open(file(), false, kept), std::string());
+            QCOMPARE(journal.keep("a", {1.0}), std::string());
+            QVERIFY(text().starts_with("touchdown-items 1\na\t1\t"));
+        }
+        put("touchdown-items 10\n");
+        KeptRows kept;
+        ItemJournal journal;
+        QVERIFY(!journal.open(file(), true, kept).empty());
     }
 
     void somethingElseStays()

@@ -123,6 +123,13 @@ private slots:
         QCOMPARE(table.columns[0].name, std::string("contact_of_the_case"));
         QCOMPARE(table.columns[1].name, std::string("contact"));
         QCOMPARE(std::get<std::string>(table.rows[0][0]), std::string("none"));
+        // What one of the cases does not have is a row with its reason.
+        const StudyReport hole = performed(
+            shortRun(), "[[axis]]\nkey = \"contact\"\nvalues = [\"none\", \"ono-yamane\"]\n[[reading]]\nquantity "
+                        "= \"touch_downs\"\n");
+        QCOMPARE(std::get<std::string>(hole.tables[0].rows[0].back()), std::string("this case has no \"touch_downs\""));
+        QVERIFY2(hole.findings[0].find("wherever there is a value, at 1 of 2 points") != std::string::npos,
+                 hole.findings[0].c_str());
     }
 
     /// The share of starts that are caught, by an axis that is averaged over.
@@ -227,6 +234,7 @@ private slots:
             "is changed by two axes");
         row("beyond its range", "[[axis]]\nkey = \"slider.mass\"\nfrom = \"-1 mg\"\nto = \"1 mg\"\n" + read, "from");
         row("a wrong unit", axis + "values = [\"3 urad\"]\n" + read, "3 urad");
+        row("a value twice", axis + "values = [\"3 nm\", \"4 nm\", \"0.003 um\"]\n" + read, "is twice in the list");
         row("both lists", axis + "values = [\"3 nm\"]\ncount = 3\n" + read, "stands beside values");
         row("no number", "[[axis]]\nkey = \"run.integrator\"\nfrom = 1\nto = 2\n" + read, "is no number");
         row("the model", "[[axis]]\nkey = \"model\"\nvalues = [\"film\"]\n" + read, "cannot be varied");
