@@ -129,7 +129,9 @@ StudyReport ListStudy::perform(const StudyPlan& plan, const CommandArguments& ar
                               .folder = std::filesystem::path(arguments.out).parent_path(),
                               .program = std::filesystem::canonical("/proc/self/exe", error),
                               .parts = std::size_t(arguments.parts),
-                              .jobs = std::max(arguments.jobs, 1),
+                              .jobs = arguments.jobs > 0           ? arguments.jobs
+                                      : *kind == EngineKind::Local ? cores
+                                                                   : 1,
                               .options = arguments.sbatch,
                               .submit = arguments.submit};
         return performByEngine(plan, task, callback, [](const std::string& text) { complain(text); });

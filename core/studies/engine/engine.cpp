@@ -140,6 +140,8 @@ private:
             const auto* before = std::get_if<std::string>(&text);
             if (before != nullptr && before->find("parts=" + std::to_string(task_.parts) + "\n") == std::string::npos)
                 return folder_.string() + " was made for another number of parts (part.sh)";
+            if (before != nullptr && *before != scriptText())
+                tell_(script().string() + " is used as it is; this command would write another one");
         } else if (std::string problem = writeTextFile(script(), scriptText()); !problem.empty()) {
             return script().string() + ": " + problem;
         }
@@ -269,7 +271,7 @@ private:
             if (part.submitted) {
                 if (part.endedAt == 0.0) part.endedAt = wallClock();
                 if (wallClock() - part.endedAt < (task_.kind == EngineKind::Slurm ? latencyOfFiles : 0.0)) continue;
-                part.tries = part.rows > part.rowsBefore ? 1 : part.tries + 1;
+                part.tries = part.rows > part.rowsBefore ? 0 : part.tries + 1;
                 if (part.tries >= task_.tries)
                     return "part " + std::to_string(part.number) + " ended " + std::to_string(part.tries) +
                            " times without solving an item" +
@@ -361,7 +363,12 @@ private:
             StoredStudy stored = readStudy(fileOf(part));
             for (StudyItem& item : stored.report.items) kept.emplace(std::move(item.key), std::move(item.row));
         }
-        return plan_.performList({.jobs = task_.jobs, .kept = &kept, .onlyKept = true}, callback_);
+        StudyReport report = plan_.performList({.jobs = task_.jobs, .kept = &kept, .onlyKept = true}, callback_);
+        if (report.status == StudyStatus::Failed && report.items.size() < plan_.items)
+            report.message +=
+                "; a file of a part has rows of another study or version: remove it, and the same command "
+                "solves its part again";
+        return report;
     }
 
     const StudyPlan& plan_;

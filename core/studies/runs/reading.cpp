@@ -13,11 +13,11 @@
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 #include "core/numerics/moments.h"
-#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/simulation/static_state/steady_quantities.h"
 #include "core/studies/runs/measured_run.h"
+#include "core/studies/runs/sampled_values.h"
 
 namespace touchdown {
 
@@ -162,15 +162,6 @@ constexpr std::array<ModeReading, 4> modeReadings{{
      &AirBearingMode::dampingError},
 }};
 
-/// Samples of a run at equal intervals: without a last one that follows sooner.
-std::span<const double> evenSamples(const Case& c, const MeasuredRun& run, std::span<const double> column, double begin)
-{
-    const auto first = std::size_t(std::ranges::lower_bound(run.time, begin) - run.time.begin());
-    const std::span<const double> samples = column.subspan(std::min(first, column.size()));
-    const bool between = samples.size() > 1 && isBetweenSamples(run.time.back(), c.run.sampleInterval);
-    return samples.first(samples.size() - between);
-}
-
 double valueOver(const Case& c, const MeasuredRun& run, const Reading& reading, std::span<const double> column)
 {
     const Summary& summary = run.summary;
@@ -179,14 +170,11 @@ double valueOver(const Case& c, const MeasuredRun& run, const Reading& reading, 
     const Extremes extremes = valueOr(summary.extremes, quantity, {unknown, unknown});
     if (reading.at == ReadAt::Least) return extremes.least;
     if (reading.at == ReadAt::Most) return extremes.most;
-    const double begin = reading.at == ReadAt::Mean || run.time.empty() ? 0.0 : (1.0 - tailShare) * run.time.back();
-    const std::span<const double> samples = evenSamples(c, run, column, begin);
-    if (samples.empty()) return unknown;
-    if (reading.at == ReadAt::Rms) return momentsOf(samples).deviation;
-    if (reading.at != ReadAt::Swing) return momentsOf(samples).mean;
-    if (const Statistics* tail = valueIn(summary.tail, quantity)) return tail->max - tail->min;
-    const auto [least, most] = std::ranges::minmax(samples);
-    return most - least;
+    if (column.empty() || run.time.empty()) return unknown;
+    if (reading.at == ReadAt::Swing) return tailSwing(c, run, quantity, column);
+    if (reading.at == ReadAt::Mean) return momentsOf(evenSamples(c, run, column, 0.0)).mean;
+    const Moments tail = momentsOf(tailSamples(c, run, column));
+    return reading.at == ReadAt::Rms ? tail.deviation : tail.mean;
 }
 
 bool needsSamples(ReadAt at)

@@ -12,8 +12,8 @@
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
 #include "core/numerics/spectrum.h"
-#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "core/studies/runs/sampled_values.h"
 #include "core/studies/runs/work_done.h"
 #include "core/studies/study/growing_report.h"
 #include "core/work/parallel.h"
@@ -68,33 +68,9 @@ StatementFinding judgePeak(const Statement& statement, const MeasuredRun& run)
     return {found, shown((found ? *inside : peaks.front()).frequency, statement)};
 }
 
-/// The samples from a time on, at equal intervals: without a last one between two of them, if there are others.
-std::span<const double> evenSamples(const Case& c, const SampledRun& run, double begin)
-{
-    const std::vector<double>& time = run.run->time;
-    const auto first = std::size_t(std::ranges::lower_bound(time, begin) - time.begin());
-    const std::span<const double> samples = run.samples().subspan(first);
-    const bool between = samples.size() > 1 && isBetweenSamples(time.back(), c.run.sampleInterval);
-    return samples.first(samples.size() - between);
-}
-
-/// Those over the last tenth of the run.
-std::span<const double> tailOf(const Case& c, const SampledRun& run)
-{
-    return evenSamples(c, run, (1.0 - tailShare) * run.run->time.back());
-}
-
-/// Peak to peak over the last tenth: between samples, too, where the run itself states it.
-double swingOf(const Statement& statement, const SampledRun& run)
-{
-    if (const Statistics* tail = valueIn(run.run->summary.tail, statement.quantity.name)) return tail->max - tail->min;
-    const auto [least, most] = std::ranges::minmax(tailOf(statement.c, run));
-    return most - least;
-}
-
 Spectrum spectrumOf(const Case& c, const SampledRun& run)
 {
-    return welch(evenSamples(c, run, c.spectrum.start), c.run.sampleInterval,
+    return welch(evenSamples(c, *run.run, run.samples(), c.spectrum.start), c.run.sampleInterval,
                  welchOptions(c.spectrum, c.run.sampleInterval));
 }
 
@@ -148,10 +124,10 @@ double valueOf(const Statement& statement, const SampledRun& run)
 {
     switch (statement.taken) {
     case Taken::End:
-    case Taken::Difference: return momentsOf(tailOf(statement.c, run)).mean;
-    case Taken::Swing: return swingOf(statement, run);
-    case Taken::Rms: return momentsOf(tailOf(statement.c, run)).deviation;
-    case Taken::Mean: return momentsOf(evenSamples(statement.c, run, 0.0)).mean;
+    case Taken::Difference: return momentsOf(tailSamples(statement.c, *run.run, run.samples())).mean;
+    case Taken::Swing: return tailSwing(statement.c, *run.run, statement.quantity.name, run.samples());
+    case Taken::Rms: return momentsOf(tailSamples(statement.c, *run.run, run.samples())).deviation;
+    case Taken::Mean: return momentsOf(evenSamples(statement.c, *run.run, run.samples(), 0.0)).mean;
     case Taken::Least: return extremesOf(statement, *run.run).least;
     case Taken::Greatest: return extremesOf(statement, *run.run).most;
     case Taken::Peaks: return peaksWithin(statement, run);

@@ -2,12 +2,10 @@
 #include "core/studies/study/item_journal.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <system_error>
 #include <variant>
 
@@ -25,15 +23,6 @@ namespace {
 
 constexpr std::string_view heading = "touchdown-items 1";
 constexpr std::uintmax_t largestJournal = std::uintmax_t{1} << 31; // [byte]
-
-std::string checkOf(std::string_view text)
-{
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    std::array<char, 17> digits{};
-    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-    return digits.data();
-}
 
 std::string valueText(const StudyValue& value)
 {
@@ -71,7 +60,7 @@ std::optional<StudyValue> readValue(std::string_view text)
 void readLine(std::string_view line, KeptRows& kept)
 {
     const std::size_t last = line.rfind('\t'), first = line.find('\t');
-    if (last == std::string_view::npos || first == last || checkOf(line.substr(0, last)) != line.substr(last + 1))
+    if (last == std::string_view::npos || first == last || hashText(line.substr(0, last)) != line.substr(last + 1))
         return;
     if (auto row = readRow(line.substr(first + 1, last - first - 1)))
         kept.emplace(std::string(line.substr(0, first)), std::move(*row));
@@ -146,7 +135,7 @@ std::string ItemJournal::keep(const std::string& key, const ItemRow& row)
 {
     if (descriptor_ < 0) return "no file of a study's rows is open";
     std::string line = key + '\t' + rowText(row);
-    return append(line + '\t' + checkOf(line));
+    return append(line + '\t' + hashText(line));
 }
 
 std::string ItemJournal::append(std::string line)

@@ -21,13 +21,6 @@ constexpr double betweenReports = 0.25; // while rows come, at least [s]
 constexpr double reportShare = 0.1;     // of the time that reports of a growing list may take [-]
 constexpr std::size_t mostNamed = 5;    // items in a sentence
 
-/// FNV-1a (Fowler, Noll, Vo 1991) of 64 bits.
-std::uint64_t hashOf(const std::string& text, std::uint64_t start)
-{
-    for (const char c : text) start = (start ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    return start;
-}
-
 class Performance {
 public:
     Performance(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback)
@@ -60,7 +53,7 @@ private:
             if (const auto found = options_.kept->find(key);
                 found != options_.kept->end() && found->second.size() == study_.width)
                 row = found->second;
-        if (!row && !options_.onlyKept) {
+        if (!row && !options_.onlyKept && goOn()) {
             row = study_.solve(i, goOn);
             isNew = row.has_value();
         }
@@ -168,14 +161,19 @@ private:
 
 } // namespace
 
+std::string hashText(std::string_view text, std::uint64_t start)
+{
+    for (const char c : text) start = (start ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    std::array<char, 17> digits{};
+    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(start));
+    return digits.data();
+}
+
 std::string itemKey(const std::string& content)
 {
-    constexpr std::uint64_t basis = 0xcbf29ce484222325ULL, other = 0x84222325cbf29ce4ULL;
-    std::array<char, 33> text{};
+    constexpr std::uint64_t other = 0x84222325cbf29ce4ULL;
     const std::string all = TOUCHDOWN_VERSION "\n" + content;
-    std::snprintf(text.data(), text.size(), "%016llx%016llx", static_cast<unsigned long long>(hashOf(all, basis)),
-                  static_cast<unsigned long long>(hashOf(all, other)));
-    return text.data();
+    return hashText(all) + hashText(all, other);
 }
 
 StudyReport performItems(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback)

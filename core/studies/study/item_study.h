@@ -6,9 +6,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -57,6 +59,9 @@ struct ItemOptions {
     /// could not be kept, which ends the study.
     std::function<std::string(const std::string& key, const ItemRow& row)> keep{};
 };
+
+/// FNV-1a of 64 bits (Fowler, Noll & Vo 1991), 16 hexadecimal digits: tells damage, not a forger.
+std::string hashText(std::string_view text, std::uint64_t start = 0xcbf29ce484222325ULL);
 
 /// The key of a row: the same only for the same content and the same version of this program. 32 hexadecimal digits.
 std::string itemKey(const std::string& content);

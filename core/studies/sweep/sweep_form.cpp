@@ -68,7 +68,7 @@ StudyForm sweepForm(const Case& c)
         tableKey("samples", "Instead of a grid over all axes: points that are drawn, with the distribution of each "
                             "axis."),
         onlyOffered(choiceKey("samples.method", "grid", methods, "grid: every value of each axis with all others")),
-        onlyOffered(integerKey("samples.count", 64, 1, 10000000, "of the points")),
+        onlyOffered(integerKey("samples.count", 64, 1, mostSweepSamples, "of the points")),
         onlyOffered(integerKey("samples.seed", 1, 0, 2147483647, "the same seed draws the same points")),
         inList(textKey("axis.key", {}, "a key of the case in quotation marks", "what changes along the axis")),
         inList(listKey("axis.keys", {}, "instead of key: several that take the same value")),

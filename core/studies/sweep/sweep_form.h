@@ -12,6 +12,7 @@
 namespace touchdown {
 
 inline constexpr int mostSweepValues = 100000, standardSweepCount = 7; // of an axis
+inline constexpr int mostSweepSamples = 1000000;
 
 inline const std::vector<std::string> sweepSpacings{"linear", "logarithmic"};
 inline const std::vector<std::string> sweepDistributions{"uniform", "normal"};

@@ -265,12 +265,8 @@ private:
                 reader_.add("axis", "is averaged over, as are all others; at least one must not be");
             return;
         }
-        const auto shares = samplePoints(task_.samples->method, task_.axes.size(), task_.samples->count,
-                                         std::uint64_t(task_.samples->seed));
-        for (const std::vector<double>& point : shares) {
-            std::vector<SweepValue>& values = task_.points.emplace_back();
-            for (std::size_t d = 0; d < point.size(); ++d) values.push_back(task_.axes[d].at(point[d]));
-        }
+        task_.points = samplePoints(task_.samples->method, task_.axes.size(), task_.samples->count,
+                                    std::uint64_t(task_.samples->seed));
     }
 
     StudyReader& reader_;
@@ -318,8 +314,11 @@ std::size_t SweepTask::count() const
 
 std::vector<SweepValue> SweepTask::valuesOf(std::size_t item) const
 {
-    if (samples) return points[item];
     std::vector<SweepValue> values(axes.size());
+    if (samples) {
+        for (std::size_t d = 0; d < axes.size(); ++d) values[d] = axes[d].at(points[item][d]);
+        return values;
+    }
     for (std::size_t d = axes.size(); d-- > 0;) {
         values[d] = axes[d].values[item % axes[d].values.size()];
         item /= axes[d].values.size();

@@ -62,8 +62,8 @@ struct SweepTask {
     Calculation calculate = Calculation::Run;
     std::vector<SweepAxis> axes;
     std::optional<SweepSamples> samples{};
-    std::vector<Reading> readings;                 // stated errors behind what they belong to
-    std::vector<std::vector<SweepValue>> points{}; // of samples
+    std::vector<Reading> readings;             // stated errors behind what they belong to
+    std::vector<std::vector<double>> points{}; // of samples: a share of the probability for each axis, 0..1
 
     std::size_t count() const;
     /// A value for each axis. In a grid the last axis runs first.

@@ -119,6 +119,21 @@ private slots:
         QVERIFY2(read("asked").contains("--array=2 --time=1:00:00"), read("asked"));
     }
 
+    /// A part whose file has other rows is told, and not solved in secret by this process.
+    void aFileOfAnotherPart()
+    {
+        const EngineTask task = taskOf(EngineKind::Local);
+        const auto perform = [&] { return performByEngine(study(), task, {}, [](const std::string&) {}); };
+        QCOMPARE(perform().status, StudyStatus::Completed);
+        fs::copy_file(task.folder / "part_1.h5", task.folder / "part_2.h5", fs::copy_options::overwrite_existing);
+        const StudyReport report = perform();
+        QCOMPARE(report.status, StudyStatus::Failed);
+        QVERIFY2(report.message.starts_with("4 items of 12 have no row in these files: 2, 5, 8, 11; a file of a part"),
+                 report.message.c_str());
+        fs::remove(task.folder / "part_2.h5");
+        QCOMPARE(perform().status, StudyStatus::Completed);
+    }
+
     void anotherStudyStays()
     {
         const EngineTask task = taskOf(EngineKind::Local);

@@ -151,7 +151,7 @@ private slots:
         const StudyReport report = performItems(squares.study(), options, {});
         QCOMPARE(report.status, StudyStatus::Failed);
         QCOMPARE(report.message, std::string("no space left"));
-        QVERIFY(std::ranges::count_if(squares.solved, [](const auto& count) { return count > 0; }) < 1000);
+        QCOMPARE(std::ranges::count_if(squares.solved, [](const auto& count) { return count > 0; }), std::ptrdiff_t(1));
     }
 
     void keysDiffer()
