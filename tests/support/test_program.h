@@ -6,6 +6,13 @@
 
 #include <QTest>
 
+/// A wait ends when its condition holds. Its limit only decides when a test fails, so a machine with much to do gets
+/// time (ms).
+#undef QTRY_VERIFY
+#define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, 60000)
+#undef QTRY_COMPARE
+#define QTRY_COMPARE(computed, expected) QTRY_COMPARE_WITH_TIMEOUT(computed, expected, 60000)
+
 namespace touchdown::test {
 
 /// Registers a function under a name; `file` may be a path, whose stem is the name.

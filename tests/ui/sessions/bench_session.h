@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/case/parameters.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/fake_workbench.h"
 #include "tests/ui/sessions/session_data.h"
 #include "ui/sessions/session.h"

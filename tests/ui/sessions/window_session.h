@@ -8,6 +8,7 @@
 #include <QComboBox>
 
 #include "core/case/parameters.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/question.h"
 #include "tests/ui/sessions/session_data.h"
 #include "ui/runs/run_controller.h"
