@@ -7,7 +7,8 @@
 #include <iterator>
 #include <optional>
 
-#include "app/commands/case_commands.h"
+#include "app/commands/run_output.h"
+#include "app/commands/run_source.h"
 #include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
 #include "app/terminal/output_target.h"
@@ -18,13 +19,9 @@
 #include "core/case/disk_setup.h"
 #include "core/case/parameters.h"
 #include "core/case_files/case_file.h"
-#include "core/case_files/case_text.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
-#include "core/results/csv_writer.h"
-#include "core/results/results_writer.h"
 #include "core/simulation/contact/pad_way.h"
-#include "core/simulation/recording/run_spectra.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {
@@ -35,6 +32,7 @@ namespace {
 constexpr std::array finalKeys{
     "flying_height",  "minimum_spacing",   "pitch", "roll", "height", "contact_force", "adhesion_force",
     "friction_force", "air_bearing_force", "energy"};
+constexpr double secondsBetweenCheckpoints = 1.0; // of the clock
 constexpr std::array tailKeys{"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"};
 
 Json statisticsJson(const Statistics& s)
@@ -299,62 +297,16 @@ std::string runText(const Case& c, const Summary& summary, const std::vector<Qua
     return text;
 }
 
-/// The output files of a run. The first problem is kept and ends the run.
-class RunOutput {
-public:
-    RunOutput(const CommandArguments& arguments, const CaseDocument& document)
-        : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
-    {
-        // The time series takes its name only at the end of the run, the results at once: nothing may fail after them.
-        if (!arguments.csv.empty())
-            problem_ = csv_.emplace().open(arguments.csv, quantities_, [] { return !stopRequested(); });
-        if (problem_.empty() && !arguments.out.empty()) {
-            // The text holds the contents of the files that the case names: the results need no other file.
-            const std::string text = updateCaseText(document.text, document.value);
-            problem_ = results_.emplace().open(arguments.out, document.value, text, quantities_,
-                                               recordedFields(document.value));
-            spectra_.emplace(document.value, quantities_);
-        }
-    }
-
-    const std::vector<Quantity>& quantities() const { return quantities_; }
-    const std::string& problem() const { return problem_; }
-
-    void add(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields)
-    {
-        if (spectra_) spectra_->add(batch);
-        if (problem_.empty() && results_) problem_ = results_->append(batch, fields);
-        if (problem_.empty() && csv_) problem_ = csv_->append(batch);
-    }
-
-    void finish(const Summary& summary)
-    {
-        const auto keep = [this](std::string problem) {
-            if (problem_.empty()) problem_ = std::move(problem);
-        };
-        if (csv_) keep(csv_->close());
-        if (!results_) return;
-        for (const auto& [quantity, spectrum] : spectra_->spectra())
-            keep(results_->addSpectrum(quantity, spectrum, spectrum_));
-        keep(results_->finish(summary));
-    }
-
-private:
-    std::vector<Quantity> quantities_;
-    SpectrumCase spectrum_;
-    std::optional<ResultsWriter> results_;
-    std::optional<RunSpectra> spectra_;
-    std::optional<CsvWriter> csv_;
-    std::string problem_;
-};
-
 } // namespace
 
 int runCommand(const CommandArguments& arguments)
 {
-    const CaseDocument document = openCaseToUse(arguments);
+    RunSource source = openRunSource(arguments);
+    const CaseDocument& document = source.document;
     std::vector<InputProblem> problems = document.problems;
-    std::ranges::move(targetProblems({{"--out", arguments.out}, {"--csv", arguments.csv, true}}, document.inputs()),
+    std::vector<std::filesystem::path> inputs = document.inputs();
+    if (source.isStored && !source.resumes) inputs.emplace_back(arguments.name);
+    std::ranges::move(targetProblems({{"--out", source.out}, {"--csv", arguments.csv, true}}, inputs),
                       std::back_inserter(problems));
     if (problems.empty())
         if (const std::string reason = reasonNotToRun(document.value); !reason.empty())
@@ -362,24 +314,28 @@ int runCommand(const CommandArguments& arguments)
     if (!problems.empty()) return refuse(problems, arguments.json);
 
     ProgressLine line(arguments.progress);
-    RunOutput output(arguments, document);
+    RunOutput output(document, {source.out, arguments.csv}, source.continued);
     if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
     const int spacing = findQuantity(output.quantities(), "minimum_spacing");
     std::optional<double> least; // of all samples so far [m]
     Summary summary;
     const auto receive = [&](const RunUpdate& update) {
-        output.add(update.samples, update.fields);
+        output.add(update);
         if (spacing >= 0)
             for (const double each : update.samples.columns[static_cast<std::size_t>(spacing)])
                 least = std::min(least.value_or(each), each);
         summary.endTime = update.time;
         return line.show(runProgress(update.time, update.duration, least)) && output.problem().empty();
     };
-    if (!fitsInMemory([&] { summary = run(document.value, receive); })) {
+    RunOptions options;
+    if (!source.out.empty()) options.checkpointEach = secondsBetweenCheckpoints;
+    options.from = source.continued.from;
+    if (!fitsInMemory([&] { summary = run(document.value, receive, options); })) {
         summary.status = RunStatus::Failed;
         summary.message = outOfMemory(document.name);
     }
     line.end();
+    if (!source.continued.remark.empty()) summary.warnings.push_back(source.continued.remark);
 
     output.finish(summary);
     if (!output.problem().empty()) {

@@ -199,6 +199,15 @@ std::vector<double> Hdf5Dataset::column() const
     return numbers();
 }
 
+std::vector<std::int64_t> Hdf5Dataset::integers() const
+{
+    if (shape().size() != 1) throw Hdf5Error("an array of integers is not one-dimensional");
+    checkStored();
+    std::vector<std::int64_t> values(shape().front());
+    if (!values.empty()) checkHdf5(H5Dread(*this, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    return values;
+}
+
 void Hdf5Dataset::append(std::span<const double> values) const
 {
     if (values.empty()) return;

@@ -55,6 +55,7 @@ public:
     std::vector<double> numbers() const;
     /// The numbers of an array with one dimension.
     std::vector<double> column() const;
+    std::vector<std::int64_t> integers() const;
 
     /// Entries of a growing array: numbers of a column, or matrices.
     hsize_t length() const { return shape().front(); }

@@ -103,6 +103,11 @@ Hdf5Dataset Hdf5Group::put(const std::string& name, std::span<const double> valu
     return putArray(*this, name, H5T_NATIVE_DOUBLE, values.size(), values.data());
 }
 
+Hdf5Dataset Hdf5Group::put(const std::string& name, const std::vector<std::int64_t>& values) const
+{
+    return putArray(*this, name, H5T_STD_I64LE, values.size(), values.data());
+}
+
 Hdf5Dataset Hdf5Group::put(const std::string& name, const std::vector<std::string>& texts) const
 {
     std::vector<const char*> pointers;

@@ -35,6 +35,7 @@ public:
     Hdf5Dataset put(const std::string& name, std::int64_t value) const;
     Hdf5Dataset put(const std::string& name, std::string_view text) const;
     Hdf5Dataset put(const std::string& name, std::span<const double> values) const;
+    Hdf5Dataset put(const std::string& name, const std::vector<std::int64_t>& values) const;
     Hdf5Dataset put(const std::string& name, const std::vector<std::string>& texts) const;
     template <class Value>
     Hdf5Dataset put(const std::string& name, const Value& value, const std::string& unit,

@@ -81,7 +81,14 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     };
     double weight = weightAt(y);
 
+    const auto pass = [&](auto& stream) {
+        stream(t, h, y, k[0], weight, previousLogError, rejected, result.steps, result.rejectedSteps,
+               result.evaluations, watch);
+    };
+    if constexpr (TakesCheckpoints<Recorder>) recorder.resume(pass);
     while (t < until) {
+        if constexpr (TakesCheckpoints<Recorder>)
+            if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, pass);
         const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * std::max(t, options.firstStep);
         h = std::min(h, until - t);
         if constexpr (requires { system.longestStep(); }) h = std::min(h, system.longestStep());

@@ -20,6 +20,7 @@ struct CellGrid {
     double centreY(int j) const { return 0.5 * (y[static_cast<std::size_t>(j)] + y[static_cast<std::size_t>(j) + 1]); }
     double widthX(int i) const { return x[static_cast<std::size_t>(i) + 1] - x[static_cast<std::size_t>(i)]; }
     double widthY(int j) const { return y[static_cast<std::size_t>(j) + 1] - y[static_cast<std::size_t>(j)]; }
+    void pass(auto& stream) { stream(x, y); }
 };
 
 /// A rectangle of nx x ny equal cells, values at their centres.

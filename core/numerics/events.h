@@ -75,6 +75,11 @@ public:
     GuardWatch(const System& system, Mode mode) : system_(system) { enter(mode); }
 
     const Mode& mode() const { return mode_; }
+    void pass(auto& stream)
+    {
+        stream(mode_, chatter_);
+        enter(mode_);
+    }
     void enter(Mode mode)
     {
         mode_ = mode;

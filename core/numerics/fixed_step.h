@@ -47,8 +47,13 @@ IntegrationResult integrateNaively(const System& system, Start<System> start, do
     IntegrationResult result;
     std::array<State, 4> k;
     const long long count = stepCount(until, options.step);
-    for (long long i = 1; i <= count; ++i) {
+    long long i = 1;
+    const auto pass = [&](auto& stream) { stream(i, y, mode, result.time, result.steps, result.evaluations); };
+    if constexpr (TakesCheckpoints<Recorder>) recorder.resume(pass);
+    for (; i <= count; ++i) {
         const double t = double(i - 1) * options.step;
+        if constexpr (TakesCheckpoints<Recorder>)
+            if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, pass);
         const double t1 = i == count ? until : double(i) * options.step;
         const double h = t1 - t;
         const auto derivative = [&](const State& at) { return system.naiveDerivative(at, mode); };
@@ -127,9 +132,14 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
     IntegrationResult result;
     const long long count = stepCount(until, options.step);
 
+    long long i = 1;
+    const auto pass = [&](auto& stream) { stream(i, y, watch, result.time, result.steps, stepper.evaluations); };
+    if constexpr (TakesCheckpoints<Recorder>) recorder.resume(pass);
     const auto integrate = [&]() -> IntegrationEnd {
-        for (long long i = 1; i <= count; ++i) {
+        for (; i <= count; ++i) {
             double t = double(i - 1) * options.step;
+            if constexpr (TakesCheckpoints<Recorder>)
+                if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, pass);
             const double gridTime = i == count ? until : double(i) * options.step;
             bool onGrid = false;
             while (!onGrid) {

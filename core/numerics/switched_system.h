@@ -98,6 +98,14 @@ struct IntegrationResult {
     long long evaluations = 0; // of the right-hand side
 };
 
+/// A recorder may take the state of an integration, and give one back: pass(stream) names the numbers of the state.
+///   bool isCheckpointDue(t), void sendCheckpoint(t, pass), void resume(pass)
+template <class Recorder>
+concept TakesCheckpoints = requires(Recorder& recorder)
+{
+    recorder.isCheckpointDue(0.0);
+};
+
 /// Where a run starts.
 template <SwitchedSystem System>
 struct Start {

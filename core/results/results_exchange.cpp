@@ -43,11 +43,11 @@ bool HeldFile::standsAt(const std::filesystem::path& path) const
     return held.st_dev == found.st_dev && held.st_ino == found.st_ino;
 }
 
-ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeader header, bool live)
+ResultsExchange::ResultsExchange(const std::filesystem::path& file, ResultsHeader header, FirstSeen seen)
     : part_(file, PartName::Own),
       header_(std::move(header)),
       arrays_(growingArrays(header_.quantities, header_.fields)),
-      live_(live)
+      seen_(seen)
 {
     publish({});
 }
@@ -67,13 +67,26 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
         appendSamples(part, header_.quantities, samples);
         appendSnapshots(part, header_.fields, fields);
         for (const ResultsSpectrum& spectrum : spectra) writeSpectrum(part, spectrum);
-        if (summary) writeSummary(part, header_.quantities, *summary);
+        if (summary) {
+            writeSummary(part, header_.quantities, *summary);
+            // A run that has completed can only become longer; one that failed does not continue.
+            if (summary->status != RunStatus::Cancelled) checkpoints_.newest.reset();
+            if (summary->status == RunStatus::Failed || summary->status == RunStatus::Diverged)
+                checkpoints_.extends.reset();
+        }
+        writeCheckpoints(part, header_.fields, checkpoints_);
         part.close();
-        if (live_ || summary) show();
+        if (isSeen(summary)) show();
     } catch (...) {
         removePart();
         throw;
     }
+}
+
+bool ResultsExchange::isSeen(const Summary* summary) const
+{
+    return summary || shown_ || seen_ == FirstSeen::AtOnce ||
+           (seen_ == FirstSeen::AtCheckpoint && checkpoints_.newest != nullptr);
 }
 
 Hdf5Group ResultsExchange::openPart()
@@ -81,15 +94,15 @@ Hdf5Group ResultsExchange::openPart()
     if (!hasPart_) return createPart();
     try {
         Hdf5Group part = openHdf5File(part_.path(), H5F_ACC_RDWR);
-        if (!live_) return part;
+        if (!shown_) return part;
         hsize_t size = 0;
         checkHdf5(H5Fget_filesize(part, &size));
-        hsize_t used = 0;
+        hsize_t used = storedBytesOfCheckpoints(part);
         for (const std::string& array : arrays_) used += part.get(array).storedBytes();
         if (size < used + used / 4 + tolerableWaste) return part;
     } catch (const Hdf5Error&) {
         // A reader who opened it under the file's name still holds its lock.
-        if (!live_) throw;
+        if (!shown_) throw;
     }
     removePart();
     return createPart();

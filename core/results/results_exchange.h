@@ -4,12 +4,16 @@
 // on which the next flush works. core/results/results_writer.h says why.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/formats/output_file.h"
+#include "core/results/results_checkpoint.h"
 #include "core/results/results_layout.h"
 #include "core/simulation/recording/run_summary.h"
 
@@ -31,20 +35,26 @@ private:
     int descriptor_ = -1;
 };
 
+/// When others see a file for the first time: at once, without samples; with the first checkpoint, so that what a run
+/// continues stays until then; with the summary. After that each publication is seen.
+enum class FirstSeen : std::uint8_t { AtOnce, AtCheckpoint, AtEnd };
+
 class ResultsExchange {
 public:
-    /// Locks the file. If it is `live`, shows it at once, without samples, and at each publication; else when the
-    /// summary is published. Throws std::exception; then the file is as it was.
-    ResultsExchange(const std::filesystem::path& file, ResultsHeader header, bool live = true);
+    /// Locks the file. Throws std::exception; then the file is as it was.
+    ResultsExchange(const std::filesystem::path& file, ResultsHeader header, FirstSeen seen = FirstSeen::AtOnce);
     ResultsExchange(const ResultsExchange&) = delete;
     ResultsExchange& operator=(const ResultsExchange&) = delete;
 
+    /// Of the next publication, which has all that came before it.
+    void keep(std::shared_ptr<const StoredCheckpoint> checkpoint) { checkpoints_.add(std::move(checkpoint)); }
     /// Adds samples and snapshots, at the end of a run its spectra and summary. Throws std::exception; then the file is
     /// as it was.
     void publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields = {},
                  const std::vector<ResultsSpectrum>& spectra = {}, const Summary* summary = nullptr);
 
 private:
+    bool isSeen(const Summary* summary) const;
     Hdf5Group openPart();
     Hdf5Group createPart();
     void removePart();
@@ -53,7 +63,8 @@ private:
     PartFile part_;
     ResultsHeader header_;
     std::vector<std::string> arrays_; // paths of those that grow
-    bool live_;
+    ResultsCheckpoints checkpoints_;
+    FirstSeen seen_;
     bool hasPart_ = false;
     HeldFile shown_; // the file itself; none before the first state
 };

@@ -21,6 +21,7 @@ Hdf5Group createResultsFile(const std::filesystem::path& path, const ResultsHead
     file.set("seed", std::int64_t{seedOf(header.value)});
     file.set("status", "interrupted");
     file.set("message", "The run was interrupted; what follows the last sample is lost.");
+    if (!header.continued.empty()) file.set("continued", header.continued);
     writeCaseGroup(file, header.value, header.caseText);
     createSamples(file, header.quantities, header.fields);
     return file;

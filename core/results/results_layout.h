@@ -13,6 +13,8 @@
 //                            (since 1.2)
 //   /spectra/<quantity>/frequency, density | power
 //   /events/time, name
+//   /checkpoint/newest, extends
+//                            states from which the run can be continued (core/results/results_checkpoint.h), since 1.4
 //   /summary/...             numbers and texts of the Summary; the verdict on the last part, and the extremes of
 //                            the whole run, since 1.3
 //
@@ -33,7 +35,7 @@ namespace touchdown {
 
 inline constexpr const char* resultsFormat = "touchdown-run";
 inline constexpr int resultsFormatMajor = 1;
-inline constexpr int resultsFormatMinor = 3;
+inline constexpr int resultsFormatMinor = 4;
 
 /// What is known before the first sample.
 struct ResultsHeader {
@@ -42,6 +44,7 @@ struct ResultsHeader {
     std::string date; // ISO 8601, UTC
     std::vector<Quantity> quantities;
     std::vector<RecordedFields> fields;
+    std::string continued{}; // of a run that another version or machine began: a sentence, the attribute "continued"
 };
 
 /// A new file without samples, with the status "interrupted".

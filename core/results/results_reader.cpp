@@ -28,8 +28,12 @@ bool fits(const StoredRun& run)
         return snapshot.values.size() == set.quantities.size() && std::ranges::all_of(snapshot.values, isField);
     };
     const auto hasCells = [](const RecordedFields& set) { return set.grid.nx() > 0 && set.grid.ny() > 0; };
+    const auto isCovered = [&](const StoredCheckpoint& checkpoint) {
+        return checkpoint.samples <= run.samples.size() && checkpoint.snapshots.size() == run.recorded.size();
+    };
     return run.samples.columns.size() == run.quantities.size() && std::ranges::all_of(run.samples.columns, isColumn) &&
-           std::ranges::all_of(run.recorded, hasCells) && std::ranges::all_of(run.fields, isSnapshot);
+           std::ranges::all_of(run.checkpoints, isCovered) && std::ranges::all_of(run.recorded, hasCells) &&
+           std::ranges::all_of(run.fields, isSnapshot);
 }
 
 /// How the motion ends. Files of runs that were interrupted do not say.
@@ -74,6 +78,7 @@ StoredRun readResultsDirectly(const fs::path& path)
         run.samples = std::move(stored.samples);
         run.recorded = std::move(stored.sets);
         run.fields = std::move(stored.snapshots);
+        run.checkpoints = readCheckpoints(file, run.recorded);
         readMotion(file, run);
     } catch (const Hdf5Error& error) {
         return refused(path.string() + " is damaged or cut short: " + error.what());

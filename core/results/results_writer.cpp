@@ -80,25 +80,30 @@ struct ResultsWriter::File {
     std::condition_variable_any changed;
     SampleBatch pending;
     std::vector<FieldSnapshot> pendingFields;
+    ResultsCheckpoints pendingCheckpoints;
+    std::size_t samples = 0;            // that came
+    std::vector<std::size_t> snapshots; // that came, of each set
     std::vector<ResultsSpectrum> spectra;
     std::size_t stored = 0;                 // samples that were handed to a flush
     std::size_t mayWait = 2 * leastPending; // [numbers]
     std::string problem;
     std::jthread thread; // last: its end comes before that of what it uses
 
-    File(const fs::path& file, ResultsHeader header, std::optional<std::chrono::milliseconds> flushInterval)
+    File(const fs::path& file, ResultsHeader header, FirstSeen seen,
+         std::optional<std::chrono::milliseconds> flushInterval)
         : path(file),
           columns(header.quantities.size()),
           fields(header.fields),
-          exchange(file, std::move(header), flushInterval.has_value()),
+          exchange(file, std::move(header), seen),
           interval(flushInterval),
+          snapshots(fields.size(), 0),
           thread([this](std::stop_token stop) { flushUntil(stop); })
     {}
     // Without finish(): what came is still worth keeping.
     ~File()
     {
         stop();
-        if (problem.empty() && somethingPending()) flush(pending, pendingFields, nullptr);
+        if (problem.empty() && somethingPending()) flush(pending, pendingFields, pendingCheckpoints, nullptr);
     }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
@@ -110,7 +115,7 @@ struct ResultsWriter::File {
             numbers += fields[snapshot.set].quantities.size() * fields[snapshot.set].grid.cells();
         return numbers;
     }
-    bool somethingPending() const { return pending.size() > 0 || !pendingFields.empty(); }
+    bool somethingPending() const { return pending.size() > 0 || !pendingFields.empty() || pendingCheckpoints.newest; }
 
     void flushUntil(const std::stop_token& stop)
     {
@@ -127,16 +132,18 @@ struct ResultsWriter::File {
             if (stop.stop_requested()) return;
             begin = Clock::now();
             const std::size_t numbers = numbersPending();
-            const bool wholeChunks = isEarly() && pendingFields.empty(); // no map may be later than the samples
+            // No map and no state may be later than the samples.
+            const bool wholeChunks = isEarly() && pendingFields.empty() && !pendingCheckpoints.newest;
             SampleBatch batch = std::exchange(pending, {});
             // While samples come fast, only whole chunks: one that is rewritten costs as much as a new one.
             const std::size_t beyond = (stored + batch.size()) % numbersPerChunk;
             if (wholeChunks && beyond < batch.size()) pending = takeLast(batch, beyond);
             stored += batch.size();
-            const std::vector<FieldSnapshot> snapshots = std::exchange(pendingFields, {});
+            const std::vector<FieldSnapshot> maps = std::exchange(pendingFields, {});
+            const ResultsCheckpoints checkpoints = std::exchange(pendingCheckpoints, {});
             lock.unlock();
             changed.notify_all();
-            const std::string failure = flush(batch, snapshots, nullptr);
+            const std::string failure = flush(batch, maps, checkpoints, nullptr);
             lock.lock();
             adapt(numbers, Clock::now() - begin);
             problem = failure;
@@ -155,13 +162,16 @@ struct ResultsWriter::File {
                                                           static_cast<double>(mostPending)));
     }
 
-    std::string flush(const SampleBatch& batch, std::span<const FieldSnapshot> snapshots, const Summary* summary)
+    std::string flush(const SampleBatch& batch, std::span<const FieldSnapshot> maps,
+                      const ResultsCheckpoints& checkpoints, const Summary* summary)
     {
         try {
+            if (checkpoints.extends) exchange.keep(checkpoints.extends);
+            if (checkpoints.newest) exchange.keep(checkpoints.newest);
             if (summary)
-                exchange.publish(batch, snapshots, spectra, summary);
+                exchange.publish(batch, maps, spectra, summary);
             else
-                exchange.publish(batch, snapshots);
+                exchange.publish(batch, maps);
             return {};
         } catch (const std::exception& error) {
             return "cannot write results to " + path.string() + ": " + error.what();
@@ -183,10 +193,23 @@ ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::string& caseText,
                                 const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields)
 {
+    return open(file, {c, caseText, dateNow(), quantities, fields}, false);
+}
+
+std::string ResultsWriter::openAgain(const fs::path& file, const Case& c, const std::string& caseText,
+                                     const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields,
+                                     const std::string& remark)
+{
+    return open(file, {c, caseText, dateNow(), quantities, fields, remark}, true);
+}
+
+std::string ResultsWriter::open(const fs::path& file, ResultsHeader header, bool again)
+{
     file_.reset();
     if (std::string problem = checkOutputFile(file); !problem.empty()) return problem;
+    const FirstSeen seen = !flushInterval_ ? FirstSeen::AtEnd : again ? FirstSeen::AtCheckpoint : FirstSeen::AtOnce;
     try {
-        file_ = std::make_unique<File>(file, ResultsHeader{c, caseText, dateNow(), quantities, fields}, flushInterval_);
+        file_ = std::make_unique<File>(file, std::move(header), seen, flushInterval_);
     } catch (const std::exception& failure) {
         return "cannot write results to " + file.string() + ": " + failure.what();
     }
@@ -203,6 +226,20 @@ std::string ResultsWriter::append(const SampleBatch& batch, const std::vector<Fi
     if (!file_->problem.empty()) return file_->problem;
     touchdown::append(file_->pending, batch);
     file_->pendingFields.insert(file_->pendingFields.end(), fields.begin(), fields.end());
+    file_->samples += batch.size();
+    for (const FieldSnapshot& snapshot : fields) ++file_->snapshots[snapshot.set];
+    lock.unlock();
+    file_->changed.notify_all();
+    return {};
+}
+
+std::string ResultsWriter::keep(const RunCheckpoint& checkpoint)
+{
+    if (!file_) return "no results file is open";
+    std::unique_lock lock(file_->mutex);
+    if (!file_->problem.empty()) return file_->problem;
+    file_->pendingCheckpoints.add(std::make_shared<const StoredCheckpoint>(
+        StoredCheckpoint{checkpoint, checkpointLayout, thisMachine(), file_->samples, file_->snapshots}));
     lock.unlock();
     file_->changed.notify_all();
     return {};
@@ -223,8 +260,8 @@ std::string ResultsWriter::finish(const Summary& summary)
     file_->stop();
     std::string problem = file_->problem;
     const SampleBatch rest = std::exchange(file_->pending, {});
-    const std::vector<FieldSnapshot> snapshots = std::exchange(file_->pendingFields, {});
-    if (problem.empty()) problem = file_->flush(rest, snapshots, &summary);
+    const std::vector<FieldSnapshot> maps = std::exchange(file_->pendingFields, {});
+    if (problem.empty()) problem = file_->flush(rest, maps, file_->pendingCheckpoints, &summary);
     file_.reset();
     return problem;
 }

@@ -22,9 +22,12 @@
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
+#include "core/simulation/recording/run_checkpoint.h"
 #include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
+
+struct ResultsHeader;
 
 /// Writes one run, on a thread of its own. Every call returns "" or the problem in one sentence (disk full, no
 /// permission, another run that writes to the file, ...).
@@ -41,8 +44,15 @@ public:
     /// from `c`.
     std::string open(const std::filesystem::path& file, const Case& c, const std::string& caseText,
                      const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields = {});
+    /// The same for a run that continues: an existing file stays until the first checkpoint is in the new one.
+    /// `remark`: where another version or machine began the run, a sentence; else "".
+    std::string openAgain(const std::filesystem::path& file, const Case& c, const std::string& caseText,
+                          const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields,
+                          const std::string& remark);
     /// Takes samples and snapshots; waits only when the disk is far behind. Reports the problem of an earlier flush.
     std::string append(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields = {});
+    /// Takes the state of the run after all that came.
+    std::string keep(const RunCheckpoint& checkpoint);
     /// Kept for `finish`.
     std::string addSpectrum(const Quantity& quantity, const Spectrum& spectrum, const SpectrumCase& options);
     /// Writes pending samples, status, message, events, summary and spectra; closes the file.
@@ -50,6 +60,8 @@ public:
 
 private:
     struct File;
+    std::string open(const std::filesystem::path& file, ResultsHeader header, bool again);
+
     std::optional<std::chrono::milliseconds> flushInterval_;
     std::unique_ptr<File> file_;
 };

@@ -31,10 +31,16 @@ void pass(auto& stream, Passed<FieldSnapshot> auto& snapshot) { stream(snapshot.
 
 void pass(auto& stream, Passed<SampleBatch> auto& samples) { stream(samples.time, samples.columns); }
 
+void pass(auto& stream, Passed<StoredCheckpoint> auto& checkpoint)
+{
+    stream(checkpoint.at.time, checkpoint.at.extends, checkpoint.at.state, checkpoint.layout, checkpoint.machine,
+           checkpoint.samples, checkpoint.snapshots);
+}
+
 void pass(auto& stream, Passed<StoredRun> auto& run)
 {
     stream(run.problem, run.title, run.status, run.message, run.caseText, run.softwareVersion, run.date, run.quantities,
-           run.samples, run.recorded, run.fields, run.motion, run.swing);
+           run.samples, run.recorded, run.fields, run.checkpoints, run.motion, run.swing);
 }
 
 void pass(auto& stream, Passed<Sensitivity> auto& each)

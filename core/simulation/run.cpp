@@ -15,6 +15,7 @@
 #include "core/simulation/flight/film_run.h"
 #include "core/simulation/springs/spring_model.h"
 #include "core/simulation/springs/spring_run.h"
+#include "core/work/state_stream.h"
 
 namespace touchdown {
 
@@ -102,19 +103,23 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
         return refused;
     }
     Summary summary;
-    switch (c.model) {
-    case ModelKind::Springs:
-        summary = runSprings(c, callback, options);
-        summary.integrator = toText(c, *findParameter("run.integrator"));
-        break;
-    case ModelKind::Contact:
-        summary = runContact(c, callback);
-        summary.integrator = "quasi-static";
-        break;
-    case ModelKind::Film:
-        summary = runFilm(c, callback, options);
-        summary.integrator = toText(c, *findParameter("film.coupling"));
-        break;
+    try {
+        switch (c.model) {
+        case ModelKind::Springs:
+            summary = runSprings(c, callback, options);
+            summary.integrator = toText(c, *findParameter("run.integrator"));
+            break;
+        case ModelKind::Contact:
+            summary = runContact(c, callback, options);
+            summary.integrator = "quasi-static";
+            break;
+        case ModelKind::Film:
+            summary = runFilm(c, callback, options);
+            summary.integrator = toText(c, *findParameter("film.coupling"));
+            break;
+        }
+    } catch (const StateMisfit& misfit) {
+        summary = refusedRun("the run cannot be continued from its checkpoint: " + std::string(misfit.what()));
     }
     summary.model = toText(c, *findParameter("model"));
     addModulation(c, summary);

@@ -74,6 +74,13 @@ public:
     /// Stores the last solution in one of two places; recall() returns to it, so that the next solve() starts there.
     void remember(std::size_t place = 0) { kept_[place] = now_; }
     void recall(std::size_t place = 0) { now_ = kept_[place]; }
+    /// All that the next solution depends on, written or read.
+    void pass(auto& stream)
+    {
+        if (elastic_) return stream(*elastic_);
+        stream(now_, kept_);
+        for (auto* field : {&pressure_, &attraction_, &gap_}) stream.fixed(*field);
+    }
 
 private:
     static constexpr int mostNewtonIterations = 40; // of a linear system; most where a cell is about to snap
@@ -84,6 +91,11 @@ private:
         bool exists = false;
         bool adheres = false;   // some gap is not beyond that of the largest attraction
         bool displaced = false; // whether `displacement` is that of `total`
+        void pass(auto& stream)
+        {
+            for (auto* field : {&separation, &total, &displacement}) stream.fixed(*field);
+            stream(energy, exists, adheres, displaced);
+        }
     };
 
     std::optional<std::string> objection(std::span<const double> separation) const;

@@ -61,6 +61,13 @@ public:
     HalfSpace& space() { return space_; }
     /// Forgets the last solution.
     void reset();
+    /// All that the next solution depends on, written or read.
+    void pass(auto& stream)
+    {
+        for (auto* field : {&pressure_, &displacement_, &gap_, &lastPressure_, &lastDisplacement_})
+            stream.fixed(*field);
+        stream(displacementHolds_, solved_, carried_, bounded_);
+    }
 
 private:
     ElasticContactSummary refuse(std::string message);

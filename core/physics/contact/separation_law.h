@@ -13,6 +13,7 @@
 #include "core/physics/contact/gap_law.h"
 #include "core/physics/contact/multi_asperity.h"
 #include "core/physics/contact/ono_yamane.h"
+#include "core/work/state_stream.h"
 
 namespace touchdown {
 
@@ -47,6 +48,9 @@ public:
     virtual bool outOfReach(double separation) const { return separation > reach(); }
     /// The greatest separation at which a force acts on any branch [m].
     virtual double reach() const = 0;
+
+    /// The accepted state, written or read.
+    virtual void pass(StateStream& /*stream*/) {}
 };
 
 /// Ono and Yamane's five parameters. Regions with the same law are one branch.
@@ -64,6 +68,11 @@ public:
         return region_ == ContactRegion::Apart && separation > takeOff_;
     }
     double reach() const override { return takeOff_; }
+    void pass(StateStream& stream) override
+    {
+        stream(region_);
+        setInterval();
+    }
 
     /// The region whose law acts.
     ContactRegion region() const { return region_; }
@@ -108,6 +117,11 @@ public:
     std::string cross(bool upper) override;
     void begin(ContactBranch branch, double separation) override;
     double reach() const override { return reach_; }
+    void pass(StateStream& stream) override
+    {
+        stream(state_);
+        if (stream.reads()) setState(state_);
+    }
 
 private:
     /// The state at d on the present branch, at most at its ends.

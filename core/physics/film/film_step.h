@@ -64,6 +64,21 @@ public:
     void follow(const Attitude& attitude, std::span<const double> change);
     /// Makes the last step's pressures the start of the next step; false, and nothing done, if it did not converge.
     [[nodiscard]] bool accept();
+    /// The next step linearises anew.
+    void renew() { linearisedPerTime_ = 0.0; }
+    /// The accepted state after renew(), written or read.
+    void pass(auto& stream)
+    {
+        for (Past& past : past_) {
+            stream.fixed(past.pressure);
+            stream.fixed(past.content);
+            stream(past.dt);
+        }
+        stream.fixed(p_);
+        stream(rate_, dt_, perTime_, linearisedPerTime_, age_, kappaPerStep_, largestMeasured_, unmeasured_, repeats_,
+               timeError_, fresh_, extrapolated_, errorPerChange_, solver_, contraction_, closings_, fitted_,
+               converged_);
+    }
 
     /// Of the last step; padded [Pa].
     std::span<const double> pressure() const { return p_; }

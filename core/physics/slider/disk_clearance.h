@@ -39,6 +39,8 @@ public:
         double diskHeight; // of the disk there, above its mean plane [m]
     };
     Place at(const Attitude& attitude, double time);
+    /// Where the search begins, written or read.
+    void pass(auto& stream) { stream(last_, lastTime_); }
     /// Whether the disk's highest point is as high as a minimum spacing above the mean plane [m].
     bool mayReach(double spacing) const { return !disk_.flat() && spacing <= disk_.highest(); }
     /// Height of the disk under a point of the slider, above its mean plane [m].

@@ -20,6 +20,10 @@ public:
     void addJump(const ContactJump& jump);
     /// A state on the way out, between those that are added [m], net [N].
     void addPull(double separation, double force);
+    void pass(StateStream& stream)
+    {
+        stream(closest_, largestContact_, strongestPull_, strongestPullAt_, jumps_, lostInJumps_);
+    }
     double strongestPull() const { return -strongestPull_.value_or(0.0); } // so far [N], >= 0
     /// With the loop of the full multi-asperity model where it was fitted.
     std::vector<RunFigure> figures(const std::optional<SurfaceStatistics>& surface,

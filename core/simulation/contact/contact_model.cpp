@@ -85,6 +85,11 @@ public:
         forces_.area = forces.area;
         return forces_;
     }
+    void pass(StateStream& stream) override
+    {
+        stream(*law_, separation_, forces_);
+        if (fitted_) stream(*fitted_);
+    }
     std::optional<CharacteristicFit> fit() const override { return fit_; }
 
 private:

@@ -18,6 +18,7 @@
 #include "core/simulation/contact/contact_doubts.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
+#include "core/work/state_stream.h"
 
 namespace touchdown {
 
@@ -33,6 +34,11 @@ struct ContactForces {
     double fittedContact = 0.0, fittedAdhesion = 0.0; // of the five parameters that were fitted [N]
     int iterations = 0;                               // of the solution
     std::string problem;                              // a sentence, when it did not converge; "" when it did
+    void pass(auto& stream)
+    {
+        stream(separation, contact, adhesion, area, peakPressure, minimumGap, energy, fittedContact, fittedAdhesion,
+               iterations, problem);
+    }
     double net() const { return contact + adhesion; } // [N]
 };
 
@@ -64,6 +70,9 @@ public:
     /// Stores the present state in one of two places; returns to it.
     virtual void remember(std::size_t /*place*/ = 0) {}
     virtual void recall(std::size_t /*place*/ = 0) {}
+
+    /// All that the next move depends on, written or read.
+    virtual void pass(StateStream& stream) = 0;
 
     /// Fills the values of contactMaps() after a move.
     virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }

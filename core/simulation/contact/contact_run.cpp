@@ -31,16 +31,25 @@ constexpr double worthRefining = 0.95;   // of the strongest pull so far, for a 
 class ContactRun {
 public:
     /// `coarser`: on cells twice as large, for the figures alone.
-    ContactRun(const Case& c, const RunCallback& callback, bool coarser = false)
-        : case_(c), coarser_(coarser), rows_(contactRows(c)), recorder_(c, quantitiesOf(rows_), callback), figures_(c)
+    ContactRun(const Case& c, const RunCallback& callback, const RunOptions& options, bool coarser = false)
+        : case_(c),
+          coarser_(coarser),
+          rows_(contactRows(c)),
+          recorder_(c, quantitiesOf(rows_), callback, options),
+          figures_(c),
+          from_(options.from)
     {}
 
     Summary run()
     {
         model_ = makeContactModel(
             case_, [this] { return lookAtClock(); }, coarser_);
-        for (const PadStation& station : padStations(case_))
-            if (!lookAtClock() || !visit(station)) break;
+        if (from_) recorder_.resume(*from_, [this](StateStream& stream) { pass(stream); });
+        const std::vector<PadStation> stations = padStations(case_);
+        while (station_ < stations.size() && lookAtClock() && visit(stations[station_])) {
+            ++station_;
+            if (recorder_.isCheckpointDue(time_)) sendCheckpoint();
+        }
         if (!values_.empty()) recorder_.addLastSample(time_, values_, false);
         flush();
         Summary summary = recorder_.summary(end_, time_);
@@ -86,7 +95,7 @@ private:
         if (!model_->canJump()) return;
         if (!coversError(case_, doubts_)) return addUnknownErrors(summary); // whatever other cells would show
         const RunCallback callback = [&](const RunUpdate&) { return lookAtClock(); };
-        const Summary other = ContactRun(withFewerSamples(case_), callback, true).run();
+        const Summary other = ContactRun(withFewerSamples(case_), callback, {}, true).run();
         if (other.status == RunStatus::Completed)
             return addErrors(case_, doubts_, summary,
                              {other, closest_.adhesion, std::max(jumpResolution, widestBracket_), !isTouching()});
@@ -94,6 +103,18 @@ private:
         if (other.status == RunStatus::Cancelled) return stoppedInDoubt(summary);
         summary.warnings.push_back("the error of the contact's grid is not known: with cells twice as large " +
                                    other.message);
+    }
+
+    void pass(StateStream& stream)
+    {
+        stream(*model_, figures_, station_, values_, started_, startsInContact_, away_, forces_, way_, hardest_,
+               hardestTime_, closest_, doubts_, time_, largestForce_, widestBracket_, lastChange_, steps_, iterations_);
+    }
+
+    /// The way of the pad is spread over the duration, so that no longer run continues from it.
+    void sendCheckpoint()
+    {
+        if (!recorder_.sendCheckpoint(time_, false, [this](StateStream& stream) { pass(stream); })) stop();
     }
 
     /// The run itself is complete.
@@ -303,6 +324,7 @@ private:
     bool lookAtClock()
     {
         if (recorder_.silent()) flush();
+        recorder_.askForCheckpoint();
         return end_.completed();
     }
 
@@ -318,7 +340,11 @@ private:
 
     void flush()
     {
-        if (!recorder_.send(time_) && end_.completed())
+        if (!recorder_.send(time_)) stop();
+    }
+    void stop()
+    {
+        if (end_.completed())
             end_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + fewDigitsOfTime(time_, 4)};
     }
 
@@ -327,7 +353,9 @@ private:
     ContactRows rows_;
     RunRecorder recorder_;
     ContactFigures figures_;
+    std::shared_ptr<const RunCheckpoint> from_; // null: the run begins
     std::unique_ptr<ContactModel> model_;
+    std::size_t station_ = 0;    // the next one
     std::vector<double> values_; // of the newest station; empty without one
     bool started_ = false, startsInContact_ = false;
     bool away_ = false; // on the way out
@@ -347,6 +375,9 @@ private:
 
 } // namespace
 
-Summary runContact(const Case& c, const RunCallback& callback) { return ContactRun(c, callback).run(); }
+Summary runContact(const Case& c, const RunCallback& callback, const RunOptions& options)
+{
+    return ContactRun(c, callback, options).run();
+}
 
 } // namespace touchdown

@@ -9,6 +9,6 @@
 
 namespace touchdown {
 
-Summary runContact(const Case& c, const RunCallback& callback);
+Summary runContact(const Case& c, const RunCallback& callback, const RunOptions& options = {});
 
 } // namespace touchdown

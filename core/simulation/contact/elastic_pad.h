@@ -30,6 +30,11 @@ public:
     bool mayHaveJumped() const override { return jumped_; }
     void remember(std::size_t place = 0) override;
     void recall(std::size_t place = 0) override;
+    void pass(StateStream& stream) override
+    {
+        stream.fixed(patches_);
+        stream(forces_, jumped_);
+    }
     void observe(FieldSnapshot& snapshot) const override;
     ContactDoubts doubts(const std::function<bool()>& goOn) const override;
     std::vector<std::string> remarks() const override;

@@ -72,6 +72,8 @@ public:
     /// Nothing acts on it at that attitude: no solution.
     void part(const Attitude& attitude, double time);
     void accept();
+    /// All that the next solution depends on, written or read.
+    void pass(auto& stream) { stream(contact_, attitude_, time_, acts_, tried_, remembers_); }
 
     /// The error of the last solution's grid, and whether the patch's border cuts its contact off.
     ContactGridError gridError(const std::function<bool()>& goOn) const;

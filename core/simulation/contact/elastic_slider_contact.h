@@ -37,12 +37,18 @@ public:
     Doubts doubts(const std::function<bool()>& goOn) override;
     std::vector<std::string> remarks() const override;
     std::string problemAt(const Attitude& attitude) const override;
+    void pass(StateStream& stream) override
+    {
+        stream.fixed(parts_);
+        stream(last_, hardest_);
+    }
 
 private:
     struct Part {
         ElasticPatch patch;
         double reach;      // clearance beyond which nothing acts [m]
         bool near = false; // at the last call
+        void pass(StateStream& stream) { stream(patch, near); }
     };
 
     Case case_;

@@ -40,6 +40,7 @@ public:
     double separation(const Attitude& attitude) const override { return spacing_.at(attitude).spacing; }
     Interval interval() const override { return law_->interval(); }
     std::string cross(bool upper) override;
+    void pass(StateStream& stream) override { stream(*law_, begun_, attitude_); }
 
     /// Where the law is Ono and Yamane's; else null.
     CharacteristicLaw* characteristic() { return dynamic_cast<CharacteristicLaw*>(law_.get()); }

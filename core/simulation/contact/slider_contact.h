@@ -23,6 +23,7 @@ namespace touchdown {
 
 class DiskTopography;
 class MinimumSpacing;
+class StateStream;
 enum class ContactBranch : std::uint8_t;
 struct Case;
 struct PaddedGrid;
@@ -39,6 +40,11 @@ struct SliderContactForces {
     double storedEnergy = 0.0; // elastic [J]
     int iterations = 0;        // of the solution
     std::string problem;       // a sentence, when it did not converge; "" when it did
+    void pass(auto& stream)
+    {
+        stream(contact, adhesion, friction, pitchTorque, rollTorque, area, peakPressure, storedEnergy, iterations,
+               problem);
+    }
     Vector3 load() const { return {contact + adhesion, pitchTorque, rollTorque}; }
 };
 
@@ -89,6 +95,8 @@ public:
     virtual std::vector<std::string> remarks() const { return {}; }
     /// A sentence where the slider touches outside the modelled patches; else empty.
     virtual std::string problemAt(const Attitude&) const { return {}; }
+    /// The accepted state, written or read.
+    virtual void pass(StateStream& /*stream*/) {}
 };
 
 /// `c` is valid, of the model "film"; null if only air acts. The spacing and the surface must last. `pad` and `grid`

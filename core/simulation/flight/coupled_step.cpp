@@ -6,6 +6,7 @@
 
 #include "core/numerics/backward_difference.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/state_stream.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -373,6 +374,20 @@ void CoupledStepper::accept()
     starting_ = false;
     acceptedRate_ = fastestRate();
     if (contact_) contact_->accept();
+}
+
+void CoupledStepper::renew()
+{
+    stepper_.renew();
+    response_.renew();
+}
+
+void CoupledStepper::pass(StateStream& stream)
+{
+    stream(stepper_, response_, motion_, jerk_, slope_, shiftJerk_, earlier_, lengths_, time_, lastDt_, surfaceTime_,
+           inReach_, deformed_, filmForce_, shear_, contactForces_, contactStiffness_, acceptedRate_, starting_, cost_,
+           contraction_);
+    stream.fixed(surface_);
 }
 
 } // namespace touchdown

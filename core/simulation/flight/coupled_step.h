@@ -36,6 +36,8 @@
 
 namespace touchdown {
 
+class StateStream;
+
 struct CoupledStepOptions {
     FilmCoupling coupling = FilmCoupling::Monolithic;
     FilmStepOptions film;
@@ -86,6 +88,11 @@ public:
     void accept();
     /// The contact's law has changed at the accepted state: the acceleration follows the forces that now act.
     void restartAcceleration();
+
+    /// The linear systems of film and response are computed anew by the next step, as after pass().
+    void renew();
+    /// The accepted state after renew(), without contact and disk, written or read.
+    void pass(StateStream& stream);
 
     double time() const { return time_; }
     const SliderMotion& motion() const { return motion_; } // accepted

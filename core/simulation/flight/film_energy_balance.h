@@ -31,6 +31,8 @@ public:
     /// Sets energy and gain after an accepted step from `before`.
     void add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point);
 
+    void pass(auto& stream) { stream(pressure_, surface_, flows_, shear_, lastPower_, earlierPower_, lastDt_); }
+
 private:
     /// Of flows, contact, shear and dampers at a point, whose flows and shear are the last ones [W].
     double power(const FilmPoint& point) const;

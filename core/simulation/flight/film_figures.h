@@ -26,6 +26,7 @@ struct StepTroubles {
     std::string firstCut;
     long long jumps = 0;    // of the air's force
     long long closings = 0; // of cells of the film
+    void pass(auto& stream) { stream(cuts, firstCut, jumps, closings); }
 };
 
 void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling);

@@ -17,6 +17,7 @@ struct FilmPoint {
     double filmEnergy = 0.0; // stored by the air, from that of the static state [J]
     double gained = 0.0;     // since the start: input from the disk less dissipation [J]
     double dt = 0.0;         // of the step that led there [s]
+    void pass(auto& stream) { stream(time, motion, filmForce, contact, filmEnergy, gained, dt); }
 };
 
 /// Position and velocity at a share of the way from one point to the next.

@@ -60,6 +60,12 @@ public:
     };
     const std::optional<Reached>& reached() const { return reached_; }
 
+    /// All but the clearance, written or read.
+    void pass(StateStream& stream)
+    {
+        stream(last_, earlier_, samples_, reached_, leastParts_, mostParts_, firstEnergy_, mostMissing_);
+    }
+
     /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].
     double energyImbalance() const;
     Summary summary(const RunEnd& end) const;

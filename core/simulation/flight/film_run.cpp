@@ -43,15 +43,17 @@ constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
 constexpr double lowerForCells = 0.8;    // of the spacing at which the cells were last compared with the disk [-]
 constexpr double looksEach = 4.0;        // of the finest passage: a quarter of a wave, two cells of a map
+constexpr double cellSteps = 5e6;        // cells times steps between two states from which a run may be continued
 constexpr double leastForCells = 1e-9;   // below which they need no comparison [m]
 
 std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
 class FilmRun {
 public:
-    FilmRun(const Case& c, const RunCallback& callback)
+    FilmRun(const Case& c, const RunCallback& callback, const RunOptions& options)
         : case_(c),
-          run_(c, filmQuantities(c), callback),
+          run_(c, filmQuantities(c), callback, options),
+          from_(options.from),
           scene_(c),
           length_(c.run.steps == StepControl::Fixed ? c.run.step : firstStep,
                   c.run.steps == StepControl::Fixed ? 0.0 : c.run.stepError)
@@ -60,7 +62,7 @@ public:
     /// `known`: a static state in hand; null: none.
     Summary run(const StaticSolution* known)
     {
-        if (prepare(known)) advance();
+        if (from_ ? resume() : prepare(known)) advance();
         if (recorder_) {
             recorder_->end();
             if (!run_.send(reached()) && end_.completed()) stop();
@@ -109,18 +111,8 @@ private:
         case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
         }
-        contact_ = scene_.contact.get();
-        body_ = &*scene_.body;
+        makeStepper();
         FilmLevel& level = *scene_.level;
-        CoupledStepOptions stepping;
-        stepping.coupling = case_.film.coupling;
-        stepping.tolerance = positionShare * case_.run.stepError;
-        stepping.film.share = filmTimeShare;
-        stepping.film.tolerance =
-            std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
-                               (level.film.ambient() * case_.slider.length * case_.slider.width));
-        stepping.goOn = [this] { return goOn(); };
-        stepper_.emplace(level.film, *body_, contact_, &*scene_.disk, stepping);
         if (!goOn()) return stop();
         SliderMotion motion;
         motion.q = body_->coordinates(scene_.start);
@@ -133,18 +125,78 @@ private:
         if (!stepper_->filmForce().allFinite() || !stepper_->contactForces().load().allFinite())
             return fail(RunFailure::Other, "the forces at the start are no numbers; start higher "
                                            "(initial.nominal_trailing_edge_height) or on a smoother disk");
-        balance_.emplace(level.film, *body_, scene_.restEnergy);
-        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance,
-                          looksEach * finestPassage(case_.diskSurface, scene_.topography, scene_.disk->velocity()),
-                          run_);
-        run_.moveOver(surfaceRecurrence(case_.diskSurface, scene_.topography, scene_.disk->velocity(),
-                                        {0.0, case_.slider.width, case_.slider.length}));
+        makeRecorder();
         point_ = pointNow(0.0);
         balance_->begin(*stepper_, point_);
         recorder_->begin(point_);
         takeFields();
         lowestForCells_ = scene_.spacing.at(scene_.start).spacing;
         return lookAtDisk(scene_.start);
+    }
+
+    /// False when the run ends here.
+    bool resume()
+    {
+        bool ready = false;
+        point_.time = from_->time;
+        run_.resume(*from_, [&](StateStream& stream) {
+            ready = scene_.restore(stream, [this] { return goOn(); }) == FilmScene::State::Ready;
+            if (!ready) return stream.skip();
+            makeStepper();
+            makeRecorder();
+            pass(stream);
+        });
+        return ready || stop();
+    }
+
+    void pass(StateStream& stream)
+    {
+        stream(*stepper_, *balance_, *recorder_, length_, point_, switched_, troubles_, worst_, snapshots_, switches_,
+               lowestForCells_, unseenDisk_, steps_, rejected_, filmIterations_, unfitted_, nearShare_);
+        if (contact_) stream(*contact_);
+    }
+
+    /// At steps that are known beforehand. There the run computes its linear systems anew, whether it sends its state
+    /// or not, so that one that continues from it is the same.
+    void sendCheckpoint()
+    {
+        stepper_->renew();
+        run_.askForCheckpoint();
+        if (!run_.isCheckpointDue(point_.time)) return;
+        // Maps are spread over the duration, and so are steps that a share of it limits.
+        const bool extends = case_.run.fieldSnapshots == 0 && !nearShare_;
+        const bool goesOn = run_.sendCheckpoint(reached(), extends, [this](StateStream& stream) {
+            scene_.store(stream);
+            pass(stream);
+        });
+        if (!goesOn) stop();
+    }
+
+    void makeStepper()
+    {
+        contact_ = scene_.contact.get();
+        body_ = &*scene_.body;
+        FilmLevel& level = *scene_.level;
+        CoupledStepOptions stepping;
+        stepping.coupling = case_.film.coupling;
+        stepping.tolerance = positionShare * case_.run.stepError;
+        stepping.film.share = filmTimeShare;
+        stepping.film.tolerance =
+            std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
+                               (level.film.ambient() * case_.slider.length * case_.slider.width));
+        stepping.goOn = [this] { return goOn(); };
+        stepper_.emplace(level.film, *body_, contact_, &*scene_.disk, stepping);
+    }
+
+    void makeRecorder()
+    {
+        FilmLevel& level = *scene_.level;
+        balance_.emplace(level.film, *body_, scene_.restEnergy);
+        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance,
+                          looksEach * finestPassage(case_.diskSurface, scene_.topography, scene_.disk->velocity()),
+                          run_);
+        run_.moveOver(surfaceRecurrence(case_.diskSurface, scene_.topography, scene_.disk->velocity(),
+                                        {0.0, case_.slider.width, case_.slider.length}));
     }
 
     void advance()
@@ -156,7 +208,14 @@ private:
                 return;
             }
             if (!advanceOnce()) return;
+            if (steps_ % stepsBetweenStates() == 0) sendCheckpoint();
         }
+    }
+
+    /// Some seconds of work.
+    long long stepsBetweenStates() const
+    {
+        return std::clamp(static_cast<long long>(cellSteps / double(scene_.level->gaps.grid.cells())), 16LL, 1000LL);
     }
 
     double switchWidth() const { return switchShare * case_.run.stepError; }
@@ -184,8 +243,9 @@ private:
     /// One accepted step, however many tries it takes. False when the run ends here.
     bool advanceOnce()
     {
-        double dt =
-            towardsEnd(length_.next(point_.dt, (switched_ ? shareAfterSwitch : 1.0) * longestStep(), switched_));
+        double dt = length_.next(point_.dt, (switched_ ? shareAfterSwitch : 1.0) * longestStep(), switched_);
+        if (!length_.fixed() && dt >= shareAfterSwitch * longestShare * case_.run.duration) nearShare_ = true;
+        dt = towardsEnd(dt);
         switched_ = false;
         while (true) {
             const CoupledStepResult result = tryStep(dt);
@@ -372,6 +432,7 @@ private:
 
     const Case& case_;
     RunRecorder run_;
+    std::shared_ptr<const RunCheckpoint> from_; // null: the run begins
     FilmScene scene_;
     const SliderBody* body_ = nullptr;
     SliderContact* contact_ = nullptr;
@@ -390,6 +451,7 @@ private:
     std::string unseenDisk_;      // where its surface first reached the slider under a law that does not see it
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     UnfittedSteps unfitted_;
+    bool nearShare_ = false; // a step may have been limited by a share of the duration
     RunEnd end_;
 };
 
@@ -397,7 +459,7 @@ private:
 
 Summary runFilm(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
-    return FilmRun(c, callback).run(options.rest.get());
+    return FilmRun(c, callback, options).run(options.rest.get());
 }
 
 } // namespace touchdown

@@ -16,6 +16,7 @@
 #include "core/simulation/static_state/static_check.h"
 #include "core/simulation/static_state/static_solution.h"
 #include "core/simulation/static_state/steady_near.h"
+#include "core/work/state_stream.h"
 
 namespace touchdown {
 
@@ -62,7 +63,8 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
             rest.message);
     else if (std::string note = noteOnHeldRoll(case_, rest); !note.empty() && !rest.contact.acts())
         warnings.push_back(std::move(note));
-    body.emplace(case_, balanced ? rest.suspensionRest.value_or(rest.attitude) : start);
+    bodyRest_ = balanced ? rest.suspensionRest.value_or(rest.attitude) : start;
+    body.emplace(case_, bodyRest_);
     if (fromRest) {
         Vector3 q = body->coordinates(rest.attitude);
         q[0] += case_.initial.heightOffset;
@@ -97,21 +99,53 @@ bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>&
     const bool known = !rest.pressure.empty();
     const bool finest = known && rest.grid.nx() == cells[0] && rest.grid.ny() == cells[1];
     auto gaps = finest ? rest.gaps : std::make_shared<const FilmGaps>(recess, unadaptedGrid(case_, cells), goOn);
-    if (!goOn()) return false;
-    level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
+    if (!goOn() || !makeParts(std::move(gaps), goOn)) return false;
     if (finest)
         level->gaps.pad.pad<double>(rest.pressure, level->pressure);
     else if (known)
         level->gaps.pad.pad<double>(transfer(rest.grid, rest.pressure, level->film.ambient(), level->gaps.grid),
                                     level->pressure);
+    return true;
+}
+
+bool FilmScene::makeParts(std::shared_ptr<const FilmGaps> gaps, const std::function<bool()>& goOn)
+{
+    level = std::make_unique<FilmLevel>(case_, std::move(gaps), spacing);
     disk.emplace(case_, topography, level->gaps.grid, level->gaps.pad);
     if (!goOn()) return false;
     contact = makeSliderContact(case_, spacing, topography, level->gaps.grid, level->gaps.pad, goOn);
     return goOn();
 }
 
+void FilmScene::pass(StateStream& stream) { stream(warnings, bodyRest_, start, startSurface, restEnergy, atCells_); }
+
+void FilmScene::store(StateStream& stream)
+{
+    CellGrid grid = level->gaps.grid;
+    pass(stream);
+    stream(grid, *clearance);
+}
+
+FilmScene::State FilmScene::restore(StateStream& stream, const std::function<bool()>& goOn)
+{
+    CellGrid grid;
+    pass(stream);
+    stream(grid);
+    if (grid.nx() != case_.film.nodes[0] - 1 || grid.ny() != case_.film.nodes[1] - 1) throw StateMisfit();
+    topography = diskTopography(case_, goOn);
+    if (!goOn()) return State::Stopped;
+    body.emplace(case_, bodyRest_);
+    auto gaps = std::make_shared<const FilmGaps>(recess, std::move(grid), goOn);
+    if (!goOn() || !makeParts(std::move(gaps), goOn)) return State::Stopped;
+    clearance.emplace(recess, spacing, topography, disk->velocity());
+    stream(*clearance);
+    lookAtCells(atCells_);
+    return State::Ready;
+}
+
 void FilmScene::lookAtCells(const Attitude& attitude)
 {
+    atCells_ = attitude;
     diskOnCells = touchdown::diskOnCells(case_, topography, recess, level->gaps.grid, attitude);
 }
 

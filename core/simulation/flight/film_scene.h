@@ -20,7 +20,9 @@
 
 namespace touchdown {
 
+class StateStream;
 struct FilmLevel;
+struct FilmGaps;
 struct StaticSolution;
 struct SteadyResult;
 
@@ -36,6 +38,11 @@ public:
     /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
     /// `known`: a static state in hand, which is used if it is that of the case; null: none.
     State prepare(const std::function<bool()>& goOn, const StaticSolution* known = nullptr);
+    /// In place of prepare(), which was Ready for the run that is continued. `level->pressure` is not that of the
+    /// start.
+    State restore(StateStream& stream, const std::function<bool()>& goOn);
+    /// What restore() reads.
+    void store(StateStream& stream);
     /// Sets diskOnCells.
     void lookAtCells(const Attitude& attitude);
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded), of a case that records them.
@@ -59,8 +66,11 @@ public:
 private:
     State fail(std::string reason);
     SteadyResult findRest(const StaticSolution* known, const std::function<bool()>& goOn) const;
+    /// Film, disk, contact on these gaps. False: stopped.
+    bool makeParts(std::shared_ptr<const FilmGaps> gaps, const std::function<bool()>& goOn);
     /// Film, disk, contact on the static state's grid. False: stopped.
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
+    void pass(StateStream& stream);
     /// Where no law of contact acts the disk must not reach the slider at the start.
     State checkDisk();
     State solveStart(const std::function<bool()>& goOn);
@@ -69,6 +79,8 @@ private:
 
     const Case& case_;
     RecordedFields filmMaps_;
+    Attitude bodyRest_; // where the suspension exerts its load
+    Attitude atCells_;  // of diskOnCells
 };
 
 } // namespace touchdown

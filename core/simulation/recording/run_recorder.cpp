@@ -2,6 +2,7 @@
 #include "core/simulation/recording/run_recorder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -15,17 +16,25 @@ namespace {
 constexpr double longestSilence = 0.015; // [s]
 constexpr double sameTime = 1e-6;        // less than this is rounding, of the sample interval [-]
 constexpr std::size_t mostEvents = 100'000;
+constexpr double leastBetween = 20.0; // of the cost of a checkpoint, until the next one
+// Of the run, where it should send its state, so that there is one before the last tenth, which a longer run has
+// elsewhere.
+constexpr std::array stations{0.5, 0.7, 0.85};
+constexpr double tail = 0.9;
 
 } // namespace
 
-RunRecorder::RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback)
+RunRecorder::RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback,
+                         const RunOptions& options)
     : quantities_(std::move(quantities)),
       duration_(c.run.duration),
       interval_(c.run.sampleInterval),
       callback_(callback),
       statistics_(c, quantities_),
-      extremes_(quantities_.size())
+      extremes_(quantities_.size()),
+      checkpointEach_(options.checkpointEach)
 {
+    setNextCheckpoint(0.0);
     samples_.time.reserve(samplesInBatch);
     samples_.columns.resize(quantities_.size());
     for (std::vector<double>& column : samples_.columns) column.reserve(samplesInBatch);
@@ -75,6 +84,40 @@ bool RunRecorder::send(double time, double begin)
     return !stopped_;
 }
 
+void RunRecorder::setNextCheckpoint(double time)
+{
+    nextCheckpoint_ = std::numeric_limits<double>::infinity();
+    if (!checkpointEach_) return;
+    const auto next = std::ranges::find_if(stations, [&](double share) { return share * duration_ > time; });
+    if (next != stations.end()) nextCheckpoint_ = *next * duration_;
+}
+
+void RunRecorder::askForCheckpoint()
+{
+    if (checkpointEach_ && wallClock() - lastCheckpoint_ >= std::max(*checkpointEach_, leastBetween * checkpointCost_))
+        nextCheckpoint_ = 0.0;
+}
+
+bool RunRecorder::sendState(double time, bool extends, std::string state)
+{
+    const double begin = wallClock();
+    // The samples of the last tenth count otherwise than those before, and that is where the run ends.
+    const RunCheckpoint checkpoint{time, extends && time < tail * duration_ - interval_, std::move(state)};
+    if (callback_ && !callback_({time, duration_, samples_, newEvents_, fields_, &checkpoint})) stopped_ = true;
+    lastSent_ = lastCheckpoint_ = wallClock();
+    checkpointCost_ = lastCheckpoint_ - begin;
+    secondsOutside_ += checkpointCost_;
+    setNextCheckpoint(time);
+    return !stopped_;
+}
+
+void RunRecorder::pass(StateStream& stream)
+{
+    Seconds soFar{before_.wall + wallClock() - begin_, before_.outside + secondsOutside_};
+    stream(soFar, statistics_, extremes_, newestTime_, newest_, events_, droppedEvents_, firstDropped_);
+    if (stream.reads()) before_ = soFar;
+}
+
 Summary RunRecorder::summary(const RunEnd& end, double endTime) const
 {
     Summary summary;
@@ -95,8 +138,8 @@ Summary RunRecorder::summary(const RunEnd& end, double endTime) const
 
 void RunRecorder::setTimes(Summary& summary) const
 {
-    summary.wallSeconds = wallClock() - begin_;
-    summary.solverSeconds = summary.wallSeconds - secondsOutside_;
+    summary.wallSeconds = before_.wall + wallClock() - begin_;
+    summary.solverSeconds = summary.wallSeconds - before_.outside - secondsOutside_;
 }
 
 } // namespace touchdown

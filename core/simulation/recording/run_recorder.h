@@ -4,13 +4,17 @@
 // parts of the Summary that all models have in common.
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/simulation/recording/field_snapshot.h"
+#include "core/simulation/recording/run_checkpoint.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/simulation/recording/sample_extremes.h"
+#include "core/work/state_stream.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -28,7 +32,8 @@ public:
     static constexpr std::size_t samplesInBatch = 1024;
 
     /// Case and callback must last.
-    RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback);
+    RunRecorder(const Case& c, std::vector<Quantity> quantities, const RunCallback& callback,
+                const RunOptions& options = {});
     RunRecorder(const RunRecorder&) = delete;
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
@@ -61,14 +66,47 @@ public:
     /// The values of the newest sample; empty without one.
     const std::vector<double>& newest() const { return newest_; }
 
+    /// Whether a run that has reached `time` should send its state: each so many seconds of the clock, and a few times
+    /// before its last tenth, from where a longer run can continue.
+    bool isCheckpointDue(double time) const { return time >= nextCheckpoint_; }
+    /// Looks at the clock.
+    void askForCheckpoint();
+    /// Sends what came since the last time, then the state at `time`, which pass(stream) names without this recorder;
+    /// false once somebody has stopped the run. `extends`: the model's part does not depend on run.duration.
+    template <class Pass>
+    bool sendCheckpoint(double time, bool extends, Pass&& pass)
+    {
+        if (!send(time)) return false;
+        StateStream stream;
+        this->pass(stream);
+        pass(stream);
+        return sendState(time, extends, stream.take());
+    }
+    /// Before the first sample: continues from a state. Throws StateMisfit.
+    template <class Pass>
+    void resume(const RunCheckpoint& from, Pass&& pass)
+    {
+        StateStream stream(from.state);
+        this->pass(stream);
+        pass(stream);
+        stream.end();
+        setNextCheckpoint(from.time);
+    }
+
     /// Wall time spent outside the solver [s].
     double secondsOutside() const { return secondsOutside_; }
+    /// Wall time of the solver in the processes before, of a run that was continued [s].
+    double solverSecondsBefore() const { return before_.wall - before_.outside; }
     /// Status, events, statistics, and the values of the newest sample as the final ones.
     Summary summary(const RunEnd& end, double endTime) const;
     /// Wall and solver time, since the construction.
     void setTimes(Summary& summary) const;
 
 private:
+    void pass(StateStream& stream);
+    bool sendState(double time, bool extends, std::string state);
+    void setNextCheckpoint(double time);
+
     std::vector<Quantity> quantities_;
     double duration_, interval_; // [s]
     const RunCallback& callback_;
@@ -82,6 +120,13 @@ private:
     double firstDropped_ = 0.0; // [s]
     std::vector<FieldSnapshot> fields_;
     double begin_ = wallClock(), lastSent_ = begin_, secondsOutside_ = 0.0; // [s]
+    std::optional<double> checkpointEach_;                                  // [s]
+    double lastCheckpoint_ = begin_, checkpointCost_ = 0.0;                 // wall time [s]
+    struct Seconds {
+        double wall = 0.0, outside = 0.0; // [s]
+    };
+    Seconds before_; // of the processes before, of a run that was continued
+    double nextCheckpoint_ = std::numeric_limits<double>::infinity(); // of the run [s]
     bool stopped_ = false;
 };
 

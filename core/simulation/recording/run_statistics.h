@@ -22,6 +22,7 @@ public:
     void add(double value, double least, double most, double weight = 1.0);
     /// Over the samples from the share `begin` to `end` of their time (0..1), to whole blocks. At least one block.
     Statistics over(double begin, double end) const;
+    void pass(auto& stream) { stream(blocks_, blockLength_); }
 
 private:
     struct Block {
@@ -75,6 +76,13 @@ public:
                    std::span<const double> most);
     /// Sets tail, extremes, verdict and peaks of a summary with its end time and events.
     void finish(Summary& summary) const;
+    void pass(auto& stream)
+    {
+        stream.fixed(blocks_);
+        stream.fixed(extremes_);
+        stream(motion_.spacing, motion_.least, motion_.most, motion_.touch, motion_.first, beforeSpectrum_, newestTime_,
+               samples_);
+    }
 
 private:
     const Case& case_;

@@ -20,6 +20,7 @@ namespace touchdown {
 
 struct FieldSnapshot;
 struct RecordedFields;
+struct RunCheckpoint;
 
 enum class RunStatus : std::uint8_t { Completed, Cancelled, Diverged, Failed };
 std::string_view name(RunStatus status);
@@ -72,15 +73,17 @@ std::string_view name(RunFailure failure);
 struct RunEvent {
     double time = 0.0; // [s]
     std::string name;  // "touch-down", "rear spring lost"
+    void pass(auto& stream) { stream(time, name); }
 };
 
 /// A report of the core during a run. Sent at least every 20 ms of wall time.
 struct RunUpdate {
-    double time = 0.0;                        // reached [s]
-    double duration = 0.0;                    // of the whole run [s]
-    const SampleBatch& samples;               // since the last update; may be empty
-    const std::vector<RunEvent>& events;      // since the last update
-    const std::vector<FieldSnapshot>& fields; // since the last update; of recordedFields
+    double time = 0.0;                         // reached [s]
+    double duration = 0.0;                     // of the whole run [s]
+    const SampleBatch& samples;                // since the last update; may be empty
+    const std::vector<RunEvent>& events;       // since the last update
+    const std::vector<FieldSnapshot>& fields;  // since the last update; of recordedFields
+    const RunCheckpoint* checkpoint = nullptr; // the state after all that was sent; null in most updates
 };
 /// Return false to stop the run; may block to pause it. Called on the thread of `run`.
 using RunCallback = std::function<bool(const RunUpdate&)>;
@@ -162,6 +165,10 @@ struct RunOptions {
         false; // springs: report the integrator's energy error as figure "energy_balance", as film runs do
     /// Film: a static state in hand. If it is that of the case, the run starts from it and does not solve for it again.
     std::shared_ptr<const StaticSolution> rest = nullptr;
+    /// Wall time between two checkpoints [s]; none: there are no checkpoints. Integrator `cvode` makes none.
+    std::optional<double> checkpointEach{};
+    /// The state from which the run continues; what was sent before is not sent again. Null: from its start.
+    std::shared_ptr<const RunCheckpoint> from = nullptr;
 };
 
 } // namespace touchdown

@@ -25,11 +25,13 @@ public:
     const std::vector<double>& most() const { return most_; }
     /// Begins the next interval at the last point.
     void restart();
+    void pass(auto& stream) { stream(last_, before_, smoothPoints_, least_, most_); }
 
 private:
     struct Point {
         double time = 0.0; // [s]
         std::vector<double> values;
+        void pass(auto& stream) { stream(time, values); }
     };
     void clear();
 

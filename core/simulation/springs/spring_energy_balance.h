@@ -30,6 +30,10 @@ public:
 
     /// The largest energy imbalance so far, against the largest change of a part [-].
     double imbalance() const;
+    void pass(auto& stream)
+    {
+        stream(time_, y_, under_, region_, separation_, start_, gained_, missing_, least_, most_);
+    }
 
 private:
     /// Work of contact and adhesion on the pad along the way to separation `to` [J].

@@ -57,6 +57,7 @@ public:
     struct Under {
         Guards height = Guards::Zero(); // w [m]
         Guards rate = Guards::Zero();   // w', as the surface moves [m/s]
+        void pass(auto& stream) { stream(height, rate); }
     };
 
     /// `c` must be valid (checkCombinations). `under`: constant heights of a surface that stands still [m]; zero on a

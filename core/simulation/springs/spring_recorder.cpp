@@ -10,27 +10,35 @@
 namespace touchdown {
 
 SpringRecorder::SpringRecorder(const SpringModel& model, const DiskUnderSprings& disk, const Case& c,
-                               const RunCallback& callback)
+                               const RunCallback& callback, const RunOptions& options)
     : model_(model),
       disk_(disk),
-      run_(c, SpringModel::quantities(c), callback),
+      run_(c, SpringModel::quantities(c), callback, options),
       points_(RunRecorder::samplesInBatch),
+      from_(options.from),
       interval_(c.run.sampleInterval),
-      slack_(std::max(1e-9 * c.run.sampleInterval, 4.0 * std::numeric_limits<double>::epsilon() * c.run.duration)),
       pointInterval_(model.shortestPeriod() / 20.0),
       values_(run_.quantities().size()),
-      energyColumn_(static_cast<std::size_t>(findQuantity(run_.quantities(), "energy")))
+      energyColumn_(static_cast<std::size_t>(findQuantity(run_.quantities(), "energy"))),
+      heightColumn_(static_cast<std::size_t>(findQuantity(run_.quantities(), "flying_height")))
 {
     run_.moveOver(disk.recurrence());
 }
 
 void SpringRecorder::begin(const State& y, Mode mode)
 {
+    if (balance) balance->begin(y, mode);
+    if (from_) return;
     last_ = lastSample_ = points_[0] = {0.0, y, mode, true};
     filled_ = 1;
     index_ = 1;
     nextTime_ = interval_;
-    if (balance) balance->begin(y, mode);
+}
+
+void SpringRecorder::pass(StateStream& stream)
+{
+    stream(newest_, nextTime_, index_, smooth_, last_, lastSample_, lostSince_, heights_);
+    if (balance) balance->pass(stream);
 }
 
 void SpringRecorder::event(double time, int guard, bool upper, Mode before, Mode after)
@@ -48,6 +56,7 @@ void SpringRecorder::lookAtClock()
 {
     stepsSinceLook_ = 0;
     if (run_.silent()) flush();
+    run_.askForCheckpoint();
 }
 
 bool SpringRecorder::judge(const Point& point)
@@ -85,6 +94,7 @@ void SpringRecorder::record()
         if (!judge(point)) break;
         lastSample_ = point;
         run_.addSample(point.time, values_, point.smooth);
+        if (keepsHeights_) heights_.push_back(values_[heightColumn_]);
     }
     filled_ = 0;
     // The newest step ends beyond the newest sample, unless it is not yet recorded to its end.
@@ -98,10 +108,14 @@ void SpringRecorder::record()
 
 void SpringRecorder::send(double begin)
 {
-    if (!run_.send(last_.time, begin) && end_.completed()) {
-        end_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + fewDigitsOfTime(last_.time, 4)};
-        goOn_ = false;
-    }
+    if (!run_.send(last_.time, begin)) stop();
+}
+
+void SpringRecorder::stop()
+{
+    if (!end_.completed()) return;
+    end_ = {RunStatus::Cancelled, RunFailure::None, "stopped at " + fewDigitsOfTime(last_.time, 4)};
+    goOn_ = false;
 }
 
 void SpringRecorder::flush()

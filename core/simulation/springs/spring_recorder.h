@@ -5,6 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,28 +30,45 @@ public:
         Mode mode;
         bool sample = false;
         bool smooth = false; // the same law has held since the point before
+        void pass(auto& stream) { stream(time, y, mode, sample, smooth); }
     };
 
     /// Model and disk must last.
-    SpringRecorder(const SpringModel& model, const DiskUnderSprings& disk, const Case& c, const RunCallback& callback);
+    SpringRecorder(const SpringModel& model, const DiskUnderSprings& disk, const Case& c, const RunCallback& callback,
+                   const RunOptions& options = {});
 
-    /// The start itself.
+    /// The start itself, unless the run continues.
     void begin(const State& y, Mode mode);
+    /// For the integrator, see core/numerics/switched_system.h.
+    bool isCheckpointDue(double time) const { return run_.isCheckpointDue(time); }
+    template <class Pass>
+    void sendCheckpoint(double time, Pass&& passIntegration)
+    {
+        flush();
+        if (!goOn_) return;
+        if (!run_.sendCheckpoint(time, true, [&](StateStream& stream) { passIntegration(stream), pass(stream); }))
+            stop();
+    }
+    template <class Pass>
+    void resume(Pass&& passIntegration)
+    {
+        if (from_) run_.resume(*from_, [&](StateStream& stream) { passIntegration(stream), pass(stream); });
+    }
     /// Over a surface that moves, states have the time in them.
     template <class Y, class At>
     bool step(double t1, const Y& stateNow, Mode mode, At&& stateAt)
     {
         const State y1 = SpringModel::motionOf(stateNow);
         const auto at = [&](double t) { return SpringModel::motionOf(stateAt(t)); };
-        const double t0 = last_.time;
+        const double t0 = last_.time, slack = slackAt(t1);
         const bool due = t1 - newest_ >= 0.1 * pointInterval_;
         const double most = interval_ > pointInterval_ ? double(mostParts) : 1.0;
         const int parts = due ? std::max(1, int(std::min((t1 - t0) / pointInterval_ + 0.5, most))) : 0;
         for (int k = 1; k <= std::max(parts, 1); ++k) {
             const double until = k < parts ? t0 + (t1 - t0) * k / parts : t1;
-            for (; nextTime_ <= until + slack_; nextTime_ = double(++index_) * interval_)
-                if (!put({nextTime_, nextTime_ >= t1 - slack_ ? y1 : at(nextTime_), mode, true})) return false;
-            if (k <= parts && until > newest_ + slack_ && !put({until, k < parts ? at(until) : y1, mode})) return false;
+            for (; nextTime_ <= until + slack; nextTime_ = double(++index_) * interval_)
+                if (!put({nextTime_, nextTime_ >= t1 - slack ? y1 : at(nextTime_), mode, true})) return false;
+            if (k <= parts && until > newest_ + slack && !put({until, k < parts ? at(until) : y1, mode})) return false;
         }
         last_ = {t1, y1, mode};
         if (balance) {
@@ -74,6 +94,9 @@ public:
     /// How the run ends when its samples say so.
     const RunEnd& end() const { return end_; }
     const RunRecorder& run() const { return run_; }
+    /// Flying heights at the multiples of the sample interval; kept where the run is to be compared [m].
+    const std::vector<double>& heights() const { return heights_; }
+    void keepHeights() { keepsHeights_ = true; }
     /// When the front or rear spring was lost and has not come back; negative if it carries [s].
     double lostSince(int guard) const { return lostSince_[guard == SpringModel::Front ? 0 : 1]; }
 
@@ -92,7 +115,14 @@ private:
         if (filled_ == points_.size()) flush();
         return goOn_;
     }
+    /// By which times differ that are equal but for rounding [s].
+    double slackAt(double time) const
+    {
+        return std::max(1e-9 * interval_, 4.0 * std::numeric_limits<double>::epsilon() * time);
+    }
     void lookAtClock();
+    void stop();
+    void pass(StateStream& stream);
     /// Hands on the samples that were not yet sent.
     void flush();
     /// Records the points that are not yet recorded.
@@ -108,11 +138,12 @@ private:
     RunRecorder run_;
     std::vector<Point> points_;
     std::size_t filled_ = 0;
-    double interval_, slack_; // [s]
-    double pointInterval_;    // between points that find extremes [s]
-    double newest_ = 0.0;     // time of the newest point [s]
-    double nextTime_ = 0.0;   // of the next sample [s]
-    long long index_ = 0;     // of the next sample
+    std::shared_ptr<const RunCheckpoint> from_; // null: the run begins
+    double interval_;                           // [s]
+    double pointInterval_;                      // between points that find extremes [s]
+    double newest_ = 0.0;                       // time of the newest point [s]
+    double nextTime_ = 0.0;                     // of the next sample [s]
+    long long index_ = 0;                       // of the next sample
     int stepsSinceLook_ = 0;
     bool goOn_ = true;
     bool smooth_ = true; // the same law holds since the newest point
@@ -123,6 +154,9 @@ private:
     std::vector<double> values_;
     std::size_t energyColumn_;
     std::array<double, 2> lostSince_{-1.0, -1.0};
+    std::size_t heightColumn_;
+    bool keepsHeights_ = false;
+    std::vector<double> heights_;
 };
 
 } // namespace touchdown

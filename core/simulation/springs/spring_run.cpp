@@ -8,7 +8,6 @@
 #include "core/case/contact_law.h"
 #include "core/case/integrator_kind.h"
 #include "core/formats/units.h"
-#include "core/simulation/recording/last_sample.h"
 #include "core/simulation/springs/spring_integration.h"
 #include "core/simulation/springs/spring_recorder.h"
 #include "core/simulation/springs/springs_over_disk.h"
@@ -78,11 +77,13 @@ RunEnd lostSpring(const SpringRecorder& recorder, double duration)
     return {};
 }
 
+/// `heights`: where its flying heights are kept at the multiples of the sample interval [m]; may be null.
 Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const RunCallback& callback,
-                const RunOptions& options = {})
+                const RunOptions& options = {}, std::vector<double>* heights = nullptr)
 {
     const SpringModel model(c, disk.moves() ? SpringModel::Guards::Zero() : disk.at(0.0).height);
-    SpringRecorder recorder(model, disk, c, callback);
+    SpringRecorder recorder(model, disk, c, callback, options);
+    if (heights) recorder.keepHeights();
     SpringEnergyBalance balance(model, disk);
     const bool loose = !hasFixedStep(c.run.integrator) && c.run.tolerance >= looseTolerance;
     if (options.energyBalance || loose) recorder.balance = &balance;
@@ -117,7 +118,8 @@ Summary runOnce(const Case& c, const DiskUnderSprings& disk, double step, const 
              false,
              true});
     recorder.run().setTimes(summary);
-    summary.solverSeconds = solverSeconds;
+    summary.solverSeconds = recorder.run().solverSecondsBefore() + solverSeconds;
+    if (heights) *heights = recorder.heights();
     return summary;
 }
 
@@ -166,18 +168,6 @@ StepCheck checkStep(const Case& c, const DiskUnderSprings& disk, const Summary& 
     return check;
 }
 
-/// Hands the updates of a run on, and keeps its flying heights at the multiples of its sample interval [m].
-RunCallback keepHeights(const Case& c, const RunCallback& callback, std::vector<double>& heights)
-{
-    const auto column = static_cast<std::size_t>(findQuantity(SpringModel::quantities(c), "flying_height"));
-    return [&callback, &heights, column, interval = c.run.sampleInterval](const RunUpdate& update) {
-        const SampleBatch& batch = update.samples;
-        for (std::size_t k = 0; k < batch.size(); ++k)
-            if (!isBetweenSamples(batch.time[k], interval)) heights.push_back(batch.columns[column][k]);
-        return !callback || callback(update);
-    };
-}
-
 /// Whether the slider came so near to contact over a moving disk that a small error may have a large effect: where it
 /// grazes, the effect grows with the square root of the error.
 bool mayGraze(const Case& c, const Summary& summary)
@@ -195,8 +185,7 @@ std::string otherMotion(const Case& c, const DiskUnderSprings& disk, const Summa
     other.run.tolerance *= c.run.tolerance > finestTolerance ? 0.01 : 10.0;
     const RunCallback silent = stopOnly(c, callback);
     std::vector<double> again;
-    const RunCallback keeping = keepHeights(c, silent, again);
-    const Summary summary = runOnce(other, disk, other.run.step, keeping);
+    const Summary summary = runOnce(other, disk, other.run.step, silent, {}, &again);
     if (summary.status == RunStatus::Cancelled) return {};
     const std::size_t count = std::min(heights.size(), again.size());
     double most = 0.0;
@@ -245,13 +234,14 @@ std::string reasonNotToStart(const Case& c, const DiskUnderSprings& disk)
 
 Summary runSprings(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
+    if (options.from && c.run.integrator == IntegratorKind::Cvode)
+        return refusedRun("the integrator cvode cannot continue a run: SUNDIALS keeps its state to itself");
     const DiskUnderSprings disk(c);
     if (std::string reason = reasonNotToStart(c, disk); !reason.empty()) return refusedRun(std::move(reason));
     const bool adaptiveOverDisk = disk.moves() && !hasFixedStep(c.run.integrator);
     if (adaptiveOverDisk && characteristic(c) && c.run.stepCheck) {
         std::vector<double> heights;
-        const RunCallback keeping = keepHeights(c, callback, heights);
-        Summary summary = runOnce(c, disk, c.run.step, keeping, options);
+        Summary summary = runOnce(c, disk, c.run.step, callback, options, &heights);
         if (summary.status == RunStatus::Cancelled || !mayGraze(c, summary)) return summary;
         const std::string warning = otherMotion(c, disk, summary, heights, callback);
         if (!warning.empty()) summary.warnings.push_back(warning);

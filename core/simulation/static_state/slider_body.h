@@ -34,6 +34,7 @@ void holdRoll(Matrix3& stiffness);
 
 struct SliderMotion {
     Vector3 q = Vector3::Zero(), v = Vector3::Zero(), a = Vector3::Zero(); // position, velocity, acceleration
+    void pass(auto& stream) { stream(q, v, a); }
 };
 
 class SliderBody {

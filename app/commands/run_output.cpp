@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/run_output.h"
+
+#include <utility>
+
+#include "app/terminal/stop_signals.h"
+#include "core/case_files/case_text.h"
+#include "core/simulation/run.h"
+
+namespace touchdown {
+
+RunOutput::RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued)
+    : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
+{
+    // The time series takes its name only at the end of the run, the results at once: nothing may fail after them.
+    if (!files.series.empty())
+        problem_ = csv_.emplace().open(files.series, quantities_, [] { return !stopRequested(); });
+    if (problem_.empty() && !files.results.empty()) {
+        // The text holds the contents of the files that the case names: the results need no other file.
+        const std::string text = updateCaseText(document.text, document.value);
+        const std::vector<RecordedFields> fields = recordedFields(document.value);
+        ResultsWriter& writer = results_.emplace();
+        problem_ = continued.from
+                       ? writer.openAgain(files.results, document.value, text, quantities_, fields, continued.remark)
+                       : writer.open(files.results, document.value, text, quantities_, fields);
+        spectra_.emplace(document.value, quantities_);
+    }
+    if (!continued.from) return;
+    add(continued.samples, continued.fields);
+    if (problem_.empty() && results_) problem_ = results_->keep(*continued.from);
+}
+
+void RunOutput::add(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields)
+{
+    if (spectra_) spectra_->add(batch);
+    if (problem_.empty() && results_) problem_ = results_->append(batch, fields);
+    if (problem_.empty() && csv_) problem_ = csv_->append(batch);
+}
+
+void RunOutput::add(const RunUpdate& update)
+{
+    add(update.samples, update.fields);
+    if (update.checkpoint && problem_.empty() && results_) problem_ = results_->keep(*update.checkpoint);
+}
+
+void RunOutput::finish(const Summary& summary)
+{
+    const auto keep = [this](std::string problem) {
+        if (problem_.empty()) problem_ = std::move(problem);
+    };
+    if (csv_) keep(csv_->close());
+    if (!results_) return;
+    for (const auto& [quantity, spectrum] : spectra_->spectra())
+        keep(results_->addSpectrum(quantity, spectrum, spectrum_));
+    keep(results_->finish(summary));
+}
+
+} // namespace touchdown

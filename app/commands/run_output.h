@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The output files of a run: results and time series.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/case/case_document.h"
+#include "core/results/continued_run.h"
+#include "core/results/csv_writer.h"
+#include "core/results/results_writer.h"
+#include "core/simulation/recording/run_spectra.h"
+
+namespace touchdown {
+
+/// The first problem is kept and ends the run.
+class RunOutput {
+public:
+    struct Files {
+        std::string results, series; // "" for none
+    };
+    /// Begins with what came before in a run that continues.
+    RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued);
+
+    const std::vector<Quantity>& quantities() const { return quantities_; }
+    const std::string& problem() const { return problem_; }
+
+    void add(const RunUpdate& update);
+    void finish(const Summary& summary);
+
+private:
+    void add(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields);
+
+    std::vector<Quantity> quantities_;
+    SpectrumCase spectrum_;
+    std::optional<ResultsWriter> results_;
+    std::optional<RunSpectra> spectra_;
+    std::optional<CsvWriter> csv_;
+    std::string problem_;
+};
+
+} // namespace touchdown

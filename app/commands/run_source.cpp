@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/run_source.h"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "app/commands/case_commands.h"
+#include "app/terminal/console.h"
+#include "app/terminal/refusal.h"
+#include "core/case_files/case_reader.h"
+#include "core/case_files/case_settings.h"
+#include "core/formats/words.h"
+
+namespace touchdown {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isResultsFile(const fs::path& file)
+{
+    std::error_code none;
+    return lowerCase(file.extension().string()) == ".h5" && fs::is_regular_file(file, none);
+}
+
+} // namespace
+
+RunSource openRunSource(const CommandArguments& arguments)
+{
+    RunSource source;
+    source.out = arguments.out;
+    source.resumes = !arguments.resumeRun.empty();
+    const auto refuse = [&](std::string problem) {
+        source.document.name = arguments.name;
+        source.document.problems.push_back({arguments.name, 0, "", std::move(problem)});
+        return source;
+    };
+    if (!isResultsFile(arguments.name)) {
+        if (source.resumes) return refuse("is no results file; --resume continues the run of one, FILE.h5");
+        source.document = openCaseToUse(arguments);
+        return source;
+    }
+    source.isStored = true;
+    StoredRun stored = readResults(arguments.name);
+    if (!stored.problem.empty()) {
+        source.document.problems.push_back({"", 0, "", stored.problem});
+        return source;
+    }
+    const fs::path folder = fs::path(arguments.name).parent_path();
+    CaseDocument& document = source.document =
+        parseCase(stored.caseText, arguments.name, folder.empty() ? fs::path(".") : folder, arguments.outside());
+    const Case before = document.value;
+    if (document.valid() && !arguments.settings.empty()) applySettings(document, arguments.settings);
+    complainOf(document.warnings, "warning: ");
+    if (!document.valid() || !source.resumes) return source;
+    if (source.out.empty()) source.out = arguments.name;
+    const OtherOrigin other = arguments.resumeRun == "anyway" ? OtherOrigin::Allowed : OtherOrigin::Refused;
+    source.continued = continueRun(std::move(stored), before, document.value, other);
+    if (std::string& problem = source.continued.problem; !problem.empty()) {
+        if (source.continued.isOfOthers) problem += "; --resume=anyway continues it nevertheless, and marks the file";
+        return refuse(problem);
+    }
+    if (!source.continued.from)
+        complain("warning: " + arguments.name + " holds no state from which this run continues; it starts again");
+    return source;
+}
+
+} // namespace touchdown

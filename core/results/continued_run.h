@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A stored run as the beginning of one that continues it, to the same bits as if it had never been interrupted.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/case/case.h"
+#include "core/results/results_reader.h"
+
+namespace touchdown {
+
+struct ContinuedRun {
+    std::string problem;     // why it does not continue, in a sentence; "" if it does
+    bool isOfOthers = false; // why: another version or machine began it, which may be allowed
+    std::string remark;      // what was allowed: the sentence in the file, "" where nothing was
+    /// The state; null where the file holds none that fits: then the run starts again.
+    std::shared_ptr<const RunCheckpoint> from;
+    SampleBatch samples;               // all before it, of the quantities of the stored run
+    std::vector<FieldSnapshot> fields; // all before it
+};
+
+enum class OtherOrigin : bool { Refused, Allowed };
+
+/// `stored` of the case `before`, to be continued as `now`, which may differ by a longer run.duration alone. `other`:
+/// of runs that another version of the program or another machine began, whose bits may differ.
+ContinuedRun continueRun(StoredRun stored, const Case& before, const Case& now,
+                         OtherOrigin other = OtherOrigin::Refused);
+
+} // namespace touchdown
