@@ -15,6 +15,7 @@ struct Quantity {
     std::string unit;        // SI, "m"
     std::string displayUnit; // "nm"
     std::string longName;    // "Real contact force"
+    bool operator==(const Quantity&) const = default;
 };
 
 /// A quantity with its value in a state, so that names and columns cannot disagree.
