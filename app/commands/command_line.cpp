@@ -239,6 +239,10 @@ int commandLine(int argc, char** argv)
     addCase(run, arguments);
     addFile(run, "--out", arguments.out, "Writes all results as HDF5", "FILE.h5");
     addFile(run, "--csv", arguments.csv, "Writes the time series as CSV, when the run ends", "FILE.csv");
+    run.add_option("--checkpoint", arguments.checkpointEach,
+                   "Seconds between the states in --out, from which the run can be continued; default: 1")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 1e6));
     run.add_flag("--resume{yes}", arguments.resumeRun,
                  "Continues the run of a results file; =anyway: also one of another version or machine")
         ->check(CLI::IsMember({"yes", "anyway"}));

@@ -32,7 +32,6 @@ namespace {
 constexpr std::array finalKeys{
     "flying_height",  "minimum_spacing",   "pitch", "roll", "height", "contact_force", "adhesion_force",
     "friction_force", "air_bearing_force", "energy"};
-constexpr double secondsBetweenCheckpoints = 1.0; // of the clock
 constexpr std::array tailKeys{"flying_height", "minimum_spacing", "pitch", "roll", "contact_force"};
 
 Json statisticsJson(const Statistics& s)
@@ -328,7 +327,7 @@ int runCommand(const CommandArguments& arguments)
         return line.show(runProgress(update.time, update.duration, least)) && output.problem().empty();
     };
     RunOptions options;
-    if (!source.out.empty()) options.checkpointEach = secondsBetweenCheckpoints;
+    if (!source.out.empty()) options.checkpointEach = arguments.checkpointEach;
     options.from = source.continued.from;
     if (!fitsInMemory([&] { summary = run(document.value, receive, options); })) {
         summary.status = RunStatus::Failed;

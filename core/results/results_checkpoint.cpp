@@ -11,8 +11,8 @@
 namespace touchdown {
 namespace {
 
-constexpr const char* group = "checkpoint";
-constexpr std::array<const char*, 2> names{"newest", "extends"};
+constexpr const char* checkpointGroup = "checkpoint";
+constexpr std::array<const char*, 2> slots{"newest", "extends"};
 
 /// That of a set with a name.
 std::string countOf(const RecordedFields& set) { return "snapshots_" + set.group; }
@@ -87,18 +87,18 @@ void writeCheckpoints(const Hdf5Group& file, const std::vector<RecordedFields>& 
                       const ResultsCheckpoints& checkpoints)
 {
     const bool any = checkpoints.newest || checkpoints.extends;
-    if (!any && !file.has(group)) return;
-    const Hdf5Group at = file.has(group) ? file.group(group) : file.create(group);
-    write(at, names[0], sets, checkpoints.newest.get());
-    write(at, names[1], sets, checkpoints.extends.get());
+    if (!any && !file.has(checkpointGroup)) return;
+    const Hdf5Group at = file.has(checkpointGroup) ? file.group(checkpointGroup) : file.create(checkpointGroup);
+    write(at, slots[0], sets, checkpoints.newest.get());
+    write(at, slots[1], sets, checkpoints.extends.get());
 }
 
 hsize_t storedBytesOfCheckpoints(const Hdf5Group& file)
 {
     hsize_t bytes = 0;
-    if (!file.has(group)) return bytes;
-    const Hdf5Group at = file.group(group);
-    for (const char* name : names)
+    if (!file.has(checkpointGroup)) return bytes;
+    const Hdf5Group at = file.group(checkpointGroup);
+    for (const char* name : slots)
         if (at.has(name)) bytes += at.get(name).storedBytes();
     return bytes;
 }
@@ -106,12 +106,12 @@ hsize_t storedBytesOfCheckpoints(const Hdf5Group& file)
 std::vector<StoredCheckpoint> readCheckpoints(const Hdf5Group& file, const std::vector<RecordedFields>& sets)
 {
     std::vector<StoredCheckpoint> list;
-    if (!file.has(group)) return list;
-    const Hdf5Group at = file.group(group);
-    for (const char* name : names) {
+    if (!file.has(checkpointGroup)) return list;
+    const Hdf5Group at = file.group(checkpointGroup);
+    for (const char* name : slots) {
         if (!at.has(name)) continue;
         list.push_back(read(at.get(name), sets));
-        list.back().at.extends = name == names[1];
+        list.back().at.extends = name == slots[1];
     }
     return list;
 }

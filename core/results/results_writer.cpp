@@ -261,7 +261,8 @@ std::string ResultsWriter::finish(const Summary& summary)
     std::string problem = file_->problem;
     const SampleBatch rest = std::exchange(file_->pending, {});
     const std::vector<FieldSnapshot> maps = std::exchange(file_->pendingFields, {});
-    if (problem.empty()) problem = file_->flush(rest, maps, file_->pendingCheckpoints, &summary);
+    const ResultsCheckpoints checkpoints = std::exchange(file_->pendingCheckpoints, {});
+    if (problem.empty()) problem = file_->flush(rest, maps, checkpoints, &summary);
     file_.reset();
     return problem;
 }

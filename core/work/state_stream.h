@@ -53,9 +53,10 @@ public:
     template <class Value>
     void fixed(std::vector<Value>& list)
     {
-        const std::size_t count = list.size();
-        one(list);
-        if (list.size() != count) throw StateMisfit();
+        std::size_t count = list.size();
+        one(count);
+        if (count != list.size()) throw StateMisfit();
+        each(list);
     }
 
 private:
@@ -89,13 +90,18 @@ private:
     template <class List>
     void many(List& list)
     {
-        using Value = typename List::value_type;
         std::size_t count = list.size();
         one(count);
         if (reads_ && count > left_.size()) throw StateMisfit(); // each value takes a byte at least
         if (reads_) list.resize(count);
+        each(list);
+    }
+    template <class List>
+    void each(List& list)
+    {
+        using Value = typename List::value_type;
         if constexpr (std::is_trivially_copyable_v<Value>)
-            raw(list.data(), count * sizeof(Value));
+            raw(list.data(), list.size() * sizeof(Value));
         else
             for (Value& value : list) one(value);
     }

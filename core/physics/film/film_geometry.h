@@ -31,6 +31,7 @@ public:
     /// smooth face has the mean of its two cells' heights, and their difference in its tilt; all pieces of a cut face
     /// have the height of their face.
     void setSurface(std::span<const double> height) { surface_ = height; }
+    std::span<const double> surface() const { return surface_; }
     void setAttitude(const Attitude& attitude);
 
     /// The faces across one axis.

@@ -57,7 +57,9 @@ void FilmLinearSolver::prepare(double shift)
     multigrid_.setFactors(all, flows, diagonal_);
 }
 
-void FilmLinearSolver::setNinePoints(bool transposed)
+void FilmLinearSolver::setNinePoints(bool transposed) { setNinePoints(transposed, film_.volumes()); }
+
+void FilmLinearSolver::setNinePoints(bool transposed, std::span<const double> volumes)
 {
     if (hasNine_ || !film_.isComplete()) return;
     hasNine_ = true;
@@ -66,7 +68,8 @@ void FilmLinearSolver::setNinePoints(bool transposed)
         return;
     }
     assert(shift_ == 0.0);
-    stencil_.setStorage(film_.volumes());
+    stencil_.setStorage(volumes);
+    if (nineVolumes_.data() != volumes.data()) nineVolumes_.assign(volumes.begin(), volumes.end());
     multigrid_.setFinest(stencil_.points(), {}, transposed, stencil_.storagePoints(), perTime_);
 }
 
@@ -74,6 +77,7 @@ void FilmLinearSolver::reserve()
 {
     stencil_.reserve();
     multigrid_.reserve();
+    nineVolumes_.reserve(film_.pad().size());
 }
 
 void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out)

@@ -56,6 +56,16 @@ public:
     /// x = J^-1 b from the guess x; padded.
     GmresResult solve(std::span<const double> b, std::span<double> x, const GmresOptions& options);
 
+    /// What was made since prepare(), in a film in time, written or read after the same prepare().
+    void pass(auto& stream)
+    {
+        bool hasNine = hasNine_;
+        stream(hasNine, nineVolumes_);
+        if (!stream.reads() || !hasNine) return;
+        if (nineVolumes_.size() != diagonal_.size()) return nineVolumes_.clear();
+        setNinePoints(false, nineVolumes_);
+    }
+
     /// The same for J^T x = b. Its monotone part is convection the other way, with its divergence on the diagonal.
     void prepareTransposed();
     GmresResult solveTransposed(std::span<const double> b, std::span<double> x, const GmresOptions& options);
@@ -63,6 +73,7 @@ public:
 private:
     /// Makes full cycles end with all nine points, where they are needed.
     void setNinePoints(bool transposed);
+    void setNinePoints(bool transposed, std::span<const double> volumes);
     void addShift(std::span<const double> v, std::span<double> out) const;
 
     const GasFilm& film_;
@@ -75,6 +86,7 @@ private:
     double shift_ = 0.0;
     double perTime_ = 0.0; // of the storage, when the linearisation was taken [1/s]
     bool hasNine_ = false;
+    std::vector<double> nineVolumes_; // with which they were made, in a film in time [m^3]
 };
 
 class FilmNewton {

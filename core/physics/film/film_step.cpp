@@ -24,7 +24,9 @@ FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(
 {
     const std::size_t size = film.pad().size();
     linear_.reserve();
-    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_})
+    at_.surface.reserve(size);
+    for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_,
+                        &at_.pressure, &at_.history, &at_.spread})
         field->assign(size, 0.0);
     for (auto* vectors : {&directions_, &images_})
         for (auto& vector : *vectors) vector.assign(size, 0.0);
@@ -142,11 +144,28 @@ void FilmStepper::linearise(FilmStepResult& result)
     film_.linearise(p_, residual_);
     linear_.prepare();
     std::copy(film_.volumes().begin(), film_.volumes().end(), linearisedVolume_.begin());
+    at_.attitude = film_.attitude();
+    std::ranges::copy(p_, at_.pressure.begin());
+    std::ranges::copy(history_, at_.history.begin());
+    std::ranges::copy(past_[0].pressure, at_.spread.begin());
+    at_.surface.assign(film_.surface().begin(), film_.surface().end());
     linearisedPerTime_ = perTime_;
     age_ = repeats_ = 0;
     solver_ = Solver::Factors;
     contraction_ = 0.0;
     ++result.linearisations;
+}
+
+void FilmStepper::linearise(const Linearised& at)
+{
+    if (!at.surface.empty() && at.surface.size() != p_.size()) return;
+    film_.setSurface(at.surface);
+    film_.setAttitude(at.attitude);
+    film_.setStorage(linearisedPerTime_, at.history);
+    film_.spreadAs(at.spread);
+    film_.linearise(at.pressure, residual_);
+    linear_.prepare();
+    std::ranges::copy(film_.volumes(), linearisedVolume_.begin());
 }
 
 /// From what the first change adds to the guess.

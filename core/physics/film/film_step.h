@@ -64,9 +64,7 @@ public:
     void follow(const Attitude& attitude, std::span<const double> change);
     /// Makes the last step's pressures the start of the next step; false, and nothing done, if it did not converge.
     [[nodiscard]] bool accept();
-    /// The next step linearises anew.
-    void renew() { linearisedPerTime_ = 0.0; }
-    /// The accepted state after renew(), written or read.
+    /// All that the next step depends on but the disk's surface, written or read.
     void pass(auto& stream)
     {
         for (Past& past : past_) {
@@ -78,6 +76,12 @@ public:
         stream(rate_, dt_, perTime_, linearisedPerTime_, age_, kappaPerStep_, largestMeasured_, unmeasured_, repeats_,
                timeError_, fresh_, extrapolated_, errorPerChange_, solver_, contraction_, closings_, fitted_,
                converged_);
+        stream.fixed(at_.pressure);
+        stream.fixed(at_.history);
+        stream.fixed(at_.spread);
+        stream(at_.surface, at_.attitude);
+        if (stream.reads() && linearisedPerTime_ > 0.0) linearise(at_);
+        stream(linear_);
     }
 
     /// Of the last step; padded [Pa].
@@ -98,7 +102,15 @@ private:
     void remember();
     void setHistory(double dt);
     void guess(double dt);
+    /// Where the film was linearised: all that its linear systems depend on.
+    struct Linearised {
+        Attitude attitude;
+        std::vector<double> pressure, history, spread; // padded; of GasFilm::spreadAs() [Pa], [Pa m^3/s], [Pa]
+        std::vector<double> surface;                   // padded; empty: flat [m]
+    };
     void linearise(FilmStepResult& result);
+    /// The same again.
+    void linearise(const Linearised& at);
     /// change_ = -J^-1 residual_; its residual, estimated as `tolerance` measures it.
     double solveLinear(FilmStepResult& result);
     /// By factors or cycles, with generalised conjugate residuals (Eisenstat, Elman & Schultz 1983) of the
@@ -118,7 +130,8 @@ private:
     FilmLinearSolver linear_;
     std::array<Past, 4> past_; // from the last accepted one back
     std::vector<double> p_, residual_, right_, change_, rest_, history_;
-    std::vector<double> foreseen_;         // contents by a parabola [Pa m^3]
+    std::vector<double> foreseen_; // contents by a parabola [Pa m^3]
+    Linearised at_;
     std::vector<double> linearisedVolume_; // of the cells at the last linearisation [m^3]
     static constexpr std::size_t mostDirections = 8;
     std::array<std::vector<double>, mostDirections> directions_, images_;

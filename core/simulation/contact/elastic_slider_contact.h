@@ -13,6 +13,7 @@
 #include "core/simulation/contact/contact_lever.h"
 #include "core/simulation/contact/elastic_patch.h"
 #include "core/simulation/contact/slider_contact.h"
+#include "core/work/state_stream.h"
 
 namespace touchdown {
 

@@ -376,12 +376,6 @@ void CoupledStepper::accept()
     if (contact_) contact_->accept();
 }
 
-void CoupledStepper::renew()
-{
-    stepper_.renew();
-    response_.renew();
-}
-
 void CoupledStepper::pass(StateStream& stream)
 {
     stream(stepper_, response_, motion_, jerk_, slope_, shiftJerk_, earlier_, lengths_, time_, lastDt_, surfaceTime_,

@@ -89,9 +89,7 @@ public:
     /// The contact's law has changed at the accepted state: the acceleration follows the forces that now act.
     void restartAcceleration();
 
-    /// The linear systems of film and response are computed anew by the next step, as after pass().
-    void renew();
-    /// The accepted state after renew(), without contact and disk, written or read.
+    /// All that the next step depends on but contact and disk, written or read.
     void pass(StateStream& stream);
 
     double time() const { return time_; }

@@ -9,7 +9,6 @@
 // the contact by a factor of up to 300, which no step between those of the contact itself could follow.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <functional>
 #include <span>
@@ -40,14 +39,11 @@ public:
     void age() { ++age_; }
     /// Steps converge more slowly.
     void outdate() { age_ = oldest + 1; }
-    /// The next step computes it anew, from nothing.
-    void renew()
+    void pass(auto& stream)
     {
-        outdate();
-        for (std::vector<double>& response : responses_) std::ranges::fill(response, 0.0);
+        stream(stiffness_, perTime_, age_);
+        for (std::vector<double>& response : responses_) stream.fixed(response);
     }
-    /// The state after renew(), written or read.
-    void pass(auto& stream) { stream(stiffness_, perTime_, age_); }
     /// Renews the response at pressures p (padded) with the linear systems of a pressure near p; returns the number of
     /// preconditioned iterations. `contact`: null, or where the surfaces touch now. If `goOn`, asked at each iteration,
     /// returns false nothing is known.

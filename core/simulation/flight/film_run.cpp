@@ -43,7 +43,6 @@ constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
 constexpr double lowerForCells = 0.8;    // of the spacing at which the cells were last compared with the disk [-]
 constexpr double looksEach = 4.0;        // of the finest passage: a quarter of a wave, two cells of a map
-constexpr double cellSteps = 5e6;        // cells times steps between two states from which a run may be continued
 constexpr double leastForCells = 1e-9;   // below which they need no comparison [m]
 
 std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
@@ -156,13 +155,8 @@ private:
         if (contact_) stream(*contact_);
     }
 
-    /// At steps that are known beforehand. There the run computes its linear systems anew, whether it sends its state
-    /// or not, so that one that continues from it is the same.
     void sendCheckpoint()
     {
-        stepper_->renew();
-        run_.askForCheckpoint();
-        if (!run_.isCheckpointDue(point_.time)) return;
         // Maps are spread over the duration, and so are steps that a share of it limits.
         const bool extends = case_.run.fieldSnapshots == 0 && !nearShare_;
         const bool goesOn = run_.sendCheckpoint(reached(), extends, [this](StateStream& stream) {
@@ -208,14 +202,8 @@ private:
                 return;
             }
             if (!advanceOnce()) return;
-            if (steps_ % stepsBetweenStates() == 0) sendCheckpoint();
+            if (run_.isCheckpointDue(point_.time)) sendCheckpoint();
         }
-    }
-
-    /// Some seconds of work.
-    long long stepsBetweenStates() const
-    {
-        return std::clamp(static_cast<long long>(cellSteps / double(scene_.level->gaps.grid.cells())), 16LL, 1000LL);
     }
 
     double switchWidth() const { return switchShare * case_.run.stepError; }
@@ -428,7 +416,11 @@ private:
 
     double reached() const { return std::min(point_.time, case_.run.duration); } // [s]
     /// Asked within long solutions, too; false once somebody has stopped the run.
-    bool goOn() { return run_.lookAtClock(reached()); }
+    bool goOn()
+    {
+        run_.askForCheckpoint();
+        return run_.lookAtClock(reached());
+    }
 
     const Case& case_;
     RunRecorder run_;
