@@ -34,7 +34,6 @@
 #include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_spectrum.h"
-#include "ui/runs/run_continuation.h"
 #include "ui/runs/run_files.h"
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_view.h"
@@ -153,27 +152,6 @@ void MainWindow::startRun()
     });
 }
 
-void MainWindow::continueRun(int number)
-{
-    const RunRecord* run = runs().find(number);
-    if (!run) return;
-    RunContinuation next = continuationOf(*run, edits_->value());
-    if (!next.problem.isEmpty())
-        return messages_->show(MessageStrip::Kind::Failure,
-                               tr("Run %1 does not continue: %2").arg(QString::number(number), next.problem));
-    if (next.request.earlier)
-        messages_->clear();
-    else
-        messages_->show(MessageStrip::Kind::Information,
-                        tr("Run %1 holds no state from which it continues: it starts again.").arg(number));
-    endSlowMotion();
-    setPage(Page::Run);
-    recording_->whenFree([this, request = std::move(next.request)]() mutable {
-        request.recordTo = recording_->file().toStdString();
-        runs_->start(std::move(request));
-    });
-}
-
 void MainWindow::performStudy()
 {
     setPage(Page::Studies);
@@ -252,7 +230,6 @@ void MainWindow::updateRunActions()
         messages_->clear(MessageStrip::Topic::Case);
     for (QAction* action : {actions_->surface, actions_->underlay})
         action->setEnabled(pages_->model() == ModelKind::Film);
-    actions_->continueRun->setEnabled(runs_->panel()->chosen() >= 0);
     actions_->pause->setEnabled(state == State::Running || state == State::Paused);
     actions_->pause->setChecked(state == State::Paused);
     actions_->step->setEnabled(state == State::Paused);

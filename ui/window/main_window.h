@@ -57,8 +57,6 @@ public:
     /// Shows a newcomer the default case in slow motion, and where to go from there.
     void greet();
     void startRun() override;
-    /// Continues a run of the list to its end, or to the longer duration that the case has by now.
-    void continueRun(int number);
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
     void solveStaticState(bool atGivenAttitude = false);
     void performStudy() override;

@@ -43,6 +43,7 @@
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
 #include "ui/window/result_messages.h"
+#include "ui/window/run_continuation.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -145,7 +146,6 @@ void MainWindow::connectFiles()
 void MainWindow::connectRuns()
 {
     connect(actions_->run, &QAction::triggered, this, &MainWindow::startRun);
-    connect(actions_->continueRun, &QAction::triggered, this, [this] { continueRun(runs_->panel()->chosen()); });
     runs_->takeRestsFrom([this](const Case& c) { return film_->solutions().restOf(c); });
     RunController* controller = &this->controller();
     connect(actions_->pause, &QAction::triggered, controller,
@@ -191,10 +191,8 @@ void MainWindow::connectRuns()
     connect(runs_->panel(), &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(runs_->panel(), &RecordPanel::saveRequested, this,
             [this](int number) { runFiles_->chooseSave(number, false); });
-    connect(runs_->panel(), &RecordPanel::recordChosen, this, &MainWindow::updateRunActions);
-    runs_->panel()->offerInMenu(tr("Continue"),
-                                tr("Continue the run to its end, or to the longer duration that the case has now"),
-                                [this](int number) { continueRun(number); });
+    offerToContinue({*runs_, *edits_, *recording_, *messages_, *actions_->continueRun},
+                    [this] { endSlowMotion(), setPage(Page::Run); });
     connect(runs_->panel(), &RecordPanel::parametersRequested, this, &MainWindow::useParametersOf);
     connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
     connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);

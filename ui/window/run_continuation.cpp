@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/runs/run_continuation.h"
+#include "ui/window/run_continuation.h"
 
 #include <algorithm>
 #include <utility>
 
+#include <QAction>
 #include <QCoreApplication>
 
 #include "core/case_files/case_text.h"
 #include "core/results/continued_run.h"
+#include "ui/case/case_edits.h"
+#include "ui/lists/record_panel.h"
 #include "ui/runs/run_record.h"
+#include "ui/runs/run_window.h"
+#include "ui/style/message_strip.h"
+#include "ui/window/recording.h"
 
 namespace touchdown {
 
@@ -74,6 +80,35 @@ RunContinuation continuationOf(const RunRecord& run, const Case& edited)
     result.request = {now, updateCaseText(run.caseText, now), {}};
     if (continued.from) result.request.earlier = earlierOf(run, continued);
     return result;
+}
+
+void offerToContinue(const ContinuationParts& parts, const std::function<void()>& show)
+{
+    const auto perform = [parts, show](int number) {
+        const RunRecord* run = parts.runs.runs().find(number);
+        if (!run) return;
+        RunContinuation next = continuationOf(*run, parts.edits.value());
+        if (!next.problem.isEmpty())
+            return parts.messages.show(MessageStrip::Kind::Failure,
+                                       tr("Run %1 does not continue: %2").arg(QString::number(number), next.problem));
+        if (next.request.earlier)
+            parts.messages.clear();
+        else
+            parts.messages.show(MessageStrip::Kind::Information,
+                                tr("Run %1 holds no state from which it continues: it starts again.").arg(number));
+        show();
+        parts.recording.whenFree([parts, request = std::move(next.request)]() mutable {
+            request.recordTo = parts.recording.file().toStdString();
+            parts.runs.start(std::move(request));
+        });
+    };
+    RecordPanel* panel = parts.runs.panel();
+    panel->offerInMenu(tr("Continue"),
+                       tr("Continue the run to its end, or to the longer duration that the case has now"), perform);
+    QObject::connect(&parts.action, &QAction::triggered, panel, [panel, perform] { perform(panel->chosen()); });
+    const auto update = [panel, &action = parts.action] { action.setEnabled(panel->chosen() >= 0); };
+    QObject::connect(panel, &RecordPanel::recordChosen, &parts.action, update);
+    update();
 }
 
 } // namespace touchdown
