@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/case.h"
 #include "core/numerics/backward_difference.h"
 #include "core/physics/film/gas_film.h"
 #include "core/work/state_stream.h"
