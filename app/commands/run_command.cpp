@@ -315,6 +315,11 @@ int runCommand(const CommandArguments& arguments)
     ProgressLine line(arguments.progress);
     RunOutput output(document, {source.out, arguments.csv}, source.continued);
     if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
+    if (source.continued.from) {
+        output.addBefore(source.samples, source.fields, source.continued.from);
+        source.samples = {};
+        source.fields = {};
+    }
     const int spacing = findQuantity(output.quantities(), "minimum_spacing");
     std::optional<double> least; // of all samples so far [m]
     Summary summary;
@@ -328,7 +333,7 @@ int runCommand(const CommandArguments& arguments)
     };
     RunOptions options;
     if (!source.out.empty()) options.checkpointEach = arguments.checkpointEach;
-    options.from = source.continued.from;
+    if (const auto& from = source.continued.from) options.from = {from, &from->at};
     if (!fitsInMemory([&] { summary = run(document.value, receive, options); })) {
         summary.status = RunStatus::Failed;
         summary.message = outOfMemory(document.name);

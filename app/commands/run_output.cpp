@@ -25,9 +25,13 @@ RunOutput::RunOutput(const CaseDocument& document, const Files& files, const Con
                        : writer.open(files.results, document.value, text, quantities_, fields);
         spectra_.emplace(document.value, quantities_);
     }
-    if (!continued.from) return;
-    add(continued.samples, continued.fields);
-    if (problem_.empty() && results_) problem_ = results_->keep(*continued.from);
+}
+
+void RunOutput::addBefore(const SampleBatch& samples, const std::vector<FieldSnapshot>& fields,
+                          const std::shared_ptr<const StoredCheckpoint>& from)
+{
+    add(samples, fields);
+    if (problem_.empty() && results_) problem_ = results_->keep(from);
 }
 
 void RunOutput::add(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields)

@@ -3,6 +3,7 @@
 // The output files of a run: results and time series.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,12 +22,15 @@ public:
     struct Files {
         std::string results, series; // "" for none
     };
-    /// Begins with what came before in a run that continues.
+    /// `continued`: a run that was begun before. Then what came before follows, see addBefore().
     RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued);
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
     const std::string& problem() const { return problem_; }
 
+    /// All that came before a state from which the run continues.
+    void addBefore(const SampleBatch& samples, const std::vector<FieldSnapshot>& fields,
+                   const std::shared_ptr<const StoredCheckpoint>& from);
     void add(const RunUpdate& update);
     void finish(const Summary& summary);
 

@@ -55,13 +55,18 @@ RunSource openRunSource(const CommandArguments& arguments)
     if (!document.valid() || !source.resumes) return source;
     if (source.out.empty()) source.out = arguments.name;
     const OtherOrigin other = arguments.resumeRun == "anyway" ? OtherOrigin::Allowed : OtherOrigin::Refused;
-    source.continued = continueRun(std::move(stored), before, document.value, other);
+    source.continued = continueRun(stored, before, document.value, other);
     if (std::string& problem = source.continued.problem; !problem.empty()) {
         if (source.continued.isOfOthers) problem += "; --resume=anyway continues it nevertheless, and marks the file";
         return refuse(problem);
     }
-    if (!source.continued.from)
+    if (const auto& from = source.continued.from) {
+        source.samples = std::move(stored.samples);
+        source.fields = std::move(stored.fields);
+        cutTo(*from, source.samples, source.fields);
+    } else {
         complain("warning: " + arguments.name + " holds no state from which this run continues; it starts again");
+    }
     return source;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "app/commands/command_arguments.h"
 #include "core/case/case_document.h"
@@ -16,7 +17,9 @@ struct RunSource {
     bool isStored = false; // the case is that of a results file
     bool resumes = false;
     ContinuedRun continued;
-    std::string out; // "" for none; of a run that continues, by default the file itself
+    SampleBatch samples;               // before it continues
+    std::vector<FieldSnapshot> fields; // before it continues
+    std::string out;                   // "" for none; of a run that continues, by default the file itself
 };
 
 /// Problems are those of the document.

@@ -46,7 +46,7 @@ const StoredCheckpoint* checkpointFor(const StoredRun& stored, bool longer)
 
 } // namespace
 
-ContinuedRun continueRun(StoredRun stored, const Case& before, const Case& now, OtherOrigin other)
+ContinuedRun continueRun(const StoredRun& stored, const Case& before, const Case& now, OtherOrigin other)
 {
     ContinuedRun run;
     const bool longer = now.run.duration > before.run.duration;
@@ -69,17 +69,20 @@ ContinuedRun continueRun(StoredRun stored, const Case& before, const Case& now, 
         return run;
     }
     if (!origin.empty()) run.remark = origin + "; it was continued at " + fewDigitsOfTime(checkpoint->at.time, 6);
-    run.from = std::make_shared<const RunCheckpoint>(checkpoint->at);
-    run.samples = std::move(stored.samples);
-    run.samples.time.resize(checkpoint->samples);
-    for (std::vector<double>& column : run.samples.columns) column.resize(checkpoint->samples);
-    std::vector<std::size_t> left = checkpoint->snapshots;
-    for (FieldSnapshot& snapshot : stored.fields)
-        if (left[snapshot.set] > 0) {
-            --left[snapshot.set];
-            run.fields.push_back(std::move(snapshot));
-        }
+    run.from = std::make_shared<const StoredCheckpoint>(*checkpoint);
     return run;
+}
+
+void cutTo(const StoredCheckpoint& checkpoint, SampleBatch& samples, std::vector<FieldSnapshot>& fields)
+{
+    samples.time.resize(checkpoint.samples);
+    for (std::vector<double>& column : samples.columns) column.resize(checkpoint.samples);
+    std::vector<std::size_t> left = checkpoint.snapshots;
+    std::erase_if(fields, [&](const FieldSnapshot& snapshot) {
+        if (left[snapshot.set] == 0) return true;
+        --left[snapshot.set];
+        return false;
+    });
 }
 
 } // namespace touchdown

@@ -16,17 +16,19 @@ struct ContinuedRun {
     std::string problem;     // why it does not continue, in a sentence; "" if it does
     bool isOfOthers = false; // why: another version or machine began it, which may be allowed
     std::string remark;      // what was allowed: the sentence in the file, "" where nothing was
-    /// The state; null where the file holds none that fits: then the run starts again.
-    std::shared_ptr<const RunCheckpoint> from;
-    SampleBatch samples;               // all before it, of the quantities of the stored run
-    std::vector<FieldSnapshot> fields; // all before it
+    /// The state; null where there is none that fits: then the run starts again.
+    std::shared_ptr<const StoredCheckpoint> from;
 };
 
 enum class OtherOrigin : bool { Refused, Allowed };
 
-/// `stored` of the case `before`, to be continued as `now`, which may differ by a longer run.duration alone. `other`:
-/// of runs that another version of the program or another machine began, whose bits may differ.
-ContinuedRun continueRun(StoredRun stored, const Case& before, const Case& now,
+/// Of a run with the case `before`: its status, version, quantities and checkpoints. It continues as `now`, which may
+/// differ by a longer run.duration alone. `other`: of runs that another version of the program or another machine
+/// began, whose bits may differ.
+ContinuedRun continueRun(const StoredRun& stored, const Case& before, const Case& now,
                          OtherOrigin other = OtherOrigin::Refused);
+
+/// Leaves the samples and the snapshots that came before a state.
+void cutTo(const StoredCheckpoint& checkpoint, SampleBatch& samples, std::vector<FieldSnapshot>& fields);
 
 } // namespace touchdown

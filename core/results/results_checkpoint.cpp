@@ -83,6 +83,27 @@ void ResultsCheckpoints::add(std::shared_ptr<const StoredCheckpoint> checkpoint)
     newest = std::move(checkpoint);
 }
 
+void ResultsCheckpoints::add(const ResultsCheckpoints& later)
+{
+    if (later.extends) extends = later.extends;
+    if (later.newest) newest = later.newest;
+}
+
+void ResultsCheckpoints::leave(RunStatus status)
+{
+    // A run that has completed can only become longer; one that failed does not continue.
+    if (status != RunStatus::Cancelled) newest.reset();
+    if (status == RunStatus::Failed || status == RunStatus::Diverged) extends.reset();
+}
+
+std::vector<std::shared_ptr<const StoredCheckpoint>> ResultsCheckpoints::all() const
+{
+    std::vector<std::shared_ptr<const StoredCheckpoint>> list;
+    for (const auto& each : {newest, extends})
+        if (each) list.push_back(each);
+    return list;
+}
+
 void writeCheckpoints(const Hdf5Group& file, const std::vector<RecordedFields>& sets,
                       const ResultsCheckpoints& checkpoints)
 {

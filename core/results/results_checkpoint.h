@@ -18,6 +18,7 @@
 #include "core/formats/hdf5_group.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_checkpoint.h"
+#include "core/simulation/recording/run_summary.h"
 
 namespace touchdown {
 
@@ -37,6 +38,10 @@ struct ResultsCheckpoints {
     std::shared_ptr<const StoredCheckpoint> newest, extends;
 
     void add(std::shared_ptr<const StoredCheckpoint> checkpoint);
+    void add(const ResultsCheckpoints& later);
+    /// Leaves those from which a run that has ended so can be continued.
+    void leave(RunStatus status);
+    std::vector<std::shared_ptr<const StoredCheckpoint>> all() const; // the latest first
 };
 
 /// Brings the group to these; nothing is written where they are there. Throw Hdf5Error; hold a Hdf5Access around them.

@@ -69,10 +69,7 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
         for (const ResultsSpectrum& spectrum : spectra) writeSpectrum(part, spectrum);
         if (summary) {
             writeSummary(part, header_.quantities, *summary);
-            // A run that has completed can only become longer; one that failed does not continue.
-            if (summary->status != RunStatus::Cancelled) checkpoints_.newest.reset();
-            if (summary->status == RunStatus::Failed || summary->status == RunStatus::Diverged)
-                checkpoints_.extends.reset();
+            checkpoints_.leave(summary->status);
         }
         writeCheckpoints(part, header_.fields, checkpoints_);
         part.close();

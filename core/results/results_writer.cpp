@@ -237,9 +237,18 @@ std::string ResultsWriter::keep(const RunCheckpoint& checkpoint)
 {
     if (!file_) return "no results file is open";
     std::unique_lock lock(file_->mutex);
+    auto stored = std::make_shared<const StoredCheckpoint>(
+        StoredCheckpoint{checkpoint, checkpointLayout, thisMachine(), file_->samples, file_->snapshots});
+    lock.unlock();
+    return keep(std::move(stored));
+}
+
+std::string ResultsWriter::keep(std::shared_ptr<const StoredCheckpoint> checkpoint)
+{
+    if (!file_) return "no results file is open";
+    std::unique_lock lock(file_->mutex);
     if (!file_->problem.empty()) return file_->problem;
-    file_->pendingCheckpoints.add(std::make_shared<const StoredCheckpoint>(
-        StoredCheckpoint{checkpoint, checkpointLayout, thisMachine(), file_->samples, file_->snapshots}));
+    file_->pendingCheckpoints.add(std::move(checkpoint));
     lock.unlock();
     file_->changed.notify_all();
     return {};

@@ -20,6 +20,7 @@
 
 #include "core/case/case.h"
 #include "core/numerics/spectrum.h"
+#include "core/results/results_checkpoint.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/quantity.h"
 #include "core/simulation/recording/run_checkpoint.h"
@@ -51,8 +52,9 @@ public:
                           const std::string& remark);
     /// Takes samples and snapshots; waits only when the disk is far behind. Reports the problem of an earlier flush.
     std::string append(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields = {});
-    /// Takes the state of the run after all that came.
+    /// Takes the state of the run after all that came, or one that says itself what came before it.
     std::string keep(const RunCheckpoint& checkpoint);
+    std::string keep(std::shared_ptr<const StoredCheckpoint> checkpoint);
     /// Kept for `finish`.
     std::string addSpectrum(const Quantity& quantity, const Spectrum& spectrum, const SpectrumCase& options);
     /// Writes pending samples, status, message, events, summary and spectra; closes the file.

@@ -168,16 +168,23 @@ void RecordPanel::setActive(int number)
     updateButtons();
 }
 
-void RecordPanel::offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform)
+QAction* RecordPanel::offerInMenu(const QString& text, const QString& tip,
+                                  const std::function<void(int number)>& perform)
 {
     auto* action = new QAction(text, this);
     action->setToolTip(plainTip(tip));
     connect(action, &QAction::triggered, this, [this, perform] { perform(chosen()); });
+    actions_.push_back(action);
+    updateButtons();
+    return action;
+}
+
+void RecordPanel::offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform)
+{
+    QAction* action = offerInMenu(text, tip, perform);
     QToolButton* made = quietButton(text, tip, text, this);
     made->setDefaultAction(action);
     top_->insertWidget(top_->count() - 2, made); // before the stretch
-    actions_.push_back(action);
-    updateButtons();
 }
 
 void RecordPanel::editNote()

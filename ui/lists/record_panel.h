@@ -35,6 +35,8 @@ public:
 
     /// One more button above the list, for the chosen record, and an entry of its menu.
     void offer(const QString& text, const QString& tip, const std::function<void(int number)>& perform);
+    /// The entry alone.
+    QAction* offerInMenu(const QString& text, const QString& tip, const std::function<void(int number)>& perform);
 
     QListView* list() const { return list_; }
     /// Whether earlier records stay shown when a new one comes.

@@ -16,6 +16,7 @@ namespace {
 
 // Most that one delivery holds: the window takes it in within a few milliseconds, however fast the solver is.
 constexpr std::size_t mostSamplesInMail = 16384;
+constexpr double secondsBetweenCheckpoints = 1.0;
 constexpr std::size_t mostFieldValuesInMail = std::size_t(1) << 21; // 16 MB
 
 std::size_t valuesOf(std::span<const FieldSnapshot> fields)
@@ -65,6 +66,10 @@ private:
 
     bool handOut(const RunUpdate& update);
     void post(const RunUpdate& update, const Slice& slice);
+    void openRecording(const std::vector<RecordedFields>& sets);
+    /// What came before in a run that continues, at once.
+    void postEarlier();
+    void keep(std::shared_ptr<const StoredCheckpoint> checkpoint);
     void report(const std::string& recordingProblem);
     Summary shownSummary(Summary summary) const;
 
@@ -74,7 +79,9 @@ private:
     Mailbox<RunMail>& mailbox_;
     std::stop_token stop_;
 
-    bool heldBack_ = false; // stopped with samples that were not shown
+    std::size_t samples_ = 0;            // posted
+    std::vector<std::size_t> snapshots_; // posted, of each set
+    bool heldBack_ = false;              // stopped with samples that were not shown
     std::vector<double> lastSample_;
     std::optional<ResultsWriter> recorder_; // none after a problem
 };
@@ -89,10 +96,11 @@ void RunWorker::work()
     Summary summary;
     try {
         std::vector<RecordedFields> sets = recordedFields(request_.value, [this] { return !stop_.stop_requested(); });
-        if (!request_.recordTo.empty())
-            report(recorder_.emplace().open(request_.recordTo, request_.value, request_.caseText,
-                                            recordedQuantities(request_.value), sets));
+        snapshots_.assign(sets.size(), 0);
+        openRecording(sets);
         mailbox_.post([&](RunMail& mail) { mail.delivery.sets = std::move(sets); });
+        postEarlier();
+        request_.options.checkpointEach = secondsBetweenCheckpoints;
         summary = solver_(
             request_.value, [this](const RunUpdate& update) { return handOut(update); }, request_.options);
     } catch (const std::exception& problem) {
@@ -103,6 +111,38 @@ void RunWorker::work()
     summary = shownSummary(std::move(summary));
     if (recorder_) report(recorder_->finish(summary));
     mailbox_.post([&](RunMail& mail) { mail.summary = std::move(summary); });
+}
+
+void RunWorker::openRecording(const std::vector<RecordedFields>& sets)
+{
+    if (request_.recordTo.empty()) return;
+    ResultsWriter& writer = recorder_.emplace();
+    const std::vector<Quantity> quantities = recordedQuantities(request_.value);
+    report(request_.earlier ? writer.openAgain(request_.recordTo, request_.value, request_.caseText, quantities, sets,
+                                               request_.earlier->remark)
+                            : writer.open(request_.recordTo, request_.value, request_.caseText, quantities, sets));
+}
+
+void RunWorker::postEarlier()
+{
+    if (!request_.earlier) return;
+    const EarlierRun& earlier = *request_.earlier;
+    const std::vector<RunEvent> none;
+    const std::vector<FieldSnapshot> noMaps;
+    for (const SampleBatch& part : earlier.samples)
+        post({earlier.from->at.time, request_.value.run.duration, part, none, noMaps}, {0, part.size(), {}, {}});
+    const SampleBatch empty{{}, std::vector<std::vector<double>>(recordedQuantities(request_.value).size())};
+    post({earlier.from->at.time, request_.value.run.duration, empty, earlier.events, earlier.fields},
+         {0, 0, earlier.events, earlier.fields});
+    keep(earlier.from);
+    request_.options.from = {earlier.from, &earlier.from->at};
+    request_.earlier.reset();
+}
+
+void RunWorker::keep(std::shared_ptr<const StoredCheckpoint> checkpoint)
+{
+    if (recorder_) report(recorder_->keep(checkpoint));
+    mailbox_.post([&](RunMail& mail) { mail.delivery.checkpoints.add(std::move(checkpoint)); });
 }
 
 bool RunWorker::handOut(const RunUpdate& update)
@@ -126,6 +166,9 @@ bool RunWorker::handOut(const RunUpdate& update)
         fields += slice.fields.size();
         post(update, slice);
     }
+    if (update.checkpoint)
+        keep(std::make_shared<const StoredCheckpoint>(
+            StoredCheckpoint{*update.checkpoint, checkpointLayout, thisMachine(), samples_, snapshots_}));
     if (update.time < update.duration) pace_.waitWhilePaused(stop_); // at the end all samples are handed out
     return !stop_.stop_requested();
 }
@@ -141,6 +184,8 @@ void RunWorker::post(const RunUpdate& update, const Slice& slice)
         lastSample_.clear();
         for (const std::vector<double>& column : batch.columns) lastSample_.push_back(column[end - 1]);
     }
+    samples_ += samples;
+    for (const FieldSnapshot& snapshot : fields) ++snapshots_[snapshot.set];
     if (recorder_ && (samples > 0 || !fields.empty()))
         report(recorder_->append(samples > 0 ? part : SampleBatch{}, {fields.begin(), fields.end()}));
 

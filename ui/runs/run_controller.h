@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include <QString>
 
 #include "core/case/case.h"
+#include "core/results/results_checkpoint.h"
 #include "core/simulation/recording/field_snapshot.h"
 #include "core/simulation/recording/run_summary.h"
 #include "ui/calculation/calculation_controller.h"
@@ -22,11 +24,21 @@
 
 namespace touchdown {
 
+/// What came before in a run that continues.
+struct EarlierRun {
+    std::vector<SampleBatch> samples;
+    std::vector<RunEvent> events;
+    std::vector<FieldSnapshot> fields;
+    std::shared_ptr<const StoredCheckpoint> from;
+    std::string remark; // see ContinuedRun
+};
+
 struct RunRequest {
     Case value;
     std::string caseText;           // the exact input, for the results file
     std::filesystem::path recordTo; // a results file written during the run; empty for none
     RunOptions options = {};
+    std::shared_ptr<const EarlierRun> earlier = nullptr; // null: the run begins
 };
 
 /// Samples, events and fields since the last delivery.
@@ -36,6 +48,7 @@ struct RunDelivery {
     std::vector<RunEvent> events;
     std::optional<std::vector<RecordedFields>> sets; // of which there will be snapshots: once, before the first one
     std::vector<FieldSnapshot> fields;               // of these sets
+    ResultsCheckpoints checkpoints;                  // of all that was delivered
     double time = 0.0;                               // reached [s]
     double duration = 0.0; // of the whole run [s]; 0 without an update since the last delivery
 };

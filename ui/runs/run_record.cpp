@@ -98,6 +98,7 @@ void RunRecord::append(const SampleBatch& batch, const std::vector<RunEvent>& ne
 void RunRecord::finish(const Summary& ended)
 {
     summary = ended;
+    checkpoints.leave(ended.status);
     times->shrink();
     for (MinMaxPyramid& column : columns) column.shrink();
 }
@@ -256,6 +257,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     record->file = file;
     record->identity = identity;
     record->fromFile = true;
+    record->softwareVersion = stored.softwareVersion;
     // What the record has is freed at once: a long run would be in memory twice.
     for (std::size_t i = 0; i < stored.samples.columns.size(); ++i) {
         record->columns[i].append(stored.samples.time, stored.samples.columns[i]);
@@ -274,6 +276,10 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     summary.verdict.motion = motionFromName(stored.motion);
     summary.verdict.swing = stored.swing;
     record->finish(summary);
+    for (StoredCheckpoint& checkpoint : stored.checkpoints) {
+        auto& place = checkpoint.at.extends ? record->checkpoints.extends : record->checkpoints.newest;
+        place = std::make_shared<const StoredCheckpoint>(std::move(checkpoint));
+    }
     return record;
 }
 
@@ -301,6 +307,8 @@ QString saveHdf5(const RunRecord& record, const QString& file)
                        record.value.spectrum.start);
         if (!spectrum.empty()) problem = writer.addSpectrum(quantity, spectrum, record.value.spectrum);
     }
+    for (const auto& checkpoint : {record.checkpoints.extends, record.checkpoints.newest})
+        if (checkpoint && problem.empty()) problem = writer.keep(checkpoint);
     if (problem.empty()) problem = writer.finish(record.summary.value_or(Summary{}));
     return QString::fromStdString(problem);
 }

@@ -21,6 +21,7 @@
 #include <QString>
 
 #include "core/case/case.h"
+#include "core/results/results_checkpoint.h"
 #include "core/simulation/recording/run_summary.h"
 #include "ui/lists/record_list.h"
 #include "ui/maps/field_history.h"
@@ -45,6 +46,7 @@ struct RunRecord : ListedRecord {
 
     void append(const SampleBatch& batch, const std::vector<RunEvent>& newEvents,
                 const std::vector<FieldSnapshot>& newFields = {});
+    void keep(const ResultsCheckpoints& newCheckpoints) { checkpoints.add(newCheckpoints); }
     void finish(const Summary& ended);
     bool finished() const { return summary.has_value(); }
 
@@ -81,8 +83,10 @@ struct RunRecord : ListedRecord {
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
-    bool fromFile = false;    // it holds only a part of what its file did: no events, no figures
-    bool ofGuide = false;     // of the lesson or of a demonstration: by a button or a slider
+    ResultsCheckpoints checkpoints;                  // from which it can be continued
+    std::string softwareVersion = TOUCHDOWN_VERSION; // that made it
+    bool fromFile = false;                           // it holds only a part of what its file did: no events, no figures
+    bool ofGuide = false;                            // of the lesson or of a demonstration: by a button or a slider
     QString caseProblem;      // why the case in its file cannot be read: `value` is not its case; empty: it was read
     bool interrupted = false; // read from a file whose writer was killed
 };

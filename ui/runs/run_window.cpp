@@ -93,6 +93,7 @@ void RunWindow::onDelivered(const RunDelivery& delivery)
 {
     if (RunRecord* run = runUnderWay(); run && delivery.sets) run->setFields(*delivery.sets);
     runs_.append(number_, delivery.samples, delivery.events, delivery.fields);
+    if (RunRecord* run = runUnderWay()) run->keep(delivery.checkpoints);
     view_->plots()->dataArrived(number_);
     view_->spectrum()->dataArrived(number_);
     for (SideView* side : view_->sides()) side->dataArrived(number_);

@@ -80,6 +80,7 @@ void Session::beginStream(RunRecord& run)
     whole.samples = {};
     for (const FieldHistory& history : run.fields)
         for (std::size_t i = 0; i < history.snapshots.size(); ++i) whole.fields.push_back(history.snapshot(i));
+    whole.checkpoints = run.checkpoints;
     onDelivered(whole);
 }
 
@@ -102,7 +103,7 @@ void Session::onDelivered(const RunDelivery& delivery)
         if (stream_) openStream(*run, *delivery.sets);
     }
     const std::size_t bytes = bytesOf(delivery.samples) + bytesOf(delivery.fields);
-    if (!stream_ || bytes == 0) return;
+    if (!stream_ || (bytes == 0 && !delivery.checkpoints.newest)) return;
     if (results_.pending() + bytes > mostPending) {
         results_.post([stream = std::exchange(stream_, nullptr)] {
             stream->broken = true;
@@ -112,9 +113,11 @@ void Session::onDelivered(const RunDelivery& delivery)
         return;
     }
     write(
-        [stream = stream_, samples = delivery.samples, fields = delivery.fields] {
+        [stream = stream_, samples = delivery.samples, fields = delivery.fields, states = delivery.checkpoints] {
             if (stream->broken) return QString();
-            const std::string problem = stream->writer.append(samples, fields);
+            std::string problem = stream->writer.append(samples, fields);
+            for (const auto& state : {states.extends, states.newest})
+                if (state && problem.empty()) problem = stream->writer.keep(state);
             stream->broken = !problem.empty();
             return QString::fromStdString(problem);
         },

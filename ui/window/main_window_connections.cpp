@@ -43,6 +43,7 @@
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
 #include "ui/window/result_messages.h"
+#include "ui/window/run_continuation.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -190,6 +191,8 @@ void MainWindow::connectRuns()
     connect(runs_->panel(), &RecordPanel::openRequested, runFiles_, &RunFiles::chooseOpen);
     connect(runs_->panel(), &RecordPanel::saveRequested, this,
             [this](int number) { runFiles_->chooseSave(number, false); });
+    offerToContinue({*runs_, *edits_, *recording_, *messages_, *actions_->continueRun},
+                    [this] { endSlowMotion(), setPage(Page::Run); });
     connect(runs_->panel(), &RecordPanel::parametersRequested, this, &MainWindow::useParametersOf);
     connect(&runs(), &RunsModel::rowsInserted, this, &MainWindow::updateRunActions);
     connect(&runs(), &RunsModel::rowsRemoved, this, &MainWindow::updateRunActions);

@@ -141,6 +141,8 @@ void WindowActions::buildRun(QMainWindow& window)
                tr("Advance a paused run by one picture"));
     stop = add(menu, tr("&Stop"), QKeySequence(Qt::Key_F8), QStringLiteral("stop"),
                tr("Stop the calculation; its results so far are kept"));
+    continueRun = add(menu, tr("&Continue the chosen run"), {}, {},
+                      tr("Continue the chosen run to its end, or to the longer duration that the case has now"));
     menu->addSeparator();
     solve = add(menu, tr("S&olve static attitude"), QKeySequence(Qt::Key_F9), QStringLiteral("solve"),
                 tr("Solve for the static attitude; a solution in progress starts again"));

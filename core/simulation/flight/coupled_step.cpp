@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/case/case.h"
 #include "core/numerics/backward_difference.h"
 #include "core/physics/film/gas_film.h"
 #include "core/work/state_stream.h"
@@ -13,8 +14,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double slopeError = 0.02; // of the stiffness of film and contact, as long as none is measured [-]
-constexpr double forgetting = 0.9;  // of a contraction once measured, per step [-]
+constexpr double positionShare = 5e-3; // of a step's error, for the error of its iteration
+constexpr double filmShare = 0.1;      // and for the film's residual, as the displacement of a slider by its force
+constexpr double filmTimeShare = 0.3;  // of the film's own error in time [-]
+constexpr double typicalScale = 10e-9; // over which a film's force changes by the load [m]
+constexpr double slopeError = 0.02;    // of the stiffness of film and contact, as long as none is measured [-]
+constexpr double forgetting = 0.9;     // of a contraction once measured, per step [-]
 constexpr double longestForFourth =
     1.4; // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
 constexpr double worthRenewing = 0.1; // contraction beyond which the film's responses have changed [-]
@@ -46,6 +51,17 @@ void addTo(Vector3& to, double sign, const Matrix3& a, const Vector3& x)
 }
 
 } // namespace
+
+CoupledStepOptions steppingOf(const Case& c, const GasFilm& film)
+{
+    CoupledStepOptions options;
+    options.coupling = c.film.coupling;
+    options.tolerance = positionShare * c.run.stepError;
+    options.film.share = filmTimeShare;
+    options.film.tolerance = std::max(1e-9, filmShare * c.run.stepError / typicalScale * c.suspension.preload /
+                                                (film.ambient() * c.slider.length * c.slider.width));
+    return options;
+}
 
 CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
                                const CoupledStepOptions& options)

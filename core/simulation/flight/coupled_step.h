@@ -46,6 +46,9 @@ struct CoupledStepOptions {
     std::function<bool()> goOn{}; // asked before each solution within a step; false ends the step
 };
 
+/// Of a run: what its error of a step allows.
+CoupledStepOptions steppingOf(const Case& c, const GasFilm& film);
+
 enum class CoupledFailure : std::uint8_t { None, Film, Contact, Iteration, NotFinite, Stopped };
 
 struct CoupledStepResult {

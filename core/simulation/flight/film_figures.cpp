@@ -22,6 +22,19 @@ void StepErrors::add(const CoupledStepResult& accepted)
     film = std::max(film, accepted.filmError);
 }
 
+std::string reasonOf(const CoupledStepResult& result, const std::string& ofContact)
+{
+    switch (result.failure) {
+    case CoupledFailure::None: return "its error stays above run.step_error";
+    case CoupledFailure::Film: return "the film does not converge";
+    case CoupledFailure::Contact: return ofContact;
+    case CoupledFailure::Iteration: return "film and slider do not come to agree";
+    case CoupledFailure::Stopped: break;
+    case CoupledFailure::NotFinite: return "the forces are no numbers";
+    }
+    return {};
+}
+
 void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling)
 {
     if (troubles.cuts > 0)

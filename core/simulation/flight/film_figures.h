@@ -29,6 +29,8 @@ struct StepTroubles {
     void pass(auto& stream) { stream(cuts, firstCut, jumps, closings); }
 };
 
+/// Why a step was not accepted, in a part of a sentence; `ofContact`: what the contact says.
+std::string reasonOf(const CoupledStepResult& result, const std::string& ofContact);
 void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling);
 void addCost(Summary& summary, const CoupledCost& cost);
 /// `energyImbalance`: see FilmRecorder.

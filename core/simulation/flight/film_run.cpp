@@ -30,10 +30,6 @@ constexpr double firstStep = 2e-9;     // [s]
 constexpr double shortestStep = 1e-14; // [s]
 constexpr double jumpStep = 1e-11;     // so short a step whose error is too large leads over a jump of the forces [s]
 constexpr double longestShare = 0.01;  // of the run, for a step
-constexpr double positionShare = 5e-3; // of a step's error, for the error of its iteration
-constexpr double filmShare = 0.1;      // and for the film's residual, as the displacement of a slider by its force
-constexpr double filmTimeShare = 0.3;  // of the film's own error in time [-]
-constexpr double typicalScale = 10e-9; // over which a film's force changes by the load [m]
 constexpr double switchShare = 0.05;   // of a step's error, to which a switch's separation is located [-]
 constexpr double mostToEnd = 4.0;      // equal steps at the end of the run
 constexpr double stretch = 0.999;      // of the way to the end that a step covers, which is lengthened to reach it [-]
@@ -171,13 +167,7 @@ private:
         contact_ = scene_.contact.get();
         body_ = &*scene_.body;
         FilmLevel& level = *scene_.level;
-        CoupledStepOptions stepping;
-        stepping.coupling = case_.film.coupling;
-        stepping.tolerance = positionShare * case_.run.stepError;
-        stepping.film.share = filmTimeShare;
-        stepping.film.tolerance =
-            std::max(1e-9, filmShare * case_.run.stepError / typicalScale * case_.suspension.preload /
-                               (level.film.ambient() * case_.slider.length * case_.slider.width));
+        CoupledStepOptions stepping = steppingOf(case_, level.film);
         stepping.goOn = [this] { return goOn(); };
         stepper_.emplace(level.film, *body_, contact_, &*scene_.disk, stepping);
     }
@@ -377,15 +367,7 @@ private:
 
     std::string reasonOf(const CoupledStepResult& result) const
     {
-        switch (result.failure) {
-        case CoupledFailure::None: return "its error stays above run.step_error";
-        case CoupledFailure::Film: return "the film does not converge";
-        case CoupledFailure::Contact: return stepper_->contactForces().problem;
-        case CoupledFailure::Iteration: return "film and slider do not come to agree";
-        case CoupledFailure::Stopped: break;
-        case CoupledFailure::NotFinite: return "the forces are no numbers";
-        }
-        return {};
+        return touchdown::reasonOf(result, stepper_->contactForces().problem);
     }
 
     bool giveUp(const CoupledStepResult& result)
