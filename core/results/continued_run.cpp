@@ -12,25 +12,23 @@
 namespace touchdown {
 namespace {
 
-std::string differenceProblem(const Case& before, Case now)
+std::string problemOf(const StoredRun& stored, const Case& before, Case now)
 {
+    if (stored.status == name(RunStatus::Failed) || stored.status == name(RunStatus::Diverged))
+        return "the run has ended by itself: " + stored.message;
     if (now.run.duration < before.run.duration)
         return "run.duration is shorter than that of the run, " + formatQuantity(before.run.duration, "ms") +
                "; a run continues to the same end or a later one";
+    const bool longer = now.run.duration > before.run.duration;
     now.run.duration = before.run.duration;
     now.folder = before.folder;
-    if (now == before) return {};
-    const std::vector<CaseChange> changes = caseChanges(before, now);
-    return (changes.empty() ? std::string("the case") : changes.front().key) +
-           " is not that of the run; only run.duration may change";
-}
-
-std::string statusProblem(const StoredRun& stored, bool longer)
-{
+    if (!(now == before)) {
+        const std::vector<CaseChange> changes = caseChanges(before, now);
+        return (changes.empty() ? std::string("the case") : changes.front().key) +
+               " is not that of the run; only run.duration may change";
+    }
     if (stored.status == name(RunStatus::Completed) && !longer)
         return "the run has completed; with a longer run.duration it continues";
-    if (stored.status == name(RunStatus::Failed) || stored.status == name(RunStatus::Diverged))
-        return "the run has ended by itself: " + stored.message;
     return {};
 }
 
@@ -50,8 +48,7 @@ ContinuedRun continueRun(const StoredRun& stored, const Case& before, const Case
 {
     ContinuedRun run;
     const bool longer = now.run.duration > before.run.duration;
-    run.problem = statusProblem(stored, longer);
-    if (run.problem.empty()) run.problem = differenceProblem(before, now);
+    run.problem = problemOf(stored, before, now);
     const StoredCheckpoint* checkpoint = checkpointFor(stored, longer);
     if (!run.problem.empty() || !checkpoint) return run;
     if (stored.quantities != recordedQuantities(now)) {

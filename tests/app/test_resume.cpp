@@ -27,7 +27,8 @@ void addContent(const Hdf5Group& group, const std::string& path, Content& conten
     for (const std::string& name : group.names()) {
         const std::string whole = path + '/' + name;
         if (whole == "/case" || whole == "/checkpoint" || name.ends_with("_seconds")) continue;
-        if (whole.starts_with("/summary/figures/") && name.ends_with("_time")) continue; // of the clock, in these cases
+        // Of the clock, in these cases.
+        if (whole.starts_with("/summary/figures/") && (name.ends_with("_time") || name == "contact_saved")) continue;
         const Hdf5Group member(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
         if (H5Iget_type(member) == H5I_GROUP) {
             addContent(member, whole, content);

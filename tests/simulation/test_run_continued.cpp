@@ -63,6 +63,12 @@ Told tell(const Case& c, RunOptions options, const Told* before = nullptr, std::
     return told;
 }
 
+/// "film_time", and the share of it that was saved.
+bool isOfClock(const RunFigure& figure)
+{
+    return figure.ofSolver && (figure.quantity.name.ends_with("_time") || figure.quantity.name == "contact_saved");
+}
+
 /// Every number of the summary but times of the clock.
 std::vector<std::string> linesOf(const Summary& s)
 {
@@ -78,7 +84,7 @@ std::vector<std::string> linesOf(const Summary& s)
     for (const auto& [key, value] : s.extremes) add(key, {value.least, value.most});
     for (const Peak& peak : s.peaks) add("peak", {peak.frequency, peak.amplitude});
     for (const RunFigure& figure : s.figures)
-        if (!figure.quantity.name.ends_with("_time") || !figure.ofSolver) add(figure.quantity.name, {figure.value});
+        if (!isOfClock(figure)) add(figure.quantity.name, {figure.value});
     if (s.stepCheck) add(s.stepCheck->message, {s.stepCheck->flyingHeight, s.stepCheck->pitch});
     if (s.fit) add(s.fit->message, {s.fit->contact.worst});
     lines.insert(lines.end(), s.warnings.begin(), s.warnings.end());
@@ -126,6 +132,12 @@ Case film(const char* name, double duration, int maps = 4)
     return c;
 }
 
+void same(const Told& a, const Told& b)
+{
+    const std::string other = difference(a, b);
+    QVERIFY2(other.empty(), other.c_str());
+}
+
 using Make = std::function<Case()>;
 
 class TestRunContinued : public QObject {
@@ -156,7 +168,7 @@ private slots:
                                  "contact_hertz", "contact_rough", "contact_waves", "contact_pull_off"})
             add(name, [name] {
                 Case c = sample(name);
-                c.run.sampleInterval = c.run.duration / 200.0;
+                c.run.sampleInterval = c.run.duration / 100.0;
                 return c;
             });
         add("film, flies", [] { return film("film_pico", 20e-6); });
@@ -195,15 +207,15 @@ private slots:
         const Told whole = tell(c, {});
         QVERIFY(whole.states.empty());
         const Told kept = tell(c, eachTime());
-        QCOMPARE(difference(whole, kept), std::string());
+        same(whole, kept);
         QVERIFY(!kept.states.empty());
         std::mt19937 draw(60);
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < 2; ++k) {
             const Told again = tell(c, eachTime(), &kept, draw() % kept.states.size());
-            QCOMPARE(difference(whole, again), std::string());
+            same(whole, again);
             if (again.states.empty()) continue;
             const Told twice = tell(c, {}, &again, draw() % again.states.size());
-            QCOMPARE(difference(whole, twice), std::string());
+            same(whole, twice);
         }
     }
 
@@ -212,15 +224,15 @@ private slots:
         QTest::addColumn<Make>("make");
         QTest::newRow("springs") << Make([] { return springs("fig10a", IntegratorKind::Dopri5); });
         QTest::newRow("springs, fixed steps") << Make([] { return springs("fig13b", IntegratorKind::Rk4Events); });
-        QTest::newRow("film") << Make([] { return film("film_pico", 60e-6, 0); });
-        QTest::newRow("film, menisci") << Make([] { return film("advise_snap", 60e-6, 0); });
+        QTest::newRow("film") << Make([] { return film("film_pico", 150e-6, 0); });
+        QTest::newRow("film, menisci") << Make([] { return film("advise_snap", 150e-6, 0); });
     }
     void becomesLonger()
     {
         QFETCH(Make, make);
         const Case c = make();
         const Told whole = tell(c, {});
-        for (const double share : {0.35, 0.6, 0.95}) {
+        for (const double share : {0.6, 0.95}) {
             Case shorter = c;
             shorter.run.duration = share * c.run.duration;
             const Told first = tell(shorter, eachTime());
@@ -229,7 +241,7 @@ private slots:
             QVERIFY(last != first.states.rend());
             QVERIFY(last->at.time > 0.4 * shorter.run.duration);
             const auto place = std::size_t(first.states.rend() - last) - 1;
-            QCOMPARE(difference(whole, tell(c, {}, &first, place)), std::string());
+            same(whole, tell(c, {}, &first, place));
         }
     }
 
@@ -278,7 +290,6 @@ private slots:
 
 } // namespace test_run_continued
 
-Q_DECLARE_METATYPE(test_run_continued::Make)
 using test_run_continued::TestRunContinued;
 TOUCHDOWN_TEST(TestRunContinued)
 #include "test_run_continued.moc"

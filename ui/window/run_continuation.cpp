@@ -5,7 +5,6 @@
 #include <utility>
 
 #include <QAction>
-#include <QCoreApplication>
 
 #include "core/case_files/case_text.h"
 #include "core/results/continued_run.h"
@@ -14,13 +13,12 @@
 #include "ui/runs/run_record.h"
 #include "ui/runs/run_window.h"
 #include "ui/style/message_strip.h"
+#include "ui/style/translate.h"
 #include "ui/window/recording.h"
 
 namespace touchdown {
 
 namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("RunContinuation", text); }
 
 bool isLonger(const Case& edited, const Case& own)
 {
