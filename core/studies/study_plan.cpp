@@ -33,6 +33,7 @@
 #include "core/studies/study/study_head.h"
 #include "core/studies/study/study_reader.h"
 #include "core/studies/sweep/sweep.h"
+#include "core/studies/sweep/sweep_form.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -150,6 +151,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     }
     const auto list = std::make_shared<const ItemStudy>(std::move(std::get<ItemStudy>(work)));
     plan.items = list->count;
+    plan.caseOf = list->caseOf;
     plan.performList = [list, finished](const ItemOptions& parts, const StudyCallback& callback) {
         return finished([&] { return performItems(*list, parts, callback); });
     };
@@ -324,6 +326,13 @@ std::string studyTemplate(const std::string& kind, const Case& c)
 {
     const StudyForm form = studyForm(kind, c);
     return form.keys.empty() ? std::string() : "kind = " + tomlString(kind) + "\n" + templateText(form);
+}
+
+std::string sweepTemplate(const Case& c, const std::string& key)
+{
+    StudyForm form = studyForm("sweep", c);
+    form.lists = sweepLists(c, key);
+    return "kind = " + tomlString("sweep") + "\n" + templateText(form);
 }
 
 std::vector<DescribedKey> studyKeys(const std::string& kind)

@@ -53,6 +53,7 @@ struct StudyPlan {
     std::vector<std::filesystem::path> inputs; // all files that were read: the study, its cases and their files
     StudyPerformance perform;                  // set where there is no problem
     std::size_t items = 0;                     // of a study that is a list
+    std::function<Case(std::size_t)> caseOf;   // of a row of its first table; not set where rows are no cases
     /// The same of such a study, also of a part of it; else not set.
     std::function<StudyReport(const ItemOptions&, const StudyCallback&)> performList;
     bool valid() const { return problems.empty(); }
@@ -84,6 +85,8 @@ StudyPlan parseStudy(const std::string& kind, const std::string& text, const std
 StudyForm studyForm(const std::string& kind, const Case& c);
 /// The text of a study of this case: its kind and its defaults, with a comment for each key.
 std::string studyTemplate(const std::string& kind, const Case& c);
+/// The text of a sweep of this case over one of its keys, a number or a choice.
+std::string sweepTemplate(const Case& c, const std::string& key);
 
 /// A key of a kind of study over all models of a case, for `touchdown describe study.KIND`.
 struct DescribedKey {

@@ -116,6 +116,8 @@ void CasePanel::buildGroups(QWidget* page)
                 [this, &parameter](const QString& text) { edits_.setTyped(parameter, text); });
         connect(editor, &ParameterEditor::givenUp, this, [this, &parameter] { edits_.forgetEntry(parameter); });
         connect(editor, &ParameterEditor::resetRequested, this, [this, &parameter] { edits_.reset(parameter); });
+        connect(editor, &ParameterEditor::varyRequested, this,
+                [this, &parameter] { emit varyWanted(QString::fromStdString(parameter.key)); });
         group->body->layout()->addWidget(editor);
         editors_.push_back(editor);
     }

@@ -42,6 +42,8 @@ signals:
     void presetChosen(const QString& sampleName);
     /// All samples with their pictures, to choose from.
     void galleryWanted();
+    /// A study that varies a number or a choice.
+    void varyWanted(const QString& key);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include <QAction>
 #include <QKeyEvent>
+#include <QMenu>
 #include <QPainter>
 #include <QRegularExpression>
 
@@ -95,10 +97,34 @@ ParameterEditor::ParameterEditor(const Parameter& parameter, QWidget* parent)
     if (choice_) unit_->hide();
     arrange(false);
 
+    buildMenu();
     connect(reset_, &QToolButton::clicked, this, &ParameterEditor::resetRequested);
     connect(&flash_, &QVariantAnimation::valueChanged, this, qOverload<>(&QWidget::update));
     describe();
     colour();
+}
+
+/// That of a line has its own entries, too.
+void ParameterEditor::buildMenu()
+{
+    if (parameter_.kind != ParameterKind::Number && parameter_.kind != ParameterKind::Choice) return;
+    auto* vary = new QAction(tr("&Vary this…"), this);
+    vary->setObjectName(QStringLiteral("vary"));
+    connect(vary, &QAction::triggered, this, &ParameterEditor::varyRequested);
+    for (QWidget* place : std::initializer_list<QWidget*>{this, choice_}) {
+        if (!place) continue;
+        place->addAction(vary);
+        place->setContextMenuPolicy(Qt::ActionsContextMenu);
+    }
+    if (!line_) return;
+    line_->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(line_, &QWidget::customContextMenuRequested, this, [this, vary](const QPoint& at) {
+        QMenu* menu = line_->createStandardContextMenu();
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addSeparator();
+        menu->addAction(vary);
+        menu->popup(line_->mapToGlobal(at));
+    });
 }
 
 void ParameterEditor::setStacked(bool stacked)

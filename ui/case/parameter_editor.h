@@ -55,6 +55,8 @@ signals:
     /// Stands in its line and is not entered yet.
     void typed(const QString& text);
     void resetRequested();
+    /// From the menu of a number or a choice.
+    void varyRequested();
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -63,6 +65,7 @@ protected:
 
 private:
     void buildInput();
+    void buildMenu();
     void arrange(bool stacked);
     void fitChoice();
     void describe();

@@ -56,6 +56,8 @@ public:
     void setText(const QString& text) { text_->setPlainText(text); }
     QString toText() const { return text_->toPlainText(); }
     void openSample(const SampleStudy& sample);
+    /// A sweep of the case over a key; asks first where it would replace an edited one.
+    void vary(const std::string& key);
     /// Empty, or why the file cannot be read. Asks first where it would replace an edited text.
     QString open(const QString& file);
     /// Writes the text of a kind. Empty, or why the file cannot be written: also that another program has changed it.

@@ -72,6 +72,18 @@ void StudyEditor::openSample(const SampleStudy& sample)
     });
 }
 
+void StudyEditor::vary(const std::string& key)
+{
+    const QString sweep = QStringLiteral("sweep");
+    whenSettled(sweep, [this, sweep, key] {
+        setKind(sweep);
+        drafts_[sweep] = {};
+        replaceText(QString::fromStdString(sweepTemplate(case_, key)));
+        replan();
+        tabs_->setCurrentWidget(form_);
+    });
+}
+
 void StudyEditor::takeDefaults()
 {
     whenSettled(kind(), [this] {

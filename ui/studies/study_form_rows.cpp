@@ -8,6 +8,8 @@
 
 #include <QFrame>
 #include <QGridLayout>
+#include <algorithm>
+
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -61,13 +63,16 @@ QWidget* StudyFormView::makeTable(const FormList& list, std::size_t number)
     numbers->setSpacing(6);
     std::vector<QLabel*> problems{notes_.emplace_back(table, makeProblem()).second};
     int line = 0;
+    const auto isNumber = [&](const StudyKey& cell) {
+        return tableOf(cell.key) == table && (cell.kind == StudyKeyKind::Number || cell.kind == StudyKeyKind::Integer);
+    };
+    const bool beside = std::ranges::count_if(fields_.cells, isNumber) > 1;
     for (const StudyKey& cell : fields_.cells) {
         if (tableOf(cell.key) != table) continue;
         const QString name = columnLabel(cell.key);
-        const bool isNumber = cell.kind == StudyKeyKind::Number || cell.kind == StudyKeyKind::Integer;
         const Row& row = addRow(cell, name);
         problems.push_back(row.problem);
-        if (isNumber) {
+        if (beside && isNumber(cell)) {
             auto* column = new QVBoxLayout;
             column->setSpacing(0);
             column->addWidget(row.label);

@@ -68,6 +68,9 @@ StudyResults::StudyResults(QWidget* parent)
       findings_(new OwnTextBrowser(this)),
       staleMark_(new QLabel(tr("The case or the study has changed since."), this)),
       apply_(new QPushButton(tr("Apply to the case"), this)),
+      case_(quietButton(tr("Open the case"),
+                        tr("Open the case of the chosen row; a double click on the row does it, too"),
+                        tr("Open the case of the chosen row"), this)),
       copy_(quietButton(tr("Copy"), tr("Copy the table, or its selected rows, for a spreadsheet"), tr("Copy the table"),
                         this)),
       save_(quietButton(tr("Save"), tr("Save the chart, the table or the whole report"),
@@ -103,6 +106,7 @@ void StudyResults::build()
     save_->setMenu(new QMenu(save_));
     connect(save_->menu(), &QMenu::aboutToShow, this, &StudyResults::fillSaveMenu);
     connect(apply_, &QPushButton::clicked, this, &StudyResults::applyRequested);
+    connect(case_, &QToolButton::clicked, this, [this] { emit caseRequested(row_); });
     connect(copy_, &QToolButton::clicked, this, [this] {
         if (const ResultTable* table = shownTable()) table->copy();
     });
@@ -113,6 +117,7 @@ void StudyResults::build()
     tools->addWidget(factTabs_, 1);
     tools->addWidget(staleMark_);
     tools->addWidget(apply_);
+    tools->addWidget(case_);
     tools->addWidget(copy_);
     tools->addWidget(save_);
     auto* below = new QVBoxLayout(facts);
@@ -124,7 +129,7 @@ void StudyResults::build()
     connect(chartTabs_, &QTabBar::currentChanged, chartPages_, &QStackedWidget::setCurrentIndex);
     connect(factTabs_, &QTabBar::currentChanged, this, [this](int index) {
         factPages_->setCurrentIndex(index);
-        copy_->setVisible(shownTable() != nullptr);
+        updateTools();
     });
 }
 
@@ -201,6 +206,14 @@ void StudyResults::showTables()
         tables_.push_back(new ResultTable({}, factPages_));
         tables_.back()->setSortable();
         factPages_->addWidget(tables_.back());
+        if (tables_.size() > 1) continue;
+        connect(tables_.front(), &ResultTable::chosen, this, [this](int row) {
+            row_ = row;
+            updateTools();
+        });
+        connect(tables_.front(), &ResultTable::doubleClicked, this, [this] {
+            if (case_->isEnabled()) emit caseRequested(row_);
+        });
     }
     QStringList titles{tr("Findings")};
     for (std::size_t i = 0; i < tables_.size(); ++i) {
@@ -211,7 +224,22 @@ void StudyResults::showTables()
         titles << tableTitle(table.name);
     }
     setTabTexts(factTabs_, titles);
-    copy_->setVisible(shownTable() != nullptr);
+    updateTools();
+}
+
+void StudyResults::setCases(std::size_t rows)
+{
+    cases_ = rows;
+    updateTools();
+}
+
+void StudyResults::updateTools()
+{
+    const ResultTable* table = shownTable();
+    copy_->setVisible(table != nullptr);
+    case_->setVisible(cases_ > 0 && !underWay_ && table != nullptr && table == tables_.front());
+    const std::size_t rows = tables_.empty() ? 0 : report_->tables.front().rows.size(); // fewer where some are missing
+    case_->setEnabled(rows == cases_ && row_ >= 0 && std::size_t(row_) < rows);
 }
 
 ResultTable* StudyResults::shownTable() const { return qobject_cast<ResultTable*>(factPages_->currentWidget()); }

@@ -37,11 +37,16 @@ public:
     void setStale(bool stale);
     const std::optional<StudyReport>& report() const { return report_; }
 
+    /// Whether each row of the first table, of which there are so many, is a case; zero: they are none.
+    void setCases(std::size_t rows);
+
     bool isEmpty() const;
 
 signals:
     /// The user wants to edit the case that the study found.
     void applyRequested();
+    /// The user wants the case of a row of the first table.
+    void caseRequested(int row);
     /// The user wants to save the whole report.
     void saveRequested();
     void succeeded(const QString& message);
@@ -57,6 +62,7 @@ private:
     void fillSaveMenu();
     void chooseSaveTable();
     ResultTable* shownTable() const;
+    void updateTools();
 
     std::optional<StudyReport> report_;
     bool underWay_ = false;
@@ -68,7 +74,9 @@ private:
     QTextBrowser* findings_;
     QLabel* staleMark_;
     QPushButton* apply_;
-    QToolButton *copy_, *save_;
+    QToolButton *case_, *copy_, *save_;
+    std::size_t cases_ = 0; // rows of the first table that are cases
+    int row_ = -1;          // the chosen one of it; -1: none
 };
 
 } // namespace touchdown

@@ -72,6 +72,12 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
         if (results_->report() && results_->report()->found)
             emit applyRequested(*results_->report()->found, QString::fromStdString(results_->report()->title));
     });
+    connect(results_, &StudyResults::caseRequested, this, [this](int row) {
+        const StudyOutcome* of = outcome(shown_);
+        if (of && of->plan.caseOf && row >= 0 && std::size_t(row) < of->plan.items)
+            emit caseRequested(of->plan.caseOf(std::size_t(row)),
+                               tr("row %1 of %2").arg(QString::number(row + 1), readable(of->report->title)));
+    });
     pilotSoon_.setSingleShot(true);
     pilotSoon_.setInterval(pilotDelay);
     connect(&pilotSoon_, &QTimer::timeout, this, &StudyWindow::startPilot);
@@ -162,6 +168,7 @@ void StudyWindow::show()
         results_->clear(underWay(shown_));
     else
         results_->setReport(*outcome->second.report, underWay(shown_));
+    results_->setCases(outcome != outcomes_.end() && outcome->second.plan.caseOf ? outcome->second.plan.items : 0);
     updateStale();
 }
 

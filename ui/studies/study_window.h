@@ -70,6 +70,8 @@ signals:
     void ended(const touchdown::StudyReport& report);
     /// The user wants to edit the case that the study found.
     void applyRequested(const touchdown::Case& found, const QString& kind);
+    /// The user wants to see a case of a list.
+    void caseRequested(const touchdown::Case& c, const QString& name);
     void succeeded(const QString& message);
     void failed(const QString& problem);
 

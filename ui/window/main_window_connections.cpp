@@ -39,11 +39,11 @@
 #include "ui/studies/study_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/quantity_format.h"
-#include "ui/window/apply_question.h"
 #include "ui/window/presenter.h"
 #include "ui/window/recording.h"
 #include "ui/window/result_messages.h"
 #include "ui/window/run_continuation.h"
+#include "ui/window/study_links.h"
 #include "ui/window/window_actions.h"
 
 namespace touchdown {
@@ -254,16 +254,7 @@ void MainWindow::connectStudies()
     connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
     connect(studies_, &StudyWindow::ended, this, &MainWindow::onStudied);
     tell(*messages_, *studies_);
-    connect(studies_, &StudyWindow::applyRequested, this, [this](const Case& found, const QString& title) {
-        const bool isOpen = files_->isOpen(found);
-        askToApply(*this, edits_->value(), found, !isOpen, title, [this, found, title, isOpen] {
-            files_->use(found, title, tr("apply the study: %1").arg(title), [this, isOpen] {
-                QString text = tr("The parameters are now those of the case that the study found.");
-                if (isOpen) text += tr(" Undo restores the previous ones.");
-                messages_->show(MessageStrip::Kind::Success, text);
-            });
-        });
-    });
+    linkStudies({*this, *studies_, *casePanel_, *edits_, *files_, *messages_}, [this] { setPage(Page::Studies); });
     connect(files_, &CaseFiles::studyFileChosen, this, &MainWindow::openStudy);
     connect(runFiles_, &RunFiles::studyChosen, this, &MainWindow::openStudy);
 }

@@ -36,6 +36,8 @@ struct ItemStudy {
     std::function<std::optional<ItemRow>(std::size_t, const GoOn& goOn)> solve;
     /// Of the rows that are there; findings only where all are.
     std::function<StudyReport(const ItemRows&)> report;
+    /// The case of an item, which is a row of the first table; not set where rows are no cases.
+    std::function<Case(std::size_t)> caseOf{};
 };
 
 /// A study that is ready: a list, or something else that can be performed.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/sweep/sweep.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -61,12 +62,15 @@ StudyWork planSweep(StudyReader& reader)
 {
     const auto task = std::make_shared<const SweepTask>(readSweep(reader));
     const auto files = std::make_shared<SurfaceFiles>();
+    const bool averages = std::ranges::any_of(task->axes, &SweepAxis::average);
     return ItemStudy{
         .count = task->count(),
         .width = task->readings.size() + 1,
         .content = [task, files](std::size_t item) { return contentOf(*task, item, *files); },
         .solve = [task](std::size_t item, const GoOn& goOn) { return solve(*task, item, goOn); },
         .report = [task](const ItemRows& rows) { return sweepReport(*task, rows); },
+        .caseOf =
+            averages ? std::function<Case(std::size_t)>() : [task](std::size_t item) { return task->caseOf(item); },
     };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/sweep/sweep_form.h"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -36,27 +37,49 @@ Standard standardOf(const Case& c)
     return {"approach.closest", {{"largest_contact_force", ""}}};
 }
 
-} // namespace
-
-std::string standardSweepLists(const Case& c)
+/// From half to one and a half of a number, or to one in its unit where it is zero; all choices of a choice. Empty for
+/// what cannot be varied so.
+std::string axisOver(const Case& c, const std::string& name)
 {
-    const Standard standard = standardOf(c);
-    std::string text;
-    const auto found = caseKey(c, standard.axis);
-    if (const auto* key = std::get_if<Parameter>(&found)) {
-        const double own = numberOf(*key, c);
-        const auto shown = [&](double factor) {
-            return tomlString(formatQuantity(roundedIn(factor * own, key->displayUnit, 3), key->displayUnit));
-        };
-        if (own != 0.0)
-            text += "[[axis]]\nkey = " + tomlString(standard.axis) + "\nfrom = " + shown(0.5) + "\nto = " + shown(1.5) +
-                    "\ncount = " + std::to_string(standardSweepCount) + "\n\n";
+    const auto found = caseKey(c, name);
+    const auto* key = std::get_if<Parameter>(&found);
+    if (key == nullptr) return {};
+    const std::string begin = "[[axis]]\nkey = " + tomlString(name) + "\n";
+    if (key->kind == ParameterKind::Choice) {
+        std::string values;
+        for (const std::string& choice : key->choices) values += (values.empty() ? "" : ", ") + tomlString(choice);
+        return begin + "values = [" + values + "]\n\n";
     }
+    if (key->kind != ParameterKind::Number) return {};
+    const double own = numberOf(*key, c), from = own == 0.0 ? 0.0 : 0.5 * own,
+                 to = own == 0.0 ? unitFactor(key->displayUnit) : 1.5 * own;
+    const auto shown = [&](double value) {
+        if (value < key->minimum || (value == key->minimum && !key->minimumAllowed)) value = own;
+        const double rounded = roundedIn(std::min(value, key->maximum), key->displayUnit, 3);
+        return tomlString(formatQuantity(rounded, key->displayUnit));
+    };
+    return begin + "from = " + shown(std::min(from, to)) + "\nto = " + shown(std::max(from, to)) +
+           "\ncount = " + std::to_string(standardSweepCount) + "\n\n";
+}
+
+std::string readingsOf(const Standard& standard)
+{
+    std::string text;
     for (const auto& [quantity, at] : standard.readings)
         text += "[[reading]]\nquantity = " + tomlString(quantity) + "\n" +
                 (at.empty() ? std::string() : "at = " + tomlString(at) + "\n") + "\n";
     return text;
 }
+
+} // namespace
+
+std::string standardSweepLists(const Case& c)
+{
+    const Standard standard = standardOf(c);
+    return axisOver(c, standard.axis) + readingsOf(standard);
+}
+
+std::string sweepLists(const Case& c, const std::string& key) { return axisOver(c, key) + readingsOf(standardOf(c)); }
 
 StudyForm sweepForm(const Case& c)
 {

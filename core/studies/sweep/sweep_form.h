@@ -20,5 +20,7 @@ inline const std::vector<std::string> sweepDistributions{"uniform", "normal"};
 StudyForm sweepForm(const Case& c);
 /// The tables [[axis]] and [[reading]] of a sweep of this case; without an axis where none suits it.
 std::string standardSweepLists(const Case& c);
+/// The same over another key.
+std::string sweepLists(const Case& c, const std::string& key);
 
 } // namespace touchdown
