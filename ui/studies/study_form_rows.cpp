@@ -4,12 +4,11 @@
 // choices one below the other, its numbers side by side, and the button that removes it.
 #include "ui/studies/study_form_view.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <QFrame>
 #include <QGridLayout>
-#include <algorithm>
-
 #include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>

@@ -14,6 +14,7 @@
 #include "ui/runs/run_window.h"
 #include "ui/style/message_strip.h"
 #include "ui/style/translate.h"
+#include "ui/style/window_words.h"
 #include "ui/window/recording.h"
 
 namespace touchdown {
@@ -73,7 +74,7 @@ RunContinuation continuationOf(const RunRecord& run, const Case& edited)
     if (!run.fieldsComplete()) return refused(tr("Its first maps are no longer held."));
     const Case& now = isLonger(edited, run.value) ? edited : run.value;
     const ContinuedRun continued = continueRun(aboutOf(run), run.value, now);
-    if (!continued.problem.empty()) return refused(QString::fromStdString(continued.problem));
+    if (!continued.problem.empty()) return refused(inWindowWords(continued.problem));
     RunContinuation result;
     result.request = {now, updateCaseText(run.caseText, now), {}};
     if (continued.from) result.request.earlier = earlierOf(run, continued);

@@ -204,6 +204,29 @@ private slots:
         QVERIFY(std::abs(number(report.tables[1].rows[0][2])) > 0.5);
     }
 
+    /// Every number and choice of cases of each model. Values that the case itself refuses are told by key.
+    void anyKey()
+    {
+        std::size_t keys = 0, refused = 0;
+        for (const char* name : {"fig10a", "springs_waviness", "film_pico", "fig02_case_2_moving", "contact_adhesion"}) {
+            const Case c = sample(name);
+            for (const Parameter& parameter : parameters()) {
+                const bool varies = parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::Choice;
+                const std::string text = sweepTemplate(c, parameter.key);
+                QCOMPARE(text.find("key = \"" + parameter.key + "\"") != std::string::npos, varies);
+                if (!varies || !parameter.used(c)) continue;
+                const StudyPlan plan = parseStudy("sweep", text, "sweep", {}, &c);
+                ++keys;
+                if (plan.valid()) continue;
+                ++refused;
+                for (const InputProblem& problem : plan.problems)
+                    QVERIFY2(problem.key.starts_with("axis"), problem.text().c_str());
+            }
+        }
+        qInfo("%zu of %zu keys refuse a value", refused, keys);
+        QVERIFY(keys > 200 && 4 * refused < keys);
+    }
+
     void standard()
     {
         for (const char* name : {"fig10a", "film_femto", "contact_hertz"}) {

@@ -70,7 +70,7 @@ private slots:
         f.window.runWindow().panel()->choose(number);
         f.window.actions().continueRun->trigger();
         QCOMPARE(f.window.messages().kind(), MessageStrip::Kind::Failure);
-        QVERIFY2(f.window.messages().text().contains(QStringLiteral("longer run.duration")),
+        QVERIFY2(f.window.messages().text().contains(QStringLiteral("longer duration")),
                  qPrintable(f.window.messages().text()));
         QCOMPARE(f.window.runs().count(), 1);
     }
