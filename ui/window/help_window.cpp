@@ -13,6 +13,8 @@
 
 #include "core/case/parameters.h"
 #include "core/formats/csv_cell.h"
+#include "core/formats/words.h"
+#include "core/studies/runs/reading.h"
 #include "ui/case/parameter_text.h"
 #include "ui/guides/glossary.h"
 #include "ui/style/foreign_text.h"
@@ -50,6 +52,35 @@ QString parameterTable()
     return html + QStringLiteral("</table>");
 }
 
+/// What a sweep can read off a run, a static state or modes, from their one table.
+QString readingTable()
+{
+    const auto text = [](std::string_view words) { return QString::fromUtf8(words).toHtmlEscaped(); };
+    QString single, overTime, places;
+    for (const ReadingRow& row : allReadings()) {
+        const Quantity& quantity = row.what.quantity;
+        const QString unit = row.what.isText ? HelpWindow::tr("text") : unitText(quantity.displayUnit);
+        (row.what.overTime ? overTime : single) +=
+            QStringLiteral("<tr><td><code>%1</code></td><td>%2</td><td>%3<br><small>%4</small></td></tr>")
+                .arg(text(quantity.name), unit, text(quantity.longName), text(joined(row.where)));
+    }
+    for (std::size_t i = 1; i < readAtCount; ++i) {
+        const auto taken = static_cast<ReadAt>(i);
+        places +=
+            QStringLiteral("<tr><td><code>%1</code></td><td>%2</td></tr>").arg(text(name(taken)), text(meaning(taken)));
+    }
+    const auto table = [](const QString& rows) {
+        return QStringLiteral("<table cellpadding='4' cellspacing='0' border='0'>%1</table>").arg(rows);
+    };
+    return QStringLiteral("<h2>%1</h2><p>%2</p>%3<p>%4</p>%5<p>%6</p>%7")
+        .arg(
+            HelpWindow::tr("What a sweep can read"),
+            HelpWindow::tr("The names that “Quantity” of a reading takes, with the unit in tables. Small: where a case "
+                           "has it. One number or text each:"),
+            table(single), HelpWindow::tr("With a value at each time of a run; “At” tells where it is taken:"),
+            table(overTime), HelpWindow::tr("Values of “At”:"), table(places));
+}
+
 /// What `touchdown study statements paper --csv` wrote, a row for each statement.
 QString paperTable(const QString& csv)
 {
@@ -85,7 +116,7 @@ HelpWindow::HelpWindow(const QString& shortcuts, QWidget* parent)
     setWindowTitle(tr("Touchdown: help"));
     contents_->addItems({tr("How to use it"), tr("The equations"), tr("The air film"), tr("Contact and disk"),
                          tr("What a result says of itself"), tr("The paper and this program"), tr("Glossary"),
-                         tr("Parameters"), tr("Shortcuts"), tr("About Touchdown")});
+                         tr("Parameters"), tr("What a sweep can read"), tr("Shortcuts"), tr("About Touchdown")});
     contents_->setAccessibleName(tr("Contents"));
     browser_->setAccessibleName(tr("Help text"));
     browser_->setOpenExternalLinks(true);
@@ -144,6 +175,7 @@ QString HelpWindow::html(Page page) const
                    .arg(tr("Glossary"), tr("Terms of disk drives and of this program, with their symbols and units.")) +
                glossaryPage(glossaryEntries());
     case Page::Parameters: return parameterTable();
+    case Page::Readings: return readingTable();
     case Page::Shortcuts:
         return QStringLiteral("<h2>%1</h2>").arg(tr("Shortcuts")) + shortcuts_ +
                resource(QStringLiteral("plot_keys.html"));

@@ -10,6 +10,7 @@
 #include <QtTest>
 
 #include "core/case_files/case_file.h"
+#include "core/studies/runs/reading.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/window_fixture.h"
 #include "ui/case/case_edits.h"
@@ -317,6 +318,10 @@ void TestMainWindow::opensHelp()
     help->open(HelpWindow::Page::Parameters);
     for (const Parameter& parameter : parameters())
         QVERIFY2(help->text().contains(QString::fromStdString(parameter.key)), parameter.key.c_str());
+    help->open(HelpWindow::Page::Readings);
+    for (const ReadingRow& row : allReadings())
+        QVERIFY2(help->text().contains(QString::fromStdString(row.what.quantity.name)),
+                 row.what.quantity.name.c_str());
     help->open(HelpWindow::Page::Shortcuts);
     QVERIFY(help->text().contains(QStringLiteral("F5")));
     help->open(HelpWindow::Page::About);
