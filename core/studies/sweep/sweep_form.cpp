@@ -92,6 +92,9 @@ StudyForm sweepForm(const Case& c)
                             "axis."),
         onlyOffered(choiceKey("samples.method", "grid", methods, "grid: every value of each axis with all others")),
         onlyOffered(integerKey("samples.count", 64, 1, mostSweepSamples, "of the points")),
+        onlyOffered(choiceKey("samples.by", "items", {"items", "surface"},
+                              "items: each sample is calculated; surface: a few are, and a surface of second order "
+                              "through them gives all others")),
         onlyOffered(integerKey("samples.seed", 1, 0, 2147483647, "the same seed draws the same points")),
         inList(textKey("axis.key", {}, "a key of the case in quotation marks", "what changes along the axis")),
         inList(listKey("axis.keys", {}, "instead of key: several that take the same value")),
@@ -110,6 +113,8 @@ StudyForm sweepForm(const Case& c)
         inList(textKey("reading.at", "end", "",
                        "of a quantity over time: end, tail (mean over the last tenth), swing, "
                        "rms, mean, least, most")),
+        inList(textKey("reading.least", {}, "", "limit; the report tells the share within the limits")),
+        inList(textKey("reading.most", {}, "", "limit")),
     };
     form.lists = standardSweepLists(c);
     return form;

@@ -14,6 +14,7 @@
 #include "core/studies/sweep/rank_correlation.h"
 #include "core/studies/sweep/sweep_charts.h"
 #include "core/studies/sweep/sweep_points.h"
+#include "core/studies/sweep/sweep_yield.h"
 
 namespace touchdown {
 
@@ -34,6 +35,7 @@ public:
         report.charts = sweepCharts(at_);
         if (at_.task().samples) addCorrelations(report);
         addFindings(report);
+        addYield(at_, report);
         return report;
     }
 
@@ -196,6 +198,9 @@ private:
 
 } // namespace
 
-StudyReport sweepReport(const SweepTask& task, const ItemRows& rows) { return Teller(SweepPoints(task, rows)).tell(); }
+StudyReport sweepReport(const SweepTask& task, const ItemRows& rows)
+{
+    return task.design.empty() ? Teller(SweepPoints(task, rows)).tell() : surfaceReport(task, rows);
+}
 
 } // namespace touchdown

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <set>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "core/formats/words.h"
 #include "core/studies/study/study_reader.h"
 #include "core/studies/sweep/sweep_form.h"
+#include "core/studies/sweep/sweep_surface.h"
 
 namespace touchdown {
 
@@ -45,6 +47,7 @@ public:
         for (const std::string& table : readings) readReading(table);
         if (readings.empty()) reader_.add("reading", "is missing; write one [[reading]] or more");
         task_.readings = withErrors(task_.calculate, task_.start, task_.readings);
+        for (const Reading& reading : task_.readings) task_.limits.push_back(limits_[reading.column().name]);
         if (task_.axes.size() == axes.size()) drawOrCount();
         return std::move(task_);
     }
@@ -64,13 +67,14 @@ private:
     {
         const std::string method = reader_.choice("samples.method");
         const int count = reader_.integer("samples.count"), seed = reader_.integer("samples.seed");
+        const std::string by = reader_.choice("samples.by");
         if (method == "grid") {
-            for (const char* unused : {"samples.count", "samples.seed"})
+            for (const char* unused : {"samples.count", "samples.seed", "samples.by"})
                 if (reader_.has(unused) && !reader_.has("samples.method"))
                     reader_.add(unused, "needs samples.method: random, latin-hypercube or sobol");
             return;
         }
-        task_.samples = SweepSamples{.count = std::size_t(count), .seed = seed};
+        task_.samples = SweepSamples{.count = std::size_t(count), .seed = seed, .bySurface = by == "surface"};
         for (const SampleMethod each : {SampleMethod::Random, SampleMethod::LatinHypercube, SampleMethod::Sobol})
             if (method == name(each)) task_.samples->method = each;
     }
@@ -250,7 +254,40 @@ private:
         for (const Reading& other : task_.readings)
             if (other.column().name == reading.column().name)
                 return lists_->add(table + ".quantity", inQuotes(quantity) + " is read twice");
+        readLimits(table, reading);
         task_.readings.push_back(std::move(reading));
+    }
+
+    void readLimits(const std::string& table, const Reading& reading)
+    {
+        SweepLimits limits;
+        constexpr double endless = std::numeric_limits<double>::infinity();
+        for (const auto& [leaf, limit] : {std::pair{".least", &limits.least}, std::pair{".most", &limits.most}}) {
+            if (!lists_->has(table + leaf)) continue;
+            if (reading.isText)
+                lists_->add(table + leaf, "has no meaning for a text");
+            else
+                *limit = lists_->number(table + leaf, reading.quantity.unit, reading.quantity.displayUnit, -endless,
+                                        endless);
+        }
+        if (limits.least && limits.most && *limits.least > *limits.most)
+            lists_->add(table + ".most", "must not be below least");
+        limits_[reading.column().name] = limits;
+    }
+
+    /// A surface of second order is one of numbers over numbers.
+    bool suitsSurface()
+    {
+        const auto add = [&](const std::string& what) {
+            reader_.add("samples.by", "is \"surface\", which " + what + "; samples.by = \"items\" has them");
+            return false;
+        };
+        for (const SweepAxis& axis : task_.axes)
+            if (!axis.values.empty() || axis.key.kind != ParameterKind::Number)
+                return add("takes no list of values: " + inQuotes(axis.key.key));
+        for (const Reading& reading : task_.readings)
+            if (reading.isText) return add("has no texts: " + inQuotes(reading.quantity.name));
+        return true;
     }
 
     void drawOrCount()
@@ -265,6 +302,10 @@ private:
                 reader_.add("axis", "is averaged over, as are all others; at least one must not be");
             return;
         }
+        if (task_.samples->bySurface) {
+            if (!suitsSurface()) return;
+            task_.design = surfaceDesign(task_.axes, task_.samples->seed);
+        }
         task_.points = samplePoints(task_.samples->method, task_.axes.size(), task_.samples->count,
                                     std::uint64_t(task_.samples->seed));
     }
@@ -274,6 +315,7 @@ private:
     std::vector<InputProblem> standardProblems_;
     SweepTask task_;
     std::set<std::string> named_;
+    std::map<std::string, SweepLimits> limits_; // by column
 };
 
 double normalShare(double value) { return 0.5 * std::erfc(-value / std::numbers::sqrt2); }
@@ -306,6 +348,7 @@ std::string SweepAxis::columnName() const
 
 std::size_t SweepTask::count() const
 {
+    if (!design.empty()) return design.size();
     if (samples) return points.size();
     std::size_t count = axes.empty() ? 0 : 1;
     for (const SweepAxis& axis : axes) count *= axis.values.size();
@@ -315,6 +358,10 @@ std::size_t SweepTask::count() const
 std::vector<SweepValue> SweepTask::valuesOf(std::size_t item) const
 {
     std::vector<SweepValue> values(axes.size());
+    if (!design.empty()) {
+        for (std::size_t d = 0; d < axes.size(); ++d) values[d] = {design[item][d]};
+        return values;
+    }
     if (samples) {
         for (std::size_t d = 0; d < axes.size(); ++d) values[d] = axes[d].at(points[item][d]);
         return values;

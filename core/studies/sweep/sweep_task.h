@@ -11,9 +11,11 @@
 //   [[reading]]
 //   quantity = "flying_height"
 //   at = "end"
+//   least = "6 nm"                 # limits, with which the report tells the share within them
 //   [samples]                      # instead of a grid: points drawn over all axes
 //   method = "sobol"
 //   count = 64
+//   by = "surface"                 # from a surface through few exact items: core/studies/sweep/sweep_surface.h
 #pragma once
 
 #include <optional>
@@ -55,6 +57,15 @@ struct SweepSamples {
     SampleMethod method = SampleMethod::Sobol;
     std::size_t count = 0;
     int seed = 1;
+    bool bySurface = false; // drawn from a surface through the items of a design; else each is an item
+};
+
+/// What a reading is to lie within, both ends included [unit of the reading]; none: no limit at that end.
+struct SweepLimits {
+    std::optional<double> least{}, most{};
+    bool any() const { return least || most; }
+    /// A value that is not known lies within none.
+    bool hold(double value) const { return value == value && !(least && value < *least) && !(most && value > *most); }
 };
 
 struct SweepTask {
@@ -63,7 +74,9 @@ struct SweepTask {
     std::vector<SweepAxis> axes;
     std::optional<SweepSamples> samples{};
     std::vector<Reading> readings;             // stated errors behind what they belong to
+    std::vector<SweepLimits> limits{};         // one for each reading
     std::vector<std::vector<double>> points{}; // of samples: a share of the probability for each axis, 0..1
+    std::vector<std::vector<double>> design{}; // of samples from a surface: the numbers of each item
 
     std::size_t count() const;
     /// A value for each axis. In a grid the last axis runs first.
