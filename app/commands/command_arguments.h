@@ -23,7 +23,7 @@ struct CommandArguments {
     std::vector<std::string> join;     // files of parts
     bool resume = false;               // a list study goes on in its file
     double checkpointEach = 1.0;       // of a run [s]
-    std::string resumeRun;             // a run goes on: "yes", "anyway"; "" for no
+    std::string resumeRun;             // a run goes on: "true", "anyway"; "" for no
     std::string engine;                // of a list study: "local", "slurm", "command"; "" for this process
     int parts = 0;                     // of the engine; 0: not given
     std::string sbatch, submit;        // options of sbatch; the command of the launcher

@@ -44,10 +44,11 @@ void addPaths(CLI::App& command, CommandArguments& arguments)
                      "Also reads files that a case or a study names outside its own folder");
 }
 
-void addCase(CLI::App& command, CommandArguments& arguments)
+void addCase(CLI::App& command, CommandArguments& arguments,
+             const char* help = "A case file, or the name of a sample case (see `touchdown list`)")
 {
     addPaths(command, arguments);
-    command.add_option("CASE", arguments.name, "A case file, or the name of a sample case (see `touchdown list`)");
+    command.add_option("CASE", arguments.name, help);
     command.add_option("--set", arguments.settings, "Changes a value of the case, such as springs.cutoff=\"0.3 nm\"")
         ->type_name("KEY=VALUE");
 }
@@ -236,16 +237,15 @@ int commandLine(int argc, char** argv)
     CommandArguments arguments;
 
     CLI::App& run = *app.add_subcommand("run", "Simulates a case");
-    addCase(run, arguments);
+    addCase(run, arguments, "A case file, the name of a sample case (see `touchdown list`), or the results of a run");
     addFile(run, "--out", arguments.out, "Writes all results as HDF5", "FILE.h5");
     addFile(run, "--csv", arguments.csv, "Writes the time series as CSV, when the run ends", "FILE.csv");
     run.add_option("--checkpoint", arguments.checkpointEach,
                    "Seconds between the states in --out, from which the run can be continued; default: 1")
         ->type_name("SECONDS")
         ->check(CLI::Range(0.0, 1e6));
-    run.add_flag("--resume{yes}", arguments.resumeRun,
-                 "Continues the run of a results file; =anyway: also one of another version or machine")
-        ->check(CLI::IsMember({"yes", "anyway"}));
+    run.add_flag("--resume", arguments.resumeRun,
+                 "Continues the run of a results file; --resume=anyway: also one of another version or machine");
     addProgress(run, arguments);
     addJson(run, arguments);
 

@@ -304,7 +304,8 @@ int runCommand(const CommandArguments& arguments)
     const CaseDocument& document = source.document;
     std::vector<InputProblem> problems = document.problems;
     std::vector<std::filesystem::path> inputs = document.inputs();
-    if (source.isStored && !source.resumes) inputs.emplace_back(arguments.name);
+    // A run that continues may take the place of its own file.
+    if (source.isStored && !(source.resumes && source.out == arguments.name)) inputs.emplace_back(arguments.name);
     std::ranges::move(targetProblems({{"--out", source.out}, {"--csv", arguments.csv, true}}, inputs),
                       std::back_inserter(problems));
     if (problems.empty())
@@ -313,10 +314,10 @@ int runCommand(const CommandArguments& arguments)
     if (!problems.empty()) return refuse(problems, arguments.json);
 
     ProgressLine line(arguments.progress);
-    RunOutput output(document, {source.out, arguments.csv}, source.continued);
+    RunOutput output(document, {source.out, arguments.csv}, source.continued, source.heldUntil);
     if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
     if (source.continued.from) {
-        output.addBefore(source.samples, source.fields, source.continued.from);
+        output.addBefore(source.samples, source.fields, source.continued);
         source.samples = {};
         source.fields = {};
     }

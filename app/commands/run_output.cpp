@@ -9,7 +9,7 @@
 
 namespace touchdown {
 
-RunOutput::RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued)
+RunOutput::RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued, double heldUntil)
     : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
 {
     // The time series takes its name only at the end of the run, the results at once: nothing may fail after them.
@@ -20,18 +20,19 @@ RunOutput::RunOutput(const CaseDocument& document, const Files& files, const Con
         const std::string text = updateCaseText(document.text, document.value);
         const std::vector<RecordedFields> fields = recordedFields(document.value);
         ResultsWriter& writer = results_.emplace();
-        problem_ = continued.from
-                       ? writer.openAgain(files.results, document.value, text, quantities_, fields, continued.remark)
-                       : writer.open(files.results, document.value, text, quantities_, fields);
+        problem_ = continued.from ? writer.openAgain(files.results, document.value, text, quantities_, fields,
+                                                     heldUntil, continued.remark)
+                                  : writer.open(files.results, document.value, text, quantities_, fields);
         spectra_.emplace(document.value, quantities_);
     }
 }
 
 void RunOutput::addBefore(const SampleBatch& samples, const std::vector<FieldSnapshot>& fields,
-                          const std::shared_ptr<const StoredCheckpoint>& from)
+                          const ContinuedRun& continued)
 {
     add(samples, fields);
-    if (problem_.empty() && results_) problem_ = results_->keep(from);
+    for (const auto& state : continued.states)
+        if (problem_.empty() && results_) problem_ = results_->keep(state);
 }
 
 void RunOutput::add(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields)

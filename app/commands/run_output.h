@@ -22,15 +22,15 @@ public:
     struct Files {
         std::string results, series; // "" for none
     };
-    /// `continued`: a run that was begun before. Then what came before follows, see addBefore().
-    RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued);
+    /// `continued`: a run that was begun before, whose file had samples until `heldUntil` [s]. Then what came before
+    /// follows, see addBefore().
+    RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued, double heldUntil);
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
     const std::string& problem() const { return problem_; }
 
     /// All that came before a state from which the run continues.
-    void addBefore(const SampleBatch& samples, const std::vector<FieldSnapshot>& fields,
-                   const std::shared_ptr<const StoredCheckpoint>& from);
+    void addBefore(const SampleBatch& samples, const std::vector<FieldSnapshot>& fields, const ContinuedRun& continued);
     void add(const RunUpdate& update);
     void finish(const Summary& summary);
 

@@ -2,6 +2,8 @@
 #include "app/commands/run_source.h"
 
 #include <filesystem>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -10,17 +12,27 @@
 #include "app/terminal/refusal.h"
 #include "core/case_files/case_reader.h"
 #include "core/case_files/case_settings.h"
-#include "core/formats/words.h"
 
 namespace touchdown {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool isResultsFile(const fs::path& file)
+bool isSameFile(const fs::path& a, const fs::path& b)
 {
     std::error_code none;
-    return lowerCase(file.extension().string()) == ".h5" && fs::is_regular_file(file, none);
+    return fs::equivalent(a, b, none);
+}
+
+/// A case file is a text, which does not begin so.
+bool isResultsFile(const fs::path& file)
+{
+    constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+    std::string begin(signature.size(), '\0');
+    std::error_code none;
+    if (!fs::is_regular_file(file, none)) return false;
+    std::ifstream in(file, std::ios::binary);
+    return in.read(begin.data(), std::streamsize(begin.size())) && begin == signature;
 }
 
 } // namespace
@@ -35,6 +47,8 @@ RunSource openRunSource(const CommandArguments& arguments)
         source.document.problems.push_back({arguments.name, 0, "", std::move(problem)});
         return source;
     };
+    if (source.resumes && arguments.resumeRun != "true" && arguments.resumeRun != "anyway")
+        return refuse("--resume=" + arguments.resumeRun + " is not understood: it is --resume or --resume=anyway");
     if (!isResultsFile(arguments.name)) {
         if (source.resumes) return refuse("is no results file; --resume continues the run of one, FILE.h5");
         source.document = openCaseToUse(arguments);
@@ -60,13 +74,17 @@ RunSource openRunSource(const CommandArguments& arguments)
         if (source.continued.isOfOthers) problem += "; --resume=anyway continues it nevertheless, and marks the file";
         return refuse(problem);
     }
+    if (!stored.samples.time.empty()) source.heldUntil = stored.samples.time.back();
     if (const auto& from = source.continued.from) {
         source.samples = std::move(stored.samples);
         source.fields = std::move(stored.fields);
         cutTo(*from, source.samples, source.fields);
-    } else {
-        complain("warning: " + arguments.name + " holds no state from which this run continues; it starts again");
+        return source;
     }
+    const std::string& reason = source.continued.startsAgain;
+    if (arguments.out.empty() || isSameFile(arguments.out, arguments.name))
+        return refuse("does not continue, as " + reason + "; to start it again, name another file with --out");
+    complain("warning: " + arguments.name + ": the run starts again, as " + reason);
     return source;
 }
 

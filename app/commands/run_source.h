@@ -19,6 +19,7 @@ struct RunSource {
     ContinuedRun continued;
     SampleBatch samples;               // before it continues
     std::vector<FieldSnapshot> fields; // before it continues
+    double heldUntil = 0.0;            // the last sample of its file [s]
     std::string out;                   // "" for none; of a run that continues, by default the file itself
 };
 

@@ -81,15 +81,18 @@ IntegrationResult integrateAdaptive(const System& system, Start<System> start, d
     };
     double weight = weightAt(y);
 
+    bool cut = false; // a step, by the end
     const auto pass = [&](auto& stream) {
-        stream(t, h, y, k[0], weight, previousLogError, rejected, result.steps, result.rejectedSteps,
+        stream(t, h, cut, y, k[0], weight, previousLogError, rejected, result.steps, result.rejectedSteps,
                result.evaluations, watch);
     };
     if constexpr (TakesCheckpoints<Recorder>) recorder.resume(pass);
-    while (t < until) {
+    if (!(h > 0.0)) result.end = IntegrationEnd::Diverged; // of a damaged state
+    while (t < until && result.end == IntegrationEnd::Reached) {
         if constexpr (TakesCheckpoints<Recorder>)
-            if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, pass);
+            if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, !cut, pass);
         const double smallest = 4.0 * std::numeric_limits<double>::epsilon() * std::max(t, options.firstStep);
+        cut = cut || h > until - t;
         h = std::min(h, until - t);
         if constexpr (requires { system.longestStep(); }) h = std::min(h, system.longestStep());
         State y1 = stages(h);

@@ -56,6 +56,11 @@ public:
         next_ = (next_ + 1) % times_.size();
         return time - oldest < period;
     }
+    void pass(auto& stream)
+    {
+        stream(times_, next_);
+        next_ %= times_.size();
+    }
 
     static constexpr std::size_t most = 64; // switches within one period
 
@@ -105,10 +110,14 @@ public:
     {
         constexpr double few = 16.0 * std::numeric_limits<double>::epsilon();
         const Interval& interval = intervals_[static_cast<std::size_t>(guard)];
-        double size = y.template head<half>()
-                          .cwiseAbs()
-                          .cwiseMax(system_.scale().template head<half>())
-                          .dot(system_.guardSizes(guard));
+        const auto scale = [this] {
+            if constexpr (requires { system_.guardScale(); })
+                return system_.guardScale();
+            else
+                return system_.scale();
+        }();
+        double size =
+            y.template head<half>().cwiseAbs().cwiseMax(scale.template head<half>()).dot(system_.guardSizes(guard));
         if (std::isfinite(interval.lower)) size = std::max(size, std::abs(interval.lower));
         if (std::isfinite(interval.upper)) size = std::max(size, std::abs(interval.upper));
         return few * size;

@@ -53,7 +53,7 @@ IntegrationResult integrateNaively(const System& system, Start<System> start, do
     for (; i <= count; ++i) {
         const double t = double(i - 1) * options.step;
         if constexpr (TakesCheckpoints<Recorder>)
-            if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, pass);
+            if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, true, pass);
         const double t1 = i == count ? until : double(i) * options.step;
         const double h = t1 - t;
         const auto derivative = [&](const State& at) { return system.naiveDerivative(at, mode); };
@@ -139,7 +139,7 @@ IntegrationResult integrateFixed(const System& system, Stepper stepper, Start<Sy
         for (; i <= count; ++i) {
             double t = double(i - 1) * options.step;
             if constexpr (TakesCheckpoints<Recorder>)
-                if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, pass);
+                if (recorder.isCheckpointDue(t)) recorder.sendCheckpoint(t, true, pass);
             const double gridTime = i == count ? until : double(i) * options.step;
             bool onGrid = false;
             while (!onGrid) {

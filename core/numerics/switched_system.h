@@ -10,6 +10,7 @@
 // A law that depends on the time has it as a coordinate of q, whose velocity is 1. Optional members:
 //
 //   guardPath(c)    the guards' Bernstein coefficients along a step whose states have the coefficients c
+//   guardScale()    typical sizes of the components of q for the round-off of guards, where those of scale() are others
 //   longestStep()   of a step that still resolves the law's own changes in time [s]
 #pragma once
 
@@ -99,7 +100,8 @@ struct IntegrationResult {
 };
 
 /// A recorder may take the state of an integration, and give one back: pass(stream) names the numbers of the state.
-///   bool isCheckpointDue(t), void sendCheckpoint(t, pass), void resume(pass)
+///   bool isCheckpointDue(t), void sendCheckpoint(t, extends, pass), void resume(pass)
+/// `extends`: no step was cut by the end of the integration, so that one to a later end goes the same way.
 template <class Recorder>
 concept TakesCheckpoints = requires(Recorder& recorder)
 {

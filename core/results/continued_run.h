@@ -15,9 +15,11 @@ namespace touchdown {
 struct ContinuedRun {
     std::string problem;     // why it does not continue, in a sentence; "" if it does
     bool isOfOthers = false; // why: another version or machine began it, which may be allowed
-    std::string remark;      // what was allowed: the sentence in the file, "" where nothing was
-    /// The state; null where there is none that fits: then the run starts again.
+    std::string remark;      // what was allowed, now and before: the sentence in the file, "" where nothing was
+    /// The state. Null where there is none that fits, for the reason in `startsAgain`: then the run starts again.
     std::shared_ptr<const StoredCheckpoint> from;
+    std::string startsAgain;
+    std::vector<std::shared_ptr<const StoredCheckpoint>> states; // not after it, itself last: for the file of the run
 };
 
 enum class OtherOrigin : bool { Refused, Allowed };

@@ -32,6 +32,8 @@ void write(const Hdf5Group& at, const char* name, const std::vector<RecordedFiel
     dataset.set("time_unit", "s");
     dataset.set("bytes", static_cast<std::int64_t>(state.size()));
     dataset.set("layout", std::int64_t{checkpoint->layout});
+    dataset.set("extends", std::int64_t{checkpoint->at.extends});
+    dataset.set("version", checkpoint->version);
     dataset.set("machine", checkpoint->machine);
     dataset.set("samples", static_cast<std::int64_t>(checkpoint->samples));
     for (std::size_t k = 0; k < sets.size(); ++k)
@@ -54,6 +56,8 @@ StoredCheckpoint read(const Hdf5Dataset& dataset, const std::vector<RecordedFiel
     checkpoint.at.state.resize(bytes);
     std::memcpy(checkpoint.at.state.data(), numbers.data(), bytes);
     checkpoint.layout = static_cast<int>(count(dataset, "layout"));
+    checkpoint.at.extends = count(dataset, "extends") == 1;
+    checkpoint.version = dataset.attribute("version");
     checkpoint.machine = dataset.attribute("machine");
     checkpoint.samples = count(dataset, "samples");
     for (const RecordedFields& set : sets) checkpoint.snapshots.push_back(count(dataset, countOf(set)));
@@ -110,7 +114,7 @@ void writeCheckpoints(const Hdf5Group& file, const std::vector<RecordedFields>& 
     const bool any = checkpoints.newest || checkpoints.extends;
     if (!any && !file.has(checkpointGroup)) return;
     const Hdf5Group at = file.has(checkpointGroup) ? file.group(checkpointGroup) : file.create(checkpointGroup);
-    write(at, slots[0], sets, checkpoints.newest.get());
+    write(at, slots[0], sets, checkpoints.newest == checkpoints.extends ? nullptr : checkpoints.newest.get());
     write(at, slots[1], sets, checkpoints.extends.get());
 }
 
@@ -129,11 +133,8 @@ std::vector<StoredCheckpoint> readCheckpoints(const Hdf5Group& file, const std::
     std::vector<StoredCheckpoint> list;
     if (!file.has(checkpointGroup)) return list;
     const Hdf5Group at = file.group(checkpointGroup);
-    for (const char* name : slots) {
-        if (!at.has(name)) continue;
-        list.push_back(read(at.get(name), sets));
-        list.back().at.extends = name == slots[1];
-    }
+    for (const char* name : slots)
+        if (at.has(name)) list.push_back(read(at.get(name), sets));
     return list;
 }
 

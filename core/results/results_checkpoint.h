@@ -5,8 +5,9 @@
 //   newest    the last one that was sent; gone when the run has completed
 //   extends   the last one from which a longer run continues, too
 //
-// Each is the bytes of its state as 64-bit integers, with the attributes time [s], bytes, layout, machine, and the
-// numbers of samples and snapshots that came before it.
+// Where both are one state it stands once, as `extends`. Each is the bytes of its state as 64-bit integers, with the
+// attributes time [s], bytes, layout, version, machine, extends, and the numbers of samples and snapshots that came
+// before it.
 #pragma once
 
 #include <array>
@@ -25,9 +26,10 @@ namespace touchdown {
 struct StoredCheckpoint {
     RunCheckpoint at;
     int layout = checkpointLayout;
-    std::string machine;                // on which it was made, see thisMachine()
-    std::size_t samples = 0;            // that came before it
-    std::vector<std::size_t> snapshots; // that came before it, of each set
+    std::string version = TOUCHDOWN_VERSION; // of the program that made it
+    std::string machine;                     // on which it was made, see thisMachine()
+    std::size_t samples = 0;                 // that came before it
+    std::vector<std::size_t> snapshots;      // that came before it, of each set
 };
 
 /// What decides the last bits of a result beside the program: processor, compiler, library of mathematical functions.

@@ -65,6 +65,7 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
             for (const std::string& array : arrays_) part.get(array).copyMissing(shown.get(array));
         }
         appendSamples(part, header_.quantities, samples);
+        if (samples.size() > 0) reached_ = samples.time.back();
         appendSnapshots(part, header_.fields, fields);
         for (const ResultsSpectrum& spectrum : spectra) writeSpectrum(part, spectrum);
         if (summary) {
@@ -73,17 +74,24 @@ void ResultsExchange::publish(const SampleBatch& samples, std::span<const FieldS
         }
         writeCheckpoints(part, header_.fields, checkpoints_);
         part.close();
-        if (isSeen(summary)) show();
+        if (isToBeSeen(summary)) show();
     } catch (...) {
         removePart();
         throw;
     }
 }
 
-bool ResultsExchange::isSeen(const Summary* summary) const
+bool ResultsExchange::isToBeSeen(const Summary* summary) const
 {
-    return summary || shown_ || seen_ == FirstSeen::AtOnce ||
-           (seen_ == FirstSeen::AtCheckpoint && checkpoints_.newest != nullptr);
+    if (shown_) return true;
+    switch (seen_.when) {
+    case FirstSeen::When::AtOnce: return true;
+    case FirstSeen::When::FromTime:
+        return (reached_ >= seen_.time && (checkpoints_.newest || checkpoints_.extends)) ||
+               (summary && summary->status == RunStatus::Completed);
+    case FirstSeen::When::AtEnd: break;
+    }
+    return summary != nullptr;
 }
 
 Hdf5Group ResultsExchange::openPart()

@@ -35,14 +35,21 @@ private:
     int descriptor_ = -1;
 };
 
-/// When others see a file for the first time: at once, without samples; with the first checkpoint, so that what a run
-/// continues stays until then; with the summary. After that each publication is seen.
-enum class FirstSeen : std::uint8_t { AtOnce, AtCheckpoint, AtEnd };
+/// When others see a file for the first time; after that each publication is seen.
+struct FirstSeen {
+    enum class When : std::uint8_t {
+        AtOnce,   // without samples
+        FromTime, // with the first samples from `time` on, or when the run has completed; so what it continues stays
+        AtEnd     // with the summary
+    };
+    When when = When::AtOnce;
+    double time = 0.0; // [s]
+};
 
 class ResultsExchange {
 public:
     /// Locks the file. Throws std::exception; then the file is as it was.
-    ResultsExchange(const std::filesystem::path& file, ResultsHeader header, FirstSeen seen = FirstSeen::AtOnce);
+    ResultsExchange(const std::filesystem::path& file, ResultsHeader header, FirstSeen seen = {});
     ResultsExchange(const ResultsExchange&) = delete;
     ResultsExchange& operator=(const ResultsExchange&) = delete;
 
@@ -52,9 +59,11 @@ public:
     /// as it was.
     void publish(const SampleBatch& samples, std::span<const FieldSnapshot> fields = {},
                  const std::vector<ResultsSpectrum>& spectra = {}, const Summary* summary = nullptr);
+    /// Whether others see the file.
+    bool isSeen() const { return bool(shown_); }
 
 private:
-    bool isSeen(const Summary* summary) const;
+    bool isToBeSeen(const Summary* summary) const;
     Hdf5Group openPart();
     Hdf5Group createPart();
     void removePart();
@@ -65,6 +74,7 @@ private:
     std::vector<std::string> arrays_; // paths of those that grow
     ResultsCheckpoints checkpoints_;
     FirstSeen seen_;
+    double reached_ = 0.0; // time of the newest sample [s]
     bool hasPart_ = false;
     HeldFile shown_; // the file itself; none before the first state
 };

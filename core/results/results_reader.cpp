@@ -29,7 +29,11 @@ bool fits(const StoredRun& run)
     };
     const auto hasCells = [](const RecordedFields& set) { return set.grid.nx() > 0 && set.grid.ny() > 0; };
     const auto isCovered = [&](const StoredCheckpoint& checkpoint) {
-        return checkpoint.samples <= run.samples.size() && checkpoint.snapshots.size() == run.recorded.size();
+        if (checkpoint.samples > run.samples.size() || checkpoint.snapshots.size() != run.recorded.size()) return false;
+        for (std::size_t set = 0; set < run.recorded.size(); ++set)
+            if (checkpoint.snapshots[set] > std::size_t(std::ranges::count(run.fields, set, &FieldSnapshot::set)))
+                return false;
+        return true;
     };
     return run.samples.columns.size() == run.quantities.size() && std::ranges::all_of(run.samples.columns, isColumn) &&
            std::ranges::all_of(run.checkpoints, isCovered) && std::ranges::all_of(run.recorded, hasCells) &&
@@ -72,6 +76,7 @@ StoredRun readResultsDirectly(const fs::path& path)
         run.message = file.attribute("message");
         run.softwareVersion = file.attribute("software_version");
         run.date = file.attribute("date");
+        run.continued = file.attribute("continued");
         run.caseText = file.get("case/text").text();
         StoredSamples stored = readSamples(file);
         run.quantities = std::move(stored.quantities);

@@ -24,6 +24,7 @@ struct StoredRun {
     SampleBatch samples;
     std::vector<RecordedFields> recorded;      // sets of which there are snapshots
     std::vector<FieldSnapshot> fields;         // in the order of time
+    std::string continued;                     // which other version or machine began it; "" for none
     std::string motion;                        // how it ends, as Motion is named; "" where the file does not say
     std::vector<StoredCheckpoint> checkpoints; // from which it can be continued, the latest first
     double swing = 0.0;  // of the minimum spacing over the last tenth, peak to peak [m]; 0: not known

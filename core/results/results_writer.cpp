@@ -193,21 +193,25 @@ ResultsWriter& ResultsWriter::operator=(ResultsWriter&&) noexcept = default;
 std::string ResultsWriter::open(const fs::path& file, const Case& c, const std::string& caseText,
                                 const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields)
 {
-    return open(file, {c, caseText, dateNow(), quantities, fields}, false);
+    return open(file, {c, caseText, dateNow(), quantities, fields}, std::nullopt);
 }
 
 std::string ResultsWriter::openAgain(const fs::path& file, const Case& c, const std::string& caseText,
                                      const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields,
-                                     const std::string& remark)
+                                     double seenFrom, const std::string& remark)
 {
-    return open(file, {c, caseText, dateNow(), quantities, fields, remark}, true);
+    return open(file, {c, caseText, dateNow(), quantities, fields, remark}, seenFrom);
 }
 
-std::string ResultsWriter::open(const fs::path& file, ResultsHeader header, bool again)
+std::string ResultsWriter::open(const fs::path& file, ResultsHeader header, std::optional<double> seenFrom)
 {
     file_.reset();
     if (std::string problem = checkOutputFile(file); !problem.empty()) return problem;
-    const FirstSeen seen = !flushInterval_ ? FirstSeen::AtEnd : again ? FirstSeen::AtCheckpoint : FirstSeen::AtOnce;
+    FirstSeen seen;
+    if (!flushInterval_)
+        seen.when = FirstSeen::When::AtEnd;
+    else if (seenFrom)
+        seen = {FirstSeen::When::FromTime, *seenFrom};
     try {
         file_ = std::make_unique<File>(file, std::move(header), seen, flushInterval_);
     } catch (const std::exception& failure) {
@@ -237,8 +241,8 @@ std::string ResultsWriter::keep(const RunCheckpoint& checkpoint)
 {
     if (!file_) return "no results file is open";
     std::unique_lock lock(file_->mutex);
-    auto stored = std::make_shared<const StoredCheckpoint>(
-        StoredCheckpoint{checkpoint, checkpointLayout, thisMachine(), file_->samples, file_->snapshots});
+    auto stored = std::make_shared<const StoredCheckpoint>(StoredCheckpoint{
+        checkpoint, checkpointLayout, TOUCHDOWN_VERSION, thisMachine(), file_->samples, file_->snapshots});
     lock.unlock();
     return keep(std::move(stored));
 }
@@ -248,6 +252,8 @@ std::string ResultsWriter::keep(std::shared_ptr<const StoredCheckpoint> checkpoi
     if (!file_) return "no results file is open";
     std::unique_lock lock(file_->mutex);
     if (!file_->problem.empty()) return file_->problem;
+    if (checkpoint->snapshots.size() != file_->fields.size())
+        return "a state does not fit the maps of " + file_->path.string();
     file_->pendingCheckpoints.add(std::move(checkpoint));
     lock.unlock();
     file_->changed.notify_all();
@@ -272,6 +278,9 @@ std::string ResultsWriter::finish(const Summary& summary)
     const std::vector<FieldSnapshot> maps = std::exchange(file_->pendingFields, {});
     const ResultsCheckpoints checkpoints = std::exchange(file_->pendingCheckpoints, {});
     if (problem.empty()) problem = file_->flush(rest, maps, checkpoints, &summary);
+    if (problem.empty() && !file_->exchange.isSeen())
+        problem = "the run ended before it came beyond what " + file_->path.string() + " holds, which stays as it was" +
+                  (summary.message.empty() ? "" : ": " + summary.message);
     file_.reset();
     return problem;
 }

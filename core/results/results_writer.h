@@ -45,11 +45,12 @@ public:
     /// from `c`.
     std::string open(const std::filesystem::path& file, const Case& c, const std::string& caseText,
                      const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields = {});
-    /// The same for a run that continues: an existing file stays until the first checkpoint is in the new one.
-    /// `remark`: where another version or machine began the run, a sentence; else "".
+    /// The same for a run that continues another one. An existing file stays until this one has samples from `seenFrom`
+    /// [s] on or has completed; where it ends before, finish() says that the file stayed as it was. `remark`: where
+    /// another version or machine began the run, a sentence; else "".
     std::string openAgain(const std::filesystem::path& file, const Case& c, const std::string& caseText,
                           const std::vector<Quantity>& quantities, const std::vector<RecordedFields>& fields,
-                          const std::string& remark);
+                          double seenFrom, const std::string& remark);
     /// Takes samples and snapshots; waits only when the disk is far behind. Reports the problem of an earlier flush.
     std::string append(const SampleBatch& batch, const std::vector<FieldSnapshot>& fields = {});
     /// Takes the state of the run after all that came, or one that says itself what came before it.
@@ -62,7 +63,7 @@ public:
 
 private:
     struct File;
-    std::string open(const std::filesystem::path& file, ResultsHeader header, bool again);
+    std::string open(const std::filesystem::path& file, ResultsHeader header, std::optional<double> seenFrom);
 
     std::optional<std::chrono::milliseconds> flushInterval_;
     std::unique_ptr<File> file_;

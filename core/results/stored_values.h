@@ -33,14 +33,14 @@ void pass(auto& stream, Passed<SampleBatch> auto& samples) { stream(samples.time
 
 void pass(auto& stream, Passed<StoredCheckpoint> auto& checkpoint)
 {
-    stream(checkpoint.at.time, checkpoint.at.extends, checkpoint.at.state, checkpoint.layout, checkpoint.machine,
-           checkpoint.samples, checkpoint.snapshots);
+    stream(checkpoint.at.time, checkpoint.at.extends, checkpoint.at.state, checkpoint.layout, checkpoint.version,
+           checkpoint.machine, checkpoint.samples, checkpoint.snapshots);
 }
 
 void pass(auto& stream, Passed<StoredRun> auto& run)
 {
     stream(run.problem, run.title, run.status, run.message, run.caseText, run.softwareVersion, run.date, run.quantities,
-           run.samples, run.recorded, run.fields, run.checkpoints, run.motion, run.swing);
+           run.samples, run.recorded, run.fields, run.checkpoints, run.continued, run.motion, run.swing);
 }
 
 void pass(auto& stream, Passed<Sensitivity> auto& each)

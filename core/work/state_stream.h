@@ -49,6 +49,11 @@ public:
     {
         (one(values), ...);
     }
+    /// Of what was read: throws StateMisfit unless it holds.
+    static void require(bool holds)
+    {
+        if (!holds) throw StateMisfit();
+    }
     /// A list whose length both sides know.
     template <class Value>
     void fixed(std::vector<Value>& list)
@@ -68,6 +73,10 @@ private:
             value.pass(*this);
         else if constexpr (requires { Value::SizeAtCompileTime; }) // of Eigen
             raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(typename Value::Scalar));
+        else if constexpr (std::is_same_v<Value, bool>)
+            flag(value);
+        else if constexpr (requires { value.has_value(); })
+            maybe(value);
         else if constexpr (std::is_trivially_copyable_v<Value>)
             raw(&value, sizeof value);
         else
@@ -78,11 +87,18 @@ private:
     {
         for (Value& value : values) one(value);
     }
+    void flag(bool& value)
+    {
+        unsigned char byte = value ? 1 : 0;
+        raw(&byte, 1);
+        if (byte > 1) throw StateMisfit();
+        value = byte == 1;
+    }
     template <class Value>
-    void many(std::optional<Value>& value)
+    void maybe(std::optional<Value>& value)
     {
         bool exists = value.has_value();
-        one(exists);
+        flag(exists);
         if (reads_ && exists) value.emplace();
         if (reads_ && !exists) value.reset();
         if (exists) one(*value);

@@ -101,7 +101,8 @@ private slots:
         std::mt19937 draw(60);
         std::uniform_int_distribution<int> moment(took / 5, took);
         int continued = 0;
-        for (int k = 0; k < kills; ++k) {
+        constexpr int most = 20;
+        for (int k = 0; k < kills || (continued == 0 && k < most); ++k) {
             kill(QStringList{"run"} + arguments + QStringList{"--out", "a.h5"}, moment(draw));
             if (k % 2 == 1 && QFile::exists(folder_->path("a.h5"))) kill({"run", "a.h5", "--resume"}, moment(draw) / 2);
             if (!QFile::exists(folder_->path("a.h5"))) continue;
@@ -112,7 +113,7 @@ private slots:
             }
             QCOMPARE(difference(whole, contentOf(folder_->path("a.h5"))), QString());
         }
-        if (kills > 10) QVERIFY(continued > 0);
+        QVERIFY(continued > 0);
     }
 
     void aSignalLeavesWhatContinues()
@@ -154,6 +155,33 @@ private slots:
         QCOMPARE(difference(contentOf(folder_->path("b.h5")), contentOf(folder_->path("a.h5"))), QString());
     }
 
+    /// Also from a run that was continued before.
+    void aRunBecomesLongerAgain()
+    {
+        QCOMPARE(folder_->touchdown({"run", "fig10a", "--set", "run.duration=1 ms", "--out", "a.hdf5"}).code, 0);
+        for (const char* duration : {"run.duration=1.5 ms", "run.duration=2 ms"}) {
+            const Outcome o = folder_->touchdown({"run", "a.hdf5", "--resume", "--set", duration});
+            QVERIFY2(o.code == 0 && o.err.isEmpty(), o.err);
+        }
+        QCOMPARE(folder_->touchdown({"run", "fig10a", "--out", "b.h5"}).code, 0);
+        QCOMPARE(difference(contentOf(folder_->path("b.h5")), contentOf(folder_->path("a.hdf5"))), QString());
+    }
+
+    /// Until the new run has come as far as the old one the file stays as it was.
+    void aLongerRunThatIsKilledLosesNothing()
+    {
+        QCOMPARE(folder_->touchdown({"run", "fig10a", "--set", "run.duration=20 ms", "--out", "a.h5"}).code, 0);
+        const QByteArray before = bytesOf("a.h5");
+        for (const int after : {20, 60, 120}) {
+            kill({"run", "a.h5", "--resume", "--set", "run.duration=5 s"}, after);
+            const StoredRun run = readResults(folder_->path("a.h5").toStdString());
+            QCOMPARE(run.problem, std::string());
+            QVERIFY(bytesOf("a.h5") == before || run.samples.time.back() >= 20e-3);
+        }
+        // Stopped in order before it has come anywhere.
+        QVERIFY(bytesOf("a.h5") == before || readResults(folder_->path("a.h5").toStdString()).status == "interrupted");
+    }
+
     void refusals_data()
     {
         QTest::addColumn<QStringList>("arguments");
@@ -169,6 +197,11 @@ private slots:
         add("another word", {"a.h5", "--resume=maybe"}, "maybe");
         add("no file", {"b.h5", "--resume"}, "b.h5");
         add("failed", {"failed.h5", "--resume"}, "the run has ended by itself");
+        add("the series over the file",
+            {"a.h5", "--resume", "--out", "b.h5", "--csv", "a.h5", "--set", "run.duration=2 ms"}, "a.h5");
+        add("a pad", {"pad.h5", "--resume", "--set", "run.duration=4 ms"}, "the way of a pad fills its duration");
+        add("a pad, to itself", {"pad.h5", "--resume", "--set", "run.duration=4 ms", "--out", "pad.h5"},
+            "name another file with --out");
     }
     void refusals()
     {
@@ -178,11 +211,12 @@ private slots:
         QCOMPARE(
             folder_->touchdown({"run", "fig12b", "--set", "springs.potential=as-printed", "--out", "failed.h5"}).code,
             1);
-        const QByteArray before = bytesOf("a.h5");
+        QCOMPARE(folder_->touchdown({"run", "contact_hertz", "--out", "pad.h5"}).code, 0);
+        const QByteArray before = bytesOf("a.h5"), pad = bytesOf("pad.h5");
         const Outcome o = folder_->touchdown(QStringList{"run"} + arguments);
         QCOMPARE(o.code, 2);
         QVERIFY2(o.err.contains(words.toUtf8()), o.err);
-        QCOMPARE(bytesOf("a.h5"), before);
+        QVERIFY(bytesOf("a.h5") == before && bytesOf("pad.h5") == pad);
     }
 
     void anotherMachineIsRefusedByName()
@@ -200,9 +234,29 @@ private slots:
         const Outcome allowed = folder_->touchdown(arguments + QStringList{"--resume=anyway"});
         QCOMPARE(allowed.code, 0);
         QVERIFY2(allowed.out.contains("a machine of others"), allowed.out);
+        // The mark stays.
+        const Outcome longer = folder_->touchdown({"run", "a.h5", "--set", "run.duration=3 ms", "--resume"});
+        QVERIFY2(longer.code == 0 && longer.out.contains("a machine of others"), longer.err);
         const Hdf5Access access;
         const std::string mark = openHdf5File(folder_->path("a.h5").toStdString()).attribute("continued");
         QVERIFY2(mark.find("a machine of others") != std::string::npos, mark.c_str());
+    }
+
+    void aStateOfAnotherLayoutIsNeverRead()
+    {
+        QCOMPARE(folder_->touchdown({"run", "fig10a", "--set", "run.duration=1 ms", "--out", "a.h5"}).code, 0);
+        {
+            const Hdf5Access access;
+            const Hdf5Group root = openHdf5File(folder_->path("a.h5").toStdString(), H5F_ACC_RDWR);
+            root.get("checkpoint/extends").set("layout", std::int64_t{1});
+        }
+        const QByteArray before = bytesOf("a.h5");
+        for (const char* resume : {"--resume", "--resume=anyway"}) {
+            const Outcome o = folder_->touchdown({"run", "a.h5", resume, "--set", "run.duration=2 ms"});
+            QCOMPARE(o.code, 2);
+            QVERIFY2(o.err.contains("cannot read its state"), o.err);
+            QCOMPARE(bytesOf("a.h5"), before);
+        }
     }
 
     void aDamagedStateIsRefused()
@@ -213,9 +267,10 @@ private slots:
             const Hdf5Group root = openHdf5File(folder_->path("a.h5").toStdString(), H5F_ACC_RDWR);
             root.get("checkpoint/extends").set("bytes", std::int64_t{64});
         }
-        const Outcome o =
-            folder_->touchdown({"run", "a.h5", "--resume", "--set", "run.duration=2 ms", "--out", "b.h5"});
+        const QByteArray before = bytesOf("a.h5");
+        const Outcome o = folder_->touchdown({"run", "a.h5", "--resume", "--set", "run.duration=2 ms"});
         QCOMPARE(o.code, 1);
+        QCOMPARE(bytesOf("a.h5"), before);
         QVERIFY2(o.err.contains("cannot be continued from its checkpoint"), o.err);
     }
 

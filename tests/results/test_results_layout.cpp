@@ -47,7 +47,7 @@ void TestResultsLayout::layout()
     const Hdf5Access access;
     const Hdf5Group file = openHdf5File(path());
     QCOMPARE(file.attribute("format"), std::string("touchdown-run"));
-    QCOMPARE(file.attribute("format_version"), std::string("1.3"));
+    QCOMPARE(file.attribute("format_version"), std::string("1.4"));
     const auto number = [&](const char* name) { return file.get(name).numbers().at(0); };
     const auto unit = [&](const char* name) { return file.get(name).attribute("unit"); };
     QCOMPARE(number("case/parameters/springs.cutoff"), 0.4e-9);

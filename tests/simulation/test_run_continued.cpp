@@ -224,6 +224,17 @@ private slots:
         QTest::addColumn<Make>("make");
         QTest::newRow("springs") << Make([] { return springs("fig10a", IntegratorKind::Dopri5); });
         QTest::newRow("springs, fixed steps") << Make([] { return springs("fig13b", IntegratorKind::Rk4Events); });
+        QTest::newRow("springs over waves") << Make([] {
+            Case c = springs("springs_waviness", IntegratorKind::Dopri5);
+            c.initial.flyingHeight = 33e-9;
+            return c;
+        });
+        QTest::newRow("springs over waves, contact") << Make([] {
+            Case c = springs("springs_waviness", IntegratorKind::Rk4Events);
+            c.contact = ContactKind::OnoYamane;
+            c.initial.flyingHeight = 90e-9;
+            return c;
+        });
         QTest::newRow("film") << Make([] { return film("film_pico", 150e-6, 0); });
         QTest::newRow("film, menisci") << Make([] { return film("advise_snap", 150e-6, 0); });
     }

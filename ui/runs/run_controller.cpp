@@ -5,6 +5,7 @@
 #include <exception>
 #include <limits>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "core/results/results_writer.h"
@@ -119,7 +120,7 @@ void RunWorker::openRecording(const std::vector<RecordedFields>& sets)
     ResultsWriter& writer = recorder_.emplace();
     const std::vector<Quantity> quantities = recordedQuantities(request_.value);
     report(request_.earlier ? writer.openAgain(request_.recordTo, request_.value, request_.caseText, quantities, sets,
-                                               request_.earlier->remark)
+                                               0.0, request_.earlier->remark)
                             : writer.open(request_.recordTo, request_.value, request_.caseText, quantities, sets));
 }
 
@@ -127,15 +128,18 @@ void RunWorker::postEarlier()
 {
     if (!request_.earlier) return;
     const EarlierRun& earlier = *request_.earlier;
+    const StoredCheckpoint& from = *earlier.states.back();
+    if (from.snapshots.size() != snapshots_.size()) throw std::runtime_error("its maps are not those of the run");
+    const double time = from.at.time, duration = request_.value.run.duration;
     const std::vector<RunEvent> none;
     const std::vector<FieldSnapshot> noMaps;
     for (const SampleBatch& part : earlier.samples)
-        post({earlier.from->at.time, request_.value.run.duration, part, none, noMaps}, {0, part.size(), {}, {}});
+        post({time, duration, part, none, noMaps}, {0, part.size(), {}, {}});
     const SampleBatch empty{{}, std::vector<std::vector<double>>(recordedQuantities(request_.value).size())};
-    post({earlier.from->at.time, request_.value.run.duration, empty, earlier.events, earlier.fields},
-         {0, 0, earlier.events, earlier.fields});
-    keep(earlier.from);
-    request_.options.from = {earlier.from, &earlier.from->at};
+    post({time, duration, empty, earlier.events, earlier.fields}, {0, 0, earlier.events, earlier.fields});
+    for (const auto& state : earlier.states) keep(state);
+    request_.options.from = {earlier.states.back(), &from.at};
+    pace_.begin(time);
     request_.earlier.reset();
 }
 
@@ -167,8 +171,8 @@ bool RunWorker::handOut(const RunUpdate& update)
         post(update, slice);
     }
     if (update.checkpoint)
-        keep(std::make_shared<const StoredCheckpoint>(
-            StoredCheckpoint{*update.checkpoint, checkpointLayout, thisMachine(), samples_, snapshots_}));
+        keep(std::make_shared<const StoredCheckpoint>(StoredCheckpoint{
+            *update.checkpoint, checkpointLayout, TOUCHDOWN_VERSION, thisMachine(), samples_, snapshots_}));
     if (update.time < update.duration) pace_.waitWhilePaused(stop_); // at the end all samples are handed out
     return !stop_.stop_requested();
 }
@@ -185,7 +189,8 @@ void RunWorker::post(const RunUpdate& update, const Slice& slice)
         for (const std::vector<double>& column : batch.columns) lastSample_.push_back(column[end - 1]);
     }
     samples_ += samples;
-    for (const FieldSnapshot& snapshot : fields) ++snapshots_[snapshot.set];
+    for (const FieldSnapshot& snapshot : fields)
+        if (snapshot.set < snapshots_.size()) ++snapshots_[snapshot.set];
     if (recorder_ && (samples > 0 || !fields.empty()))
         report(recorder_->append(samples > 0 ? part : SampleBatch{}, {fields.begin(), fields.end()}));
 

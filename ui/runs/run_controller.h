@@ -29,8 +29,8 @@ struct EarlierRun {
     std::vector<SampleBatch> samples;
     std::vector<RunEvent> events;
     std::vector<FieldSnapshot> fields;
-    std::shared_ptr<const StoredCheckpoint> from;
-    std::string remark; // see ContinuedRun
+    std::vector<std::shared_ptr<const StoredCheckpoint>> states; // see ContinuedRun; it continues from the last one
+    std::string remark;
 };
 
 struct RunRequest {

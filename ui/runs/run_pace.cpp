@@ -22,6 +22,8 @@ void RunPace::reset()
     shownTime_ = stepUntil_ = 0.0;
 }
 
+void RunPace::begin(double time) { shownTime_ = stepUntil_ = timeAnchor_ = time; }
+
 void RunPace::setPaused(bool paused)
 {
     {

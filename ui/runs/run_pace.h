@@ -34,6 +34,8 @@ public:
     std::optional<std::size_t> waitForSlice(std::span<const double> times, std::size_t begin, double duration,
                                             const std::stop_token& stop);
     void waitWhilePaused(const std::stop_token& stop);
+    /// Samples until a time have been handed out at once [s].
+    void begin(double time);
     /// Time of the last sample handed out [s].
     double shownTime() const { return shownTime_; }
 

@@ -99,6 +99,8 @@ void RunRecord::finish(const Summary& ended)
 {
     summary = ended;
     checkpoints.leave(ended.status);
+    // Of a run that continued a file, the summary alone knows the first ones.
+    if (events.size() < ended.events.size()) events = ended.events;
     times->shrink();
     for (MinMaxPyramid& column : columns) column.shrink();
 }
@@ -257,7 +259,7 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     record->file = file;
     record->identity = identity;
     record->fromFile = true;
-    record->softwareVersion = stored.softwareVersion;
+    record->continued = stored.continued;
     // What the record has is freed at once: a long run would be in memory twice.
     for (std::size_t i = 0; i < stored.samples.columns.size(); ++i) {
         record->columns[i].append(stored.samples.time, stored.samples.columns[i]);
@@ -277,8 +279,10 @@ std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QStri
     summary.verdict.swing = stored.swing;
     record->finish(summary);
     for (StoredCheckpoint& checkpoint : stored.checkpoints) {
-        auto& place = checkpoint.at.extends ? record->checkpoints.extends : record->checkpoints.newest;
-        place = std::make_shared<const StoredCheckpoint>(std::move(checkpoint));
+        const bool isFirst = &checkpoint == &stored.checkpoints.front(); // the latest
+        const auto shared = std::make_shared<const StoredCheckpoint>(std::move(checkpoint));
+        if (isFirst && summary.status != RunStatus::Completed) record->checkpoints.newest = shared;
+        if (shared->at.extends) record->checkpoints.extends = shared;
     }
     return record;
 }

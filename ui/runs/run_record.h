@@ -83,10 +83,10 @@ struct RunRecord : ListedRecord {
     std::vector<RunEvent> events;
     std::vector<FieldHistory> fields; // in the order of the sets
     std::optional<Summary> summary;
-    ResultsCheckpoints checkpoints;                  // from which it can be continued
-    std::string softwareVersion = TOUCHDOWN_VERSION; // that made it
-    bool fromFile = false;                           // it holds only a part of what its file did: no events, no figures
-    bool ofGuide = false;                            // of the lesson or of a demonstration: by a button or a slider
+    ResultsCheckpoints checkpoints; // from which it can be continued
+    std::string continued;          // which other version or machine began it; "" for none
+    bool fromFile = false;          // it holds only a part of what its file did: no events, no figures
+    bool ofGuide = false;           // of the lesson or of a demonstration: by a button or a slider
     QString caseProblem;      // why the case in its file cannot be read: `value` is not its case; empty: it was read
     bool interrupted = false; // read from a file whose writer was killed
 };

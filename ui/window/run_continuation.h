@@ -20,8 +20,9 @@ class RunWindow;
 struct RunRecord;
 
 struct RunContinuation {
-    QString problem;    // why it does not continue, in a sentence; empty if it does
-    RunRequest request; // else
+    QString problem;     // why it does not continue, in a sentence; empty if it does
+    RunRequest request;  // else
+    QString startsAgain; // why it does so from its beginning, in a part of a sentence; empty if it does not
 };
 /// As `edited` where that is the run's case with a longer run.duration, else as its own case.
 RunContinuation continuationOf(const RunRecord& run, const Case& edited);

@@ -62,7 +62,7 @@ public:
         bool hasNine = hasNine_;
         stream(hasNine, nineVolumes_);
         if (!stream.reads() || !hasNine) return;
-        if (nineVolumes_.size() != diagonal_.size()) return nineVolumes_.clear();
+        stream.require(nineVolumes_.size() == diagonal_.size());
         setNinePoints(false, nineVolumes_);
     }
 

@@ -158,7 +158,6 @@ void FilmStepper::linearise(FilmStepResult& result)
 
 void FilmStepper::linearise(const Linearised& at)
 {
-    if (!at.surface.empty() && at.surface.size() != p_.size()) return;
     film_.setSurface(at.surface);
     film_.setAttitude(at.attitude);
     film_.setStorage(linearisedPerTime_, at.history);

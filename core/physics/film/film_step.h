@@ -80,6 +80,7 @@ public:
         stream.fixed(at_.history);
         stream.fixed(at_.spread);
         stream(at_.surface, at_.attitude);
+        stream.require(at_.surface.empty() || at_.surface.size() == p_.size());
         if (stream.reads() && linearisedPerTime_ > 0.0) linearise(at_);
         stream(linear_);
     }

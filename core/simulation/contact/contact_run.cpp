@@ -109,6 +109,7 @@ private:
     {
         stream(*model_, figures_, station_, values_, started_, startsInContact_, away_, forces_, way_, hardest_,
                hardestTime_, closest_, doubts_, time_, largestForce_, widestBracket_, lastChange_, steps_, iterations_);
+        StateStream::require(values_.empty() || values_.size() == recorder_.quantities().size());
     }
 
     /// The way of the pad is spread over the duration, so that no longer run continues from it.

@@ -23,7 +23,7 @@ class FilmEnergyBalance {
 public:
     /// Film and body must last. `restEnergy`: of the air, from which it is counted [J].
     FilmEnergyBalance(const GasFilm& film, const SliderBody& body, double restEnergy)
-        : energy_(film), body_(body), rest_(restEnergy)
+        : energy_(film), body_(body), cells_(film.pad().size()), rest_(restEnergy)
     {}
 
     /// Sets the energy of the air.
@@ -31,7 +31,11 @@ public:
     /// Sets energy and gain after an accepted step from `before`.
     void add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point);
 
-    void pass(auto& stream) { stream(pressure_, surface_, flows_, shear_, lastPower_, earlierPower_, lastDt_); }
+    void pass(auto& stream)
+    {
+        stream(pressure_, surface_, flows_, shear_, lastPower_, earlierPower_, lastDt_);
+        stream.require(pressure_.size() == cells_ && (surface_.empty() || surface_.size() == cells_));
+    }
 
 private:
     /// Of flows, contact, shear and dampers at a point, whose flows and shear are the last ones [W].
@@ -39,6 +43,7 @@ private:
 
     FilmEnergy energy_;
     const SliderBody& body_;
+    std::size_t cells_;                           // padded
     double rest_;                                 // [J]
     std::vector<double> pressure_, surface_;      // at the last point, where the disk is not flat (padded) [Pa], [m]
     double flows_ = 0.0;                          // their power into the air there [W]

@@ -64,6 +64,7 @@ public:
     void pass(StateStream& stream)
     {
         stream(last_, earlier_, samples_, reached_, leastParts_, mostParts_, firstEnergy_, mostMissing_);
+        StateStream::require(samples_ >= 0);
     }
 
     /// The largest difference of change and gain of the energy, against the largest range of one of its parts [-].

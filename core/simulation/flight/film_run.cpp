@@ -62,7 +62,7 @@ public:
             recorder_->end();
             if (!run_.send(reached()) && end_.completed()) stop();
         }
-        Summary summary = recorder_ ? recorder_->summary(end_) : run_.summary(end_, 0.0);
+        Summary summary = recorder_ ? recorder_->summary(end_) : run_.summary(end_, reached());
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;

@@ -117,7 +117,7 @@ bool FilmScene::makeParts(std::shared_ptr<const FilmGaps> gaps, const std::funct
     return goOn();
 }
 
-void FilmScene::pass(StateStream& stream) { stream(warnings, bodyRest_, start, startSurface, restEnergy, atCells_); }
+void FilmScene::pass(StateStream& stream) { stream(warnings, bodyRest_, restEnergy, atCells_); }
 
 void FilmScene::store(StateStream& stream)
 {

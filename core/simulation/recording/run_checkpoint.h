@@ -9,7 +9,7 @@
 namespace touchdown {
 
 /// What a state consists of, as a number that changes with it.
-inline constexpr int checkpointLayout = 1;
+inline constexpr int checkpointLayout = 2;
 
 struct RunCheckpoint {
     double time = 0.0;    // reached [s]; all samples up to it were sent before

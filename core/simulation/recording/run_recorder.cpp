@@ -98,15 +98,14 @@ void RunRecorder::askForCheckpoint()
         nextCheckpoint_ = 0.0;
 }
 
-bool RunRecorder::sendState(double time, bool extends, std::string state)
+bool RunRecorder::sendState(double time, bool extends, std::string state, double begin)
 {
-    const double begin = wallClock();
+    checkpointCost_ = wallClock() - begin; // without the callback, which may wait for a person
     // The samples of the last tenth count otherwise than those before, and that is where the run ends.
     const RunCheckpoint checkpoint{time, extends && time < tail * duration_ - interval_, std::move(state)};
     if (callback_ && !callback_({time, duration_, samples_, newEvents_, fields_, &checkpoint})) stopped_ = true;
     lastSent_ = lastCheckpoint_ = wallClock();
-    checkpointCost_ = lastCheckpoint_ - begin;
-    secondsOutside_ += checkpointCost_;
+    secondsOutside_ += lastCheckpoint_ - begin;
     setNextCheckpoint(time);
     return !stopped_;
 }
@@ -115,6 +114,7 @@ void RunRecorder::pass(StateStream& stream)
 {
     Seconds soFar{before_.wall + wallClock() - begin_, before_.outside + secondsOutside_};
     stream(soFar, statistics_, extremes_, newestTime_, newest_, events_, droppedEvents_, firstDropped_);
+    StateStream::require(newest_.empty() || newest_.size() == quantities_.size());
     if (stream.reads()) before_ = soFar;
 }
 

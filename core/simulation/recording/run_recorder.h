@@ -77,10 +77,11 @@ public:
     bool sendCheckpoint(double time, bool extends, Pass&& pass)
     {
         if (!send(time)) return false;
+        const double begin = wallClock();
         StateStream stream;
         this->pass(stream);
         pass(stream);
-        return sendState(time, extends, stream.take());
+        return sendState(time, extends, stream.take(), begin);
     }
     /// Before the first sample: continues from a state. Throws StateMisfit.
     template <class Pass>
@@ -104,7 +105,7 @@ public:
 
 private:
     void pass(StateStream& stream);
-    bool sendState(double time, bool extends, std::string state);
+    bool sendState(double time, bool extends, std::string state, double begin);
     void setNextCheckpoint(double time);
 
     std::vector<Quantity> quantities_;

@@ -82,6 +82,9 @@ public:
         stream.fixed(extremes_);
         stream(motion_.spacing, motion_.least, motion_.most, motion_.touch, motion_.first, beforeSpectrum_, newestTime_,
                samples_);
+        const std::size_t count = motion_.spacing.size();
+        stream.require(motion_.least.size() == count && motion_.most.size() == count && motion_.touch.size() == count &&
+                       beforeSpectrum_ <= count);
     }
 
 private:

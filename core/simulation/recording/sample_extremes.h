@@ -25,7 +25,14 @@ public:
     const std::vector<double>& most() const { return most_; }
     /// Begins the next interval at the last point.
     void restart();
-    void pass(auto& stream) { stream(last_, before_, smoothPoints_, least_, most_); }
+    void pass(auto& stream)
+    {
+        stream(last_, before_, smoothPoints_);
+        stream.fixed(least_);
+        stream.fixed(most_);
+        for (const Point& point : {last_, before_})
+            stream.require(point.values.size() == quantities_ || (point.values.empty() && smoothPoints_ < 2));
+    }
 
 private:
     struct Point {

@@ -42,11 +42,11 @@ public:
     /// For the integrator, see core/numerics/switched_system.h.
     bool isCheckpointDue(double time) const { return run_.isCheckpointDue(time); }
     template <class Pass>
-    void sendCheckpoint(double time, Pass&& passIntegration)
+    void sendCheckpoint(double time, bool extends, Pass&& passIntegration)
     {
         flush();
         if (!goOn_) return;
-        if (!run_.sendCheckpoint(time, true, [&](StateStream& stream) { passIntegration(stream), pass(stream); }))
+        if (!run_.sendCheckpoint(time, extends, [&](StateStream& stream) { passIntegration(stream), pass(stream); }))
             stop();
     }
     template <class Pass>

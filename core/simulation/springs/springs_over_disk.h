@@ -60,6 +60,8 @@ public:
     Mode beyond(Mode mode, int guard, bool upper) const { return model_.beyond(mode, guard, upper); }
     bool isWall(int guard) const { return model_.isWall(guard); }
     State scale() const { return stateOf(model_.scale(), time_, 1.0); }
+    /// Its switches are located as in a run of any other duration.
+    State guardScale() const { return stateOf(model_.scale(), disk_.passage(), 1.0); }
     double longestStep() const { return disk_.longestStep(); }
     /// Also a wave of the disk may switch the contact on and off.
     double period(const State& y, Mode mode) const;

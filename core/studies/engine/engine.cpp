@@ -53,6 +53,20 @@ std::string replaced(std::string text, const std::string& what, const std::strin
     return text;
 }
 
+/// "1-5,8" of rising numbers: a command has a limited length.
+std::string rangesOf(const std::vector<std::size_t>& numbers)
+{
+    std::string text;
+    for (std::size_t first = 0; first < numbers.size();) {
+        std::size_t last = first;
+        while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) ++last;
+        text += (text.empty() ? "" : ",") + std::to_string(numbers[first]);
+        if (last > first) text += "-" + std::to_string(numbers[last]);
+        first = last + 1;
+    }
+    return text;
+}
+
 std::size_t linesIn(const fs::path& file)
 {
     std::ifstream in(file, std::ios::binary);
@@ -261,7 +275,7 @@ private:
     std::string submitWhatIsNotDone()
     {
         if (silentSince_ > 0.0 || process_) return {};
-        std::vector<std::string> numbers;
+        std::vector<std::size_t> numbers;
         std::vector<Part*> submitted;
         for (Part& part : parts_) {
             if (part.done || part.alive) {
@@ -270,7 +284,11 @@ private:
             }
             if (part.submitted) {
                 if (part.endedAt == 0.0) part.endedAt = wallClock();
-                if (wallClock() - part.endedAt < (task_.kind == EngineKind::Slurm ? latencyOfFiles : 0.0)) continue;
+                // What failed at once, such as a full disk, may pass.
+                const double pause = task_.kind == EngineKind::Slurm ? latencyOfFiles
+                                     : part.rows > part.rowsBefore   ? 0.0
+                                                                     : betweenLooks;
+                if (wallClock() - part.endedAt < pause) continue;
                 part.tries = part.rows > part.rowsBefore ? 0 : part.tries + 1;
                 if (part.tries >= task_.tries)
                     return "part " + std::to_string(part.number) + " ended " + std::to_string(part.tries) +
@@ -279,7 +297,7 @@ private:
                 tell_("part " + std::to_string(part.number) + " ended with " + std::to_string(part.rows) + " of " +
                       counted(part.items, "item") + "; submitted again");
             }
-            numbers.push_back(std::to_string(part.number));
+            numbers.push_back(part.number);
             submitted.push_back(&part);
         }
         if (numbers.empty()) return {};
@@ -292,7 +310,7 @@ private:
         return {};
     }
 
-    std::string submit(const std::vector<std::string>& numbers)
+    std::string submit(const std::vector<std::size_t>& numbers)
     {
         if (task_.kind != EngineKind::Slurm) {
             std::string command =
@@ -300,14 +318,16 @@ private:
             if (command.find("{script}") == std::string::npos && command.find("{parts}") == std::string::npos)
                 command += " {script} ::: {parts}";
             command = replaced(std::move(command), "{script}", "./part.sh");
-            command = replaced(std::move(command), "{parts}", joined(numbers, " "));
+            std::string list;
+            for (const std::size_t number : numbers) list += (list.empty() ? "" : " ") + std::to_string(number);
+            command = replaced(std::move(command), "{parts}", list);
             process_ = std::make_unique<ShellProcess>("cd " + shellWord(folder_.string()) + " && { " + command +
                                                       "\n} >> log/launcher.txt 2>&1");
             return {};
         }
         const ShellAnswer answer =
-            askShell("cd " + shellWord(folder_.string()) + " && sbatch --parsable --array=" + joined(numbers, ",") +
-                     " " + task_.options + " " + shellWord(script().string()));
+            askShell("cd " + shellWord(folder_.string()) + " && sbatch --parsable --array=" + rangesOf(numbers) + " " +
+                     task_.options + " " + shellWord(script().string()));
         if (answer.code != 0) return "sbatch refused the jobs: " + std::string(trimmed(answer.output));
         std::istringstream lines(answer.output);
         std::string job, line;

@@ -30,7 +30,8 @@ std::string shellWord(const std::string& text)
 ShellAnswer askShell(const std::string& command)
 {
     ShellAnswer answer;
-    std::FILE* const pipe = ::popen(("{ " + command + "\n} 2>&1").c_str(), "re");
+    // In a session of its own, so that Ctrl+C for this program does not end a command half-way.
+    std::FILE* const pipe = ::popen(("setsid -w sh -c " + shellWord(command) + " 2>&1").c_str(), "re");
     if (pipe == nullptr) return answer;
     std::array<char, 4096> block{};
     for (std::size_t count = 0; (count = std::fread(block.data(), 1, block.size(), pipe)) > 0;)

@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "core/studies/sweep/sweep_task.h"
+#include "core/studies/sweep/sweep_axis.h"
 
 namespace touchdown {
 

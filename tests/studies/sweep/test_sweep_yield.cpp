@@ -121,7 +121,8 @@ private slots:
         };
         const double surface = shareOf("surface"), exact = shareOf("items");
         QVERIFY(exact > 0.5 && exact < 0.8);
-        QVERIFY2(std::abs(surface - exact) <= 0.01, qPrintable(QString("%1 %2").arg(surface).arg(exact)));
+        QVERIFY2(std::lround(200.0 * std::abs(surface - exact)) <= 2, // 1 %
+                 qPrintable(QString("%1 %2").arg(surface).arg(exact)));
     }
 
     void whatToTightenFirst()
@@ -144,17 +145,27 @@ private slots:
     {
         Case c = sample("fig10a");
         c.run.duration = 50e-6;
-        const StudyReport report = performed(c, R"(
+        const std::string text = R"(
 [[axis]]
 key = "initial.flying_height"
 values = ["10 nm", "20 nm", "30 nm", "40 nm"]
 [[reading]]
 quantity = "flying_height"
 at = "most"
-most = "35 nm"
-)");
-        QVERIFY2(report.findings.front().starts_with("75 % of 4 points lie within all limits"),
-                 report.findings.front().c_str());
+)";
+        std::vector<double> values;
+        for (const auto& row : performed(c, text).tables.front().rows) values.push_back(number(row[1]));
+        std::ranges::sort(values);
+        QVERIFY(values[1] < values[2]);
+        const std::string limit = std::to_string(0.5e9 * (values[1] + values[2])) + " nm\"\n";
+        for (const auto& [line, share] : {std::pair{"most = \"" + limit, "50 %"},
+                                          {"least = \"" + limit, "50 %"},
+                                          {"least = \"1 nm\"\nmost = \"" + limit, "50 %"},
+                                          {std::string("least = \"1 nm\"\n"), "100 %"}}) {
+            const StudyReport report = performed(c, text + line);
+            QVERIFY2(report.findings.front().starts_with(share + std::string(" of 4 points lie within all limits")),
+                     report.findings.front().c_str());
+        }
     }
 
     void refuses_data()
