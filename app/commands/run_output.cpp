@@ -20,9 +20,11 @@ RunOutput::RunOutput(const CaseDocument& document, const Files& files, const Con
         const std::string text = updateCaseText(document.text, document.value);
         const std::vector<RecordedFields> fields = recordedFields(document.value);
         ResultsWriter& writer = results_.emplace();
-        problem_ = continued.from ? writer.openAgain(files.results, document.value, text, quantities_, fields,
-                                                     heldUntil, continued.remark)
-                                  : writer.open(files.results, document.value, text, quantities_, fields);
+        // What the file holds stays until the run has come as far.
+        problem_ = continued.from || !continued.startsAgain.empty()
+                       ? writer.openAgain(files.results, document.value, text, quantities_, fields, heldUntil,
+                                          continued.remark)
+                       : writer.open(files.results, document.value, text, quantities_, fields);
         spectra_.emplace(document.value, quantities_);
     }
 }

@@ -18,12 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isSameFile(const fs::path& a, const fs::path& b)
-{
-    std::error_code none;
-    return fs::equivalent(a, b, none);
-}
-
 /// A case file is a text, which does not begin so.
 bool isResultsFile(const fs::path& file)
 {
@@ -81,10 +75,7 @@ RunSource openRunSource(const CommandArguments& arguments)
         cutTo(*from, source.samples, source.fields);
         return source;
     }
-    const std::string& reason = source.continued.startsAgain;
-    if (arguments.out.empty() || isSameFile(arguments.out, arguments.name))
-        return refuse("does not continue, as " + reason + "; to start it again, name another file with --out");
-    complain("warning: " + arguments.name + ": the run starts again, as " + reason);
+    complain("warning: " + arguments.name + ": the run starts again, as " + source.continued.startsAgain);
     return source;
 }
 

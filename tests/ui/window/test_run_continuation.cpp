@@ -92,11 +92,11 @@ private slots:
         QCOMPARE(next.problem, QString());
         QVERIFY(next.request.earlier);
         QCOMPARE(next.request.value.run.duration, 2e-3);
-        const auto lasts = next.request.earlier->from->at.time;
+        const auto lasts = next.request.earlier->states.back()->at.time;
         QVERIFY(lasts > 0.4e-3 && lasts < 0.9e-3);
         std::size_t samples = 0;
         for (const SampleBatch& part : next.request.earlier->samples) samples += part.size();
-        QCOMPARE(samples, next.request.earlier->from->samples);
+        QCOMPARE(samples, next.request.earlier->states.back()->samples);
     }
 
     void theMenuOffersItOnlyForARun()
