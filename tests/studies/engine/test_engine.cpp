@@ -98,10 +98,12 @@ private slots:
     {
         const StudyPlan plan = study();
         const StudyReport whole = plan.perform(2, {});
-        put("sbatch", "#!/bin/bash\necho \"$@\" >> " + file("asked") + "\nn=$(cat " + file("count") +
-                          " 2>/dev/null || echo 0); n=$((n + 1)); echo $n > " + file("count") +
-                          "\nfor a in \"$@\"; do case $a in --array=*) list=${a#--array=};; esac; done\nfor k in "
-                          "${list//,/ }; do if ((n > 1 || k % 2)); then bash \"${@: -1}\" $k; fi; done\necho $n\n");
+        put("sbatch",
+            "#!/bin/bash\necho \"$@\" >> " + file("asked") + "\nn=$(cat " + file("count") +
+                " 2>/dev/null || echo 0); n=$((n + 1)); echo $n > " + file("count") +
+                "\nfor a in \"$@\"; do case $a in --array=*) list=${a#--array=};; esac; done\nfor k in $(for r in "
+                "${list//,/ }; do seq ${r%-*} ${r#*-}; done); do if ((n > 1 || k % 2)); then bash \"${@: -1}\" $k; fi; "
+                "done\necho $n\n");
         put("squeue", "#!/bin/bash\necho 'slurm_load_jobs error: Invalid job id specified' >&2; exit 1\n");
         const QByteArray path = qgetenv("PATH");
         qputenv("PATH", QByteArray::fromStdString(folder_->path().toStdString()) + ":" + path);
@@ -115,7 +117,7 @@ private slots:
         QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
         QVERIFY(report.tables[0].rows == whole.tables[0].rows);
         QCOMPARE(told, std::vector<std::string>{"part 2 ended with 0 of 4 items; submitted again"});
-        QVERIFY2(read("asked").contains("--array=1,2,3 --time=1:00:00"), read("asked"));
+        QVERIFY2(read("asked").contains("--array=1-3 --time=1:00:00"), read("asked"));
         QVERIFY2(read("asked").contains("--array=2 --time=1:00:00"), read("asked"));
     }
 

@@ -208,7 +208,8 @@ private slots:
     void anyKey()
     {
         std::size_t keys = 0, refused = 0;
-        for (const char* name : {"fig10a", "springs_waviness", "film_pico", "fig02_case_2_moving", "contact_adhesion"}) {
+        for (const char* name :
+             {"fig10a", "springs_waviness", "film_pico", "fig02_case_2_moving", "contact_adhesion"}) {
             const Case c = sample(name);
             for (const Parameter& parameter : parameters()) {
                 const bool varies = parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::Choice;
