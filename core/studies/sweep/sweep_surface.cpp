@@ -25,7 +25,8 @@ std::vector<std::vector<double>> surfaceDesign(const std::vector<SweepAxis>& axe
 {
     std::vector<double> middle, upper;
     for (const SweepAxis& axis : axes) {
-        middle.push_back(axis.deviation > 0.0 ? std::clamp(axis.mean, axis.from, axis.to) : axis.at(0.5).number);
+        const bool hasMean = axis.deviation > 0.0 && axis.mean > axis.from && axis.mean < axis.to;
+        middle.push_back(hasMean ? axis.mean : axis.at(0.5).number);
         upper.push_back(std::min(middle.back() + sides * deviationOf(axis), axis.to));
     }
     std::vector<std::vector<double>> design{middle};

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -137,15 +139,17 @@ void addShare(const SweepTask& task, const Values& values, const std::string& wh
                                std::to_string(values.size()) + " " + what + " lie within all limits.");
 }
 
-/// One surface for each reading that is a number.
+/// One surface for each reading but stated errors.
 class Surfaces {
 public:
     Surfaces(const SweepTask& task, const ItemRows& rows) : task_(task)
     {
         for (std::size_t r = 0; r < task.readings.size(); ++r) {
+            std::optional<ResponseSurface>& surface = surfaces_.emplace_back();
+            if (task.readings[r].isError) continue;
             std::vector<double> values;
             for (const auto& row : rows) values.push_back(std::get<double>((*row)[r]));
-            surfaces_.emplace_back(task.design, values);
+            surface.emplace(task.design, values);
         }
         for (const std::vector<double>& point : task.points) {
             std::vector<double>& x = drawn_.emplace_back();
@@ -156,7 +160,8 @@ public:
     std::vector<double> at(std::span<const double> x) const
     {
         std::vector<double> values;
-        for (const ResponseSurface& surface : surfaces_) values.push_back(surface.at(x));
+        for (const auto& surface : surfaces_)
+            values.push_back(surface ? surface->at(x) : std::numeric_limits<double>::quiet_NaN());
         return values;
     }
 
@@ -173,7 +178,7 @@ public:
 
 private:
     const SweepTask& task_;
-    std::vector<ResponseSurface> surfaces_;
+    std::vector<std::optional<ResponseSurface>> surfaces_;
     std::vector<std::vector<double>> drawn_; // the numbers of each sample, by axis [units of the axes]
 };
 
@@ -264,9 +269,9 @@ StudyReport surfaceReport(const SweepTask& task, const ItemRows& rows)
     report.tables.push_back(itemTable(task, rows));
     if (!std::ranges::all_of(rows, [](const auto& row) { return row.has_value(); })) return report;
     for (const auto& row : rows) {
-        const bool whole =
-            std::ranges::all_of(std::span(*row).first(task.readings.size()),
-                                [](const StudyValue& value) { return std::holds_alternative<double>(value); });
+        bool whole = true;
+        for (std::size_t r = 0; r < task.readings.size(); ++r)
+            whole = whole && (task.readings[r].isError || std::holds_alternative<double>((*row)[r]));
         const auto* problem = std::get_if<std::string>(&row->back());
         if (whole && (problem == nullptr || problem->empty())) continue;
         report.status = StudyStatus::Failed;

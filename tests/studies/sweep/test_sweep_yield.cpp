@@ -141,6 +141,40 @@ private slots:
         QVERIFY(report.charts.size() == 2 && !report.charts.front().panels.front().series.front().points.empty());
     }
 
+    /// A normal distribution that is cut off at its mean still has points on both sides of its middle.
+    void aMiddleHasTwoSides()
+    {
+        SweepAxis axis;
+        axis.from = axis.mean = 1.0;
+        axis.to = 3.0;
+        axis.deviation = 0.5;
+        const std::vector<std::vector<double>> design = surfaceDesign({axis}, 1);
+        QVERIFY(design[1][0] < design[0][0] && design[0][0] < design[2][0]);
+        QVERIFY(design[1][0] >= 1.0 && design[2][0] <= 3.0);
+    }
+
+    /// An item may not know its error, and the surface needs none.
+    void statedErrorsMayBeMissing()
+    {
+        std::mt19937 draw(1);
+        SweepTask task;
+        task.axes = drawnAxes(2, draw);
+        task.readings = {{.quantity = {"spacing", "m", "nm", "Spacing"}},
+                         {.quantity = {"spacing", "m", "nm", "Spacing"}, .isError = true}};
+        task.limits.resize(2);
+        task.samples = SweepSamples{.count = 50, .bySurface = true};
+        task.points = samplePoints(SampleMethod::Random, 2, 50, 1);
+        task.design = surfaceDesign(task.axes, 1);
+        ItemRows rows;
+        for (const std::vector<double>& item : task.design)
+            rows.push_back(ItemRow{1.0 + item[0] - item[1], StudyValue(), std::string()});
+        const StudyReport report = surfaceReport(task, rows);
+        QVERIFY2(report.status == StudyStatus::Completed, report.message.c_str());
+        QCOMPARE(tableOf(report, "spread").rows.size(), std::size_t(1));
+        rows[3]->front() = StudyValue();
+        QCOMPARE(surfaceReport(task, rows).status, StudyStatus::Failed);
+    }
+
     void limitsOfAGrid()
     {
         Case c = sample("fig10a");
