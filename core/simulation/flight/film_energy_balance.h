@@ -13,6 +13,7 @@
 #pragma once
 
 #include "core/physics/film/film_energy.h"
+#include "core/physics/film/gas_film.h"
 #include "core/simulation/flight/film_point.h"
 
 namespace touchdown {
