@@ -18,7 +18,19 @@ public:
     /// `shortcuts` as rows of a table, in HTML.
     explicit HelpWindow(const QString& shortcuts, QWidget* parent = nullptr);
 
-    enum class Page { Use, Equations, AirFilm, Contact, Results, Paper, Glossary, Parameters, Readings, Shortcuts, About };
+    enum class Page {
+        Use,
+        Equations,
+        AirFilm,
+        Contact,
+        Results,
+        Paper,
+        Glossary,
+        Parameters,
+        Readings,
+        Shortcuts,
+        About
+    };
     Q_ENUM(Page)
     void open(Page page);
     QString text() const { return browser_->toPlainText(); }

@@ -320,8 +320,7 @@ void TestMainWindow::opensHelp()
         QVERIFY2(help->text().contains(QString::fromStdString(parameter.key)), parameter.key.c_str());
     help->open(HelpWindow::Page::Readings);
     for (const ReadingRow& row : allReadings())
-        QVERIFY2(help->text().contains(QString::fromStdString(row.what.quantity.name)),
-                 row.what.quantity.name.c_str());
+        QVERIFY2(help->text().contains(QString::fromStdString(row.what.quantity.name)), row.what.quantity.name.c_str());
     help->open(HelpWindow::Page::Shortcuts);
     QVERIFY(help->text().contains(QStringLiteral("F5")));
     help->open(HelpWindow::Page::About);
