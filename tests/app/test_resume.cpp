@@ -120,11 +120,9 @@ private slots:
     {
         QProcess process;
         process.setWorkingDirectory(folder_->path());
-        process.start(TOUCHDOWN_COMMAND, {"run", "contact_pull_off", "--out", "a.h5", "--csv", "a.csv", "--checkpoint",
-                                          "0", "--progress"});
-        process.setReadChannel(QProcess::StandardError);
-        QVERIFY(process.waitForReadyRead(20000));
-        QTest::qWait(300);
+        process.start(TOUCHDOWN_COMMAND,
+                      {"run", "contact_pull_off", "--out", "a.h5", "--csv", "a.csv", "--checkpoint", "0"});
+        QTRY_VERIFY(!readResults(folder_->path("a.h5").toStdString()).checkpoints.empty());
         QCOMPARE(::kill(static_cast<pid_t>(process.processId()), SIGTERM), 0);
         QCOMPARE(outcome(process).code, 1);
         const Outcome o = folder_->touchdown({"run", "a.h5", "--resume", "--csv", "a.csv"});
@@ -232,11 +230,7 @@ private slots:
     void anotherMachineIsRefusedByName()
     {
         QCOMPARE(folder_->touchdown({"run", "fig10a", "--set", "run.duration=1 ms", "--out", "a.h5"}).code, 0);
-        {
-            const Hdf5Access access;
-            const Hdf5Group root = openHdf5File(folder_->path("a.h5").toStdString(), H5F_ACC_RDWR);
-            root.get("checkpoint/extends").set("machine", "a machine of others");
-        }
+        changeState("machine", "a machine of others");
         const QStringList arguments{"run", "a.h5", "--set", "run.duration=2 ms"};
         const Outcome refused = folder_->touchdown(arguments + QStringList{"--resume"});
         QCOMPARE(refused.code, 2);
@@ -255,11 +249,7 @@ private slots:
     void aStateOfAnotherLayoutIsNeverRead()
     {
         QCOMPARE(folder_->touchdown({"run", "fig10a", "--set", "run.duration=1 ms", "--out", "a.h5"}).code, 0);
-        {
-            const Hdf5Access access;
-            const Hdf5Group root = openHdf5File(folder_->path("a.h5").toStdString(), H5F_ACC_RDWR);
-            root.get("checkpoint/extends").set("layout", std::int64_t{1});
-        }
+        changeState("layout", std::int64_t{1});
         const QByteArray before = bytesOf("a.h5");
         for (const char* resume : {"--resume", "--resume=anyway"}) {
             const Outcome o = folder_->touchdown({"run", "a.h5", resume, "--set", "run.duration=2 ms"});
@@ -272,11 +262,7 @@ private slots:
     void aDamagedStateIsRefused()
     {
         QCOMPARE(folder_->touchdown({"run", "fig10a", "--set", "run.duration=1 ms", "--out", "a.h5"}).code, 0);
-        {
-            const Hdf5Access access;
-            const Hdf5Group root = openHdf5File(folder_->path("a.h5").toStdString(), H5F_ACC_RDWR);
-            root.get("checkpoint/extends").set("bytes", std::int64_t{64});
-        }
+        changeState("bytes", std::int64_t{64});
         const QByteArray before = bytesOf("a.h5");
         const Outcome o = folder_->touchdown({"run", "a.h5", "--resume", "--set", "run.duration=2 ms"});
         QCOMPARE(o.code, 1);
@@ -285,6 +271,15 @@ private slots:
     }
 
 private:
+    /// An attribute of the state in a.h5.
+    template <class Value>
+    void changeState(const char* attribute, Value value)
+    {
+        const Hdf5Access access;
+        const Hdf5Group root = openHdf5File(folder_->path("a.h5").toStdString(), H5F_ACC_RDWR);
+        root.get("checkpoint/extends").set(attribute, value);
+    }
+
     /// Starts the program and ends it with kill -9 after so many ms.
     void kill(const QStringList& arguments, int after)
     {
