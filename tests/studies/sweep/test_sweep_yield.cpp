@@ -6,6 +6,7 @@
 
 #include <QTest>
 
+#include "core/formats/units.h"
 #include "core/studies/study_plan.h"
 #include "core/studies/sweep/sweep_surface.h"
 #include "tests/support/sample_case.h"
@@ -117,7 +118,12 @@ private slots:
         const auto shareOf = [&](const std::string& by) {
             const StudyReport report =
                 performed(c, text + "[samples]\nmethod = \"sobol\"\ncount = 200\nby = \"" + by + "\"\n" + reading);
-            return number(tableOf(report, "spread").rows[0][7]);
+            const double share = number(tableOf(report, "spread").rows[0][7]);
+            // With what as many other samples may give, in 95 % of the draws.
+            const std::string may = "+- " + fewDigits(196.0 * std::sqrt(share * (1.0 - share) / 200.0), "", 2) + " %";
+            const std::string& finding = report.findings.front();
+            if (finding.find(may) == std::string::npos) qFatal("%s has no %s", finding.c_str(), may.c_str());
+            return share;
         };
         const double surface = shareOf("surface"), exact = shareOf("items");
         QVERIFY(exact > 0.5 && exact < 0.8);
