@@ -3,21 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <memory>
 #include <utility>
 
 #include "core/case/contact_check.h"
 #include "core/case/contact_law.h"
+#include "core/formats/decimal.h"
 #include "core/formats/units.h"
 #include "core/simulation/contact/elastic_pad.h"
 #include "core/simulation/contact/pad_way.h"
 #include "core/simulation/run.h"
 #include "core/studies/convergence/film_convergence_report.h"
 #include "core/studies/convergence/film_convergence_task.h"
-#include "core/studies/runs/work_done.h"
-#include "core/studies/study/growing_report.h"
+#include "core/studies/runs/case_content.h"
 #include "core/studies/study/study_reader.h"
-#include "core/work/parallel.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -28,6 +27,7 @@ namespace {
 constexpr double highestOrder = 3.0;
 /// Steps from the start to the closest approach where the state depends on how it was reached.
 constexpr int stepsOfAdhesion = 40;
+const std::string notSolved = "not solved";
 
 /// The cell of the last but one level is that of the case.
 double cellOf(const Case& c, int level, int levels) { return std::ldexp(c.elastic.cell, levels - 2 - level); }
@@ -150,16 +150,36 @@ StudyTable observedOf(const ConvergenceStudy& study)
     return table;
 }
 
-StudyReport perform(const Case& start, ConvergenceOptions options, int jobs, const StudyCallback& callback)
+std::vector<ConvergenceLevel> openLevels(const Case& c, int count)
 {
-    options.jobs = jobs;
-    int told = 0;
-    const auto done = [&](int solved, double share, const ConvergenceStudy& study) {
-        return tellProgress(callback,
-                            {share, std::to_string(solved) + " of " + std::to_string(options.levels) + " levels"},
-                            std::exchange(told, solved) < solved, [&] { return convergenceReport(study); });
+    std::vector<ConvergenceLevel> levels(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        levels[std::size_t(i)].cell = cellOf(c, i, count);
+        levels[std::size_t(i)].problem = notSolved;
+    }
+    return levels;
+}
+
+/// Problem, cells, iterations, seconds, then the values.
+ItemRow rowOf(const ConvergenceLevel& level)
+{
+    ItemRow row{level.problem, double(level.cells), double(level.iterations), level.seconds};
+    for (const double value : level.values) row.push_back(known(std::isfinite(value), value));
+    return row;
+}
+
+void take(const ItemRow& row, ConvergenceLevel& level)
+{
+    const auto number = [&](std::size_t i) {
+        const auto* value = std::get_if<double>(&row[i]);
+        return value == nullptr ? 0.0 : *value;
     };
-    return convergenceReport(studyConvergence(start, options, done));
+    const auto* problem = std::get_if<std::string>(&row[0]);
+    level.problem = problem == nullptr ? "" : *problem;
+    level.cells = std::llround(number(1));
+    level.iterations = std::llround(number(2));
+    level.seconds = number(3);
+    for (std::size_t i = 4; i < row.size(); ++i) level.values.push_back(number(i));
 }
 
 } // namespace
@@ -177,7 +197,7 @@ ObservedOrder observedOrder(double coarse, double middle, double fine)
     return {order, fine + correction, std::abs(correction)};
 }
 
-std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options)
+std::string reasonNotToConverge(const Case& c, int levels)
 {
     if (c.model == ModelKind::Springs)
         return "is of model \"springs\", which has no grid; run.step_check compares a run with one of half its time "
@@ -185,9 +205,9 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
     if (!contactLaw(c).recordsSurfaces)
         return "has a contact law without a grid; a convergence study takes contact \"elastic\", or a film";
     if (std::string reason = reasonNotToRun(c); !reason.empty()) return reason;
-    for (int level = 0; level < options.levels; ++level) {
+    for (int level = 0; level < levels; ++level) {
         Case at = c;
-        at.elastic.cell = cellOf(c, level, options.levels);
+        at.elastic.cell = cellOf(c, level, levels);
         std::vector<CaseProblem> problems;
         checkPatch(at, problems);
         if (!problems.empty())
@@ -197,48 +217,44 @@ std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options
     return {};
 }
 
-ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options, const LevelsDone& done)
+ConvergenceStudy convergenceOf(const Case& c, int levels, const ItemRows& rows)
 {
     ConvergenceStudy study;
     study.separation = c.approach.closest;
     study.quantities = studied(c);
-    for (int level = 0; level < options.levels; ++level) {
-        study.levels.emplace_back();
-        study.levels.back().cell = cellOf(c, level, options.levels);
-        study.levels.back().problem = "not solved";
-    }
-    // The finest takes longest and goes first: it has four times the cells of the next one.
-    std::vector<double> costs;
-    for (int level = options.levels; level-- > 0;) costs.push_back(std::pow(4.0, level));
-    WorkDone work(std::move(costs));
-    std::mutex mutex; // of the levels
-    const auto solve = [&](std::size_t i, const GoOn& goOn) {
-        const std::size_t at = study.levels.size() - 1 - i;
-        ConvergenceLevel level = solveLevel(c, study.levels[at].cell, goOn);
-        work.teller(i)(1.0);
-        const std::lock_guard lock(mutex);
-        study.levels[at] = std::move(level);
-    };
-    const auto poll = [&](std::size_t count) {
-        const std::lock_guard lock(mutex);
-        return !done || done(static_cast<int>(count), work.share(), study);
-    };
-    if (!runParallel(study.levels.size(), options.jobs, solve, poll)) study.status = StudyStatus::Cancelled;
-    if (study.status == StudyStatus::Cancelled) {
-        study.message = "stopped before all levels were solved";
-        return study;
-    }
+    study.levels = openLevels(c, levels);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i]) take(*rows[i], study.levels[i]);
     for (const ConvergenceLevel& level : study.levels) {
-        if (level.problem.empty()) continue;
+        if (level.problem.empty() || level.problem == notSolved) continue;
         study.status = StudyStatus::Failed;
         study.message = "cells of " + formatQuantity(level.cell, "um") + ": " + level.problem;
         return study;
     }
+    if (!std::ranges::all_of(rows, &std::optional<ItemRow>::has_value)) return study;
     const std::size_t last = study.levels.size() - 1;
     for (std::size_t i = 0; i < study.quantities.size(); ++i)
         study.observed.push_back(observedOrder(study.levels[last - 2].values[i], study.levels[last - 1].values[i],
                                                study.levels[last].values[i]));
     return study;
+}
+
+ItemStudy convergenceItems(const Case& c, int levels)
+{
+    const auto contents = std::make_shared<CaseContent>();
+    const auto cellAt = [c, levels](std::size_t i) { return cellOf(c, int(i), levels); };
+    return {
+        .count = std::size_t(levels),
+        .width = 4 + studied(c).size(),
+        .content = [c, cellAt,
+                    contents](std::size_t i) { return "level " + decimalText(cellAt(i)) + "\n" + contents->of(c); },
+        .solve = [c, cellAt](std::size_t i, const GoOn& goOn, const ShareTeller&) -> std::optional<ItemRow> {
+            const ConvergenceLevel level = solveLevel(c, cellAt(i), goOn);
+            return goOn() ? std::optional(rowOf(level)) : std::nullopt;
+        },
+        .report = [c, levels](const ItemRows& rows) { return convergenceReport(convergenceOf(c, levels, rows)); },
+        .cost = [](std::size_t i) { return std::pow(4.0, double(i)); }, // as many cells
+    };
 }
 
 StudyReport convergenceReport(const ConvergenceStudy& study)
@@ -254,27 +270,24 @@ StudyReport convergenceReport(const ConvergenceStudy& study)
     return report;
 }
 
-StudyPerformance planConvergence(StudyReader& reader)
+StudyWork planConvergence(StudyReader& reader)
 {
     if (reader.start().model == ModelKind::Film)
-        return [task = readFilmConvergence(reader)](int jobs, const StudyCallback& callback) {
+        return StudyPerformance([task = readFilmConvergence(reader)](int jobs, const StudyCallback& callback) {
             const auto report = [&](const FilmConvergence& study) { return filmConvergenceReport(task, study); };
             return report(performFilmConvergence(task, jobs, callback, report));
-        };
-    ConvergenceOptions options;
-    options.levels = reader.integer("levels");
-    if (const std::string reason = reasonNotToConverge(reader.start(), options); !reason.empty())
+        });
+    const int levels = reader.integer("levels");
+    if (const std::string reason = reasonNotToConverge(reader.start(), levels); !reason.empty())
         reader.add("case", reason);
-    return [start = reader.start(), options](int jobs, const StudyCallback& callback) {
-        return perform(start, options, jobs, callback);
-    };
+    return convergenceItems(reader.start(), levels);
 }
 
 StudyForm convergenceForm(const Case& c)
 {
     if (c.model == ModelKind::Film) return filmConvergenceForm(c);
     return {.keys = {integerKey(
-                "levels", ConvergenceOptions{}.levels, fewestLevels, mostLevels,
+                "levels", standardLevels, fewestLevels, mostLevels,
                 "of a contact case: cells of each level are half as large; the last level but one has its own")}};
 }
 

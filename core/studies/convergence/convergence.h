@@ -9,13 +9,12 @@
 // last two differences stands for the error.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/simulation/recording/quantity.h"
-#include "core/studies/study/study.h"
+#include "core/studies/study/item_study.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
@@ -24,11 +23,7 @@ class StudyReader;
 
 inline constexpr int fewestLevels = 3;
 inline constexpr int mostLevels = 6;
-
-struct ConvergenceOptions {
-    int levels = 4; // fewestLevels..mostLevels; the last but one has the cell of the case
-    int jobs = 1;   // levels solved at a time
-};
+inline constexpr int standardLevels = 4; // the last but one has the cell of the case
 
 struct ConvergenceLevel {
     double cell = 0.0;          // [m]
@@ -56,17 +51,17 @@ struct ConvergenceStudy {
 };
 
 /// Why a valid case without a film cannot be studied so, in a sentence; "" when it can.
-std::string reasonNotToConverge(const Case& c, const ConvergenceOptions& options);
+std::string reasonNotToConverge(const Case& c, int levels);
 
-/// `done` receives how many levels are solved, the share of the work and the levels so far, and stops the study by
-/// returning false. Called on the thread of the study.
-using LevelsDone = std::function<bool(int solved, double share, const ConvergenceStudy& soFar)>;
-ConvergenceStudy studyConvergence(const Case& c, const ConvergenceOptions& options, const LevelsDone& done = {});
+/// An item for each level, from coarse to fine.
+ItemStudy convergenceItems(const Case& c, int levels);
+/// Of the levels that are there; orders only where all are.
+ConvergenceStudy convergenceOf(const Case& c, int levels, const ItemRows& rows);
 
 StudyReport convergenceReport(const ConvergenceStudy& study);
 
 /// Of a contact case as above; of a film case that of film_convergence.h.
-StudyPerformance planConvergence(StudyReader& reader);
+StudyWork planConvergence(StudyReader& reader);
 StudyForm convergenceForm(const Case& c);
 
 } // namespace touchdown

@@ -10,6 +10,7 @@
 
 #include "core/case/case_key.h"
 #include "core/studies/runs/measured_run.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 

@@ -16,10 +16,10 @@
 #include "core/simulation/equilibria/spring_equilibria.h"
 #include "core/simulation/run.h"
 #include "core/studies/hysteresis/hysteresis_report.h"
-#include "core/studies/runs/work_done.h"
 #include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
 #include "core/work/parallel.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 

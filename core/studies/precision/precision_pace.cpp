@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/studies/precision/precision_task.h"
+#include "core/studies/runs/expected_cost.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {

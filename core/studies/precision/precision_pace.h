@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The time that a study of accuracy against speed still takes: the expected cost of each run that is to be made
-// (work_done.h), at the pace of the runs so far. The references come first, several at a time; then each point once,
-// and the repeats of the short ones, one at a time.
+// (expected_cost.h), at the pace of the runs so far. The references come first, several at a time; then each point
+// once, and the repeats of the short ones, one at a time.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 #include <vector>
 
-#include "core/studies/runs/work_done.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 
+struct Case;
 struct PrecisionTask;
 
 class PrecisionPace {

@@ -11,6 +11,7 @@
 #include "core/studies/precision/precision_pace.h"
 #include "core/studies/precision/precision_task.h"
 #include "core/work/wall_clock.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 

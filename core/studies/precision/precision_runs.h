@@ -45,7 +45,7 @@ struct PrecisionRuns {
     ProvenReference reference;
     std::vector<TrajectoryError> uncertainty; // what the reference does not know, as PrecisionPoint::errors
     std::vector<PrecisionPoint> points;       // method by method
-    double secondsPerCost = 0.0;              // wall time of a run of unit cost (work_done.h) [s]
+    double secondsPerCost = 0.0;              // wall time of a run of unit cost (expected_cost.h) [s]
     bool late = false;                        // the budget was spent before
     bool referencesLate =
         false; // not all of the runs that may prove the reference, or its end, ended in their share of the budget

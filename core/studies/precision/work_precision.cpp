@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/studies/precision/work_precision.h"
+#include "core/studies/runs/expected_cost.h"
 
 #include <algorithm>
 #include <memory>

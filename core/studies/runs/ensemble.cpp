@@ -11,9 +11,11 @@
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
+#include "core/studies/runs/expected_cost.h"
 #include "core/studies/runs/swept_method.h"
 #include "core/studies/study/study.h"
 #include "core/work/parallel.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/simulation/recording/run_summary.h"
-#include "core/studies/runs/work_done.h"
 #include "core/work/parallel.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 

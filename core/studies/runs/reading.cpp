@@ -182,7 +182,8 @@ bool needsSamples(ReadAt at)
     return at == ReadAt::Tail || at == ReadAt::Swing || at == ReadAt::Rms || at == ReadAt::Mean;
 }
 
-std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& readings, const GoOn& goOn)
+std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& readings, const GoOn& goOn,
+                                    const ShareTeller& tell)
 {
     CaseReadings result;
     result.values.resize(readings.size());
@@ -194,7 +195,7 @@ std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& r
     for (const Reading& each : readings)
         if (needsSamples(each.at) && std::ranges::find(sampled, each.quantity.name) == sampled.end())
             sampled.push_back(each.quantity.name);
-    const MeasuredRun run = measureRun(c, sampled, goOn);
+    const MeasuredRun run = measureRun(c, sampled, goOn, {}, tell);
     if (run.summary.status == RunStatus::Cancelled) return {};
     if (!run.valid()) {
         result.problem = run.summary.message;
@@ -374,7 +375,7 @@ std::vector<Reading> withErrors(Calculation calculation, const Case& c, const st
 }
 
 std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, const std::vector<Reading>& readings,
-                                     const GoOn& goOn)
+                                     const GoOn& goOn, const ShareTeller& tell)
 {
     for (const CaseProblem& wrong : checkCombinations(c)) {
         CaseReadings refused;
@@ -383,7 +384,7 @@ std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, con
         return refused;
     }
     auto found =
-        calculation == Calculation::Run ? readRun(c, readings, goOn) : readState(c, calculation, readings, goOn);
+        calculation == Calculation::Run ? readRun(c, readings, goOn, tell) : readState(c, calculation, readings, goOn);
     if (!found || !found->problem.empty()) return found;
     for (std::size_t i = 0; i < readings.size(); ++i) {
         if (!std::holds_alternative<std::monostate>(found->values[i])) continue;

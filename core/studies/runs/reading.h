@@ -85,6 +85,6 @@ struct CaseReadings {
 /// Calculates the case, also one whose values contradict each other, which is a problem of it. Nothing where it was
 /// told to end.
 std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, const std::vector<Reading>& readings,
-                                     const GoOn& goOn);
+                                     const GoOn& goOn, const ShareTeller& tell = {});
 
 } // namespace touchdown

@@ -17,67 +17,35 @@
 #include "core/studies/stability/stability_map.h"
 #include "core/studies/stability/stability_picture.h"
 #include "core/studies/stability/stability_report.h"
+#include "core/studies/study/growing_report.h"
 #include "core/studies/study/study_reader.h"
-#include "core/work/wall_clock.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double pictureShare = 0.02;   // of the time, before a map
-constexpr double longestSilence = 0.03; // between calls [s]
-
-StudyReport cancelled(StudyReport report)
+/// Adds what became of the runs before the linear picture, which explains it.
+StudyReport withMap(StudyReport report, const StabilityTask& task, const StabilityMap& map, bool whole)
 {
-    report.status = StudyStatus::Cancelled;
-    report.message = "stopped before all runs were made";
+    StudyReport runs;
+    if (whole) tellMap(task, map, runs);
+    report.findings.insert(report.findings.begin(), runs.findings.begin(), runs.findings.end());
+    report.warnings.insert(report.warnings.begin(), runs.warnings.begin(), runs.warnings.end());
+    report.charts.push_back(mapChart(task, map));
+    std::vector<StudyTable> tables = mapTables(task, map);
+    report.tables.insert(report.tables.begin(), tables.begin(), tables.end());
     return report;
 }
 
-StudyReport perform(const StabilityTask& task, int jobs, const StudyCallback& callback)
+/// The report of the linear picture; nothing where it was told to end.
+std::optional<StudyReport> pictureOf(const StabilityTask& task, const GoOn& goOn)
 {
     StudyReport report;
-    double lastCall = 0.0;
-    const auto tell = [&](double share, const std::string& doing, const StudyReport* soFar) {
-        lastCall = wallClock();
-        return !callback || callback({share, doing, soFar});
-    };
-    if (task.picture) {
-        const auto goOn = [&] {
-            return wallClock() - lastCall < longestSilence || tell(0.0, "linear picture", nullptr);
-        };
-        if (!makeLinearPicture(task.start, report, goOn)) return cancelled({});
-        if (const std::string reason = std::exchange(report.message, {}); !reason.empty()) {
-            report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + reason + ".");
-            report.status = task.map ? StudyStatus::Completed : StudyStatus::Failed;
-            if (!task.map) report.message = "there is no linear picture: " + reason;
-        }
-        if (!tell(task.map ? pictureShare : 1.0, "runs", &report)) return cancelled(std::move(report));
-    }
-    if (task.map) {
-        const double from = task.picture ? pictureShare : 0.0;
-        StabilityMap map;
-        const auto grow = [&](double share, const std::string& doing, const StabilityMap* soFar) {
-            const double done = std::lerp(from, 1.0, share);
-            if (soFar == nullptr) return tell(done, doing, nullptr);
-            StudyReport part = report;
-            part.charts.push_back(mapChart(task, *soFar));
-            return tell(done, doing, &part);
-        };
-        if (!performMap(task, jobs, map, grow)) {
-            // What is known of the map stays: the references are, and each cell that is done.
-            const bool some = std::ranges::any_of(map.cells, &StabilityCell::done);
-            if (some) report.charts.push_back(mapChart(task, map));
-            return cancelled(std::move(report));
-        }
-        StudyReport whole;
-        tellMap(task, map, whole);
-        // What became of the runs comes first; the linear picture explains it.
-        report.findings.insert(report.findings.begin(), whole.findings.begin(), whole.findings.end());
-        report.warnings.insert(report.warnings.begin(), whole.warnings.begin(), whole.warnings.end());
-        report.charts.push_back(mapChart(task, map));
-        std::vector<StudyTable> tables = mapTables(task, map);
-        report.tables.insert(report.tables.begin(), tables.begin(), tables.end());
+    if (!makeLinearPicture(task.start, report, goOn)) return {};
+    if (const std::string reason = std::exchange(report.message, {}); !reason.empty()) {
+        report.warnings.insert(report.warnings.begin(), "There is no linear picture: " + reason + ".");
+        report.status = task.map ? StudyStatus::Completed : StudyStatus::Failed;
+        if (!task.map) report.message = "there is no linear picture: " + reason;
     }
     return report;
 }
@@ -210,10 +178,26 @@ StabilityTask readStabilityTask(StudyReader& reader)
     return task;
 }
 
-StudyPerformance planStability(StudyReader& reader)
+StudyWork planStability(StudyReader& reader)
 {
     const auto task = std::make_shared<const StabilityTask>(readStabilityTask(reader));
-    return [task](int jobs, const StudyCallback& callback) { return perform(*task, jobs, callback); };
+    if (!task->map)
+        return StudyPerformance([task](int, const StudyCallback& callback) {
+            const auto picture = pictureOf(*task, [&] {
+                return !callback || callback({0.0, "linear picture", nullptr});
+            });
+            return picture ? *picture : ended({}, StudyStatus::Cancelled, "stopped before it was done");
+        });
+    const auto picture = std::make_shared<StudyReport>();
+    ItemStudy items = stabilityItems(
+        task, [task, picture](const StabilityMap& map, bool whole) { return withMap(*picture, *task, map, whole); });
+    if (task->picture)
+        items.prepare = [task, picture](const GoOn& goOn) {
+            std::optional<StudyReport> made = pictureOf(*task, goOn);
+            if (made) *picture = std::move(*made);
+            return made.has_value();
+        };
+    return items;
 }
 
 StudyForm stabilityForm(const Case& c)

@@ -15,14 +15,14 @@
 #include <string>
 #include <vector>
 
-#include "core/studies/study/study.h"
+#include "core/studies/study/item_study.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
 
 class StudyReader;
 
-StudyPerformance planStability(StudyReader& reader);
+StudyWork planStability(StudyReader& reader);
 StudyForm stabilityForm(const Case& c);
 
 /// The parameter that a study of this case varies by default, with its values; an empty key: nothing.

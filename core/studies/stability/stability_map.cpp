@@ -3,14 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <mutex>
-#include <numeric>
 #include <utility>
 
+#include "core/formats/decimal.h"
+#include "core/studies/runs/case_content.h"
+#include "core/studies/runs/expected_cost.h"
+#include "core/studies/runs/shared_runs.h"
 #include "core/studies/runs/trajectory_error.h"
-#include "core/studies/runs/work_done.h"
-#include "core/work/parallel.h"
-#include "core/work/wall_clock.h"
 
 namespace touchdown {
 
@@ -18,48 +19,7 @@ namespace {
 
 constexpr double mostSamples = 20000; // of a run
 constexpr double tenth = 0.1;         // of a setting, which the paper's criterion compares
-constexpr double nudgedShare = 0.05;  // of the progress, for starts that hardly differ, if any are needed
-constexpr double betweenNews = 0.25;  // while the map is made [s]
-
-/// One run that is to be made.
-struct Job {
-    const Case* c = nullptr;
-    MeasuredRun* result = nullptr;
-    std::string doing;
-    double cost = 0.0;    // expected, in right-hand sides
-    std::size_t cell = 0; // of the map, whose run it is
-};
-
-/// The classes of the cells so far, for the thread of the study.
-class CellsSoFar {
-public:
-    explicit CellsSoFar(const std::vector<StabilityCell>& all) { map_.cells = all; }
-
-    void take(std::size_t i, const StabilityCell& cell)
-    {
-        const std::lock_guard lock(mutex_);
-        map_.cells[i].verdict = cell.verdict;
-        map_.cells[i].done = true;
-        changed_ = true;
-    }
-    /// A copy, which the next call replaces; nullptr where there is nothing new, or the last news are young.
-    const StabilityMap* news()
-    {
-        const double now = wallClock();
-        if (now - toldAt_ < betweenNews) return nullptr;
-        const std::lock_guard lock(mutex_);
-        if (!std::exchange(changed_, false)) return nullptr;
-        toldAt_ = now;
-        told_ = map_;
-        return &told_;
-    }
-
-private:
-    std::mutex mutex_; // of map_ and changed_
-    StabilityMap map_, told_;
-    bool changed_ = true; // the empty map is the first news
-    double toldAt_ = 0.0; // wall clock [s]
-};
+constexpr std::size_t width = 8;      // of a row
 
 /// With no more samples than a trajectory needs to be told from another.
 Case lean(Case c)
@@ -68,132 +28,264 @@ Case lean(Case c)
     return c;
 }
 
-/// So that no long one is left for the end.
-void putLongestFirst(std::vector<Job>& jobs) { std::ranges::stable_sort(jobs, std::greater{}, &Job::cost); }
-
-/// So that the map shows its whole early.
-void scatter(std::vector<Job>& jobs)
+double numberAt(const ItemRow& row, std::size_t i)
 {
-    std::vector<Job> scattered;
-    for (const std::size_t i : scatteredOrder(jobs.size())) scattered.push_back(std::move(jobs[i]));
-    jobs = std::move(scattered);
+    const auto* value = std::get_if<double>(&row[i]);
+    return value == nullptr ? NAN : *value;
+}
+std::string textAt(const ItemRow& row, std::size_t i)
+{
+    const auto* text = std::get_if<std::string>(&row[i]);
+    return text == nullptr ? "" : *text;
+}
+StudyValue finite(double value) { return known(std::isfinite(value), value); }
+
+/// A number that stands for one of `count` kinds; the last of them for any other number.
+template <class Kind>
+Kind kindAt(const ItemRow& row, std::size_t i, Kind last)
+{
+    const double value = numberAt(row, i);
+    return value >= 0.0 && value < double(last) ? static_cast<Kind>(static_cast<int>(value)) : last;
 }
 
-/// In this order; `ended` may be called on any thread.
-bool performJobs(const std::vector<Job>& jobs, int threads, const std::function<void(const Job&)>& ended,
-                 const std::function<bool(double share, const std::string& doing)>& tell)
+ItemRow rowOf(const ProvenReference& reference)
 {
-    std::vector<double> costs;
-    for (const Job& job : jobs) costs.push_back(job.cost);
-    WorkDone work(std::move(costs));
-    return runParallel(
-        jobs.size(), threads,
-        [&](std::size_t i, const GoOn& goOn) {
-            const Case c = lean(*jobs[i].c);
-            *jobs[i].result = measureRun(c, {std::string(spacingOf(c))}, goOn, {.energyBalance = true}, work.teller(i));
-            if (goOn()) ended(jobs[i]);
-        },
-        [&](std::size_t done) { return tell(work.share(), done < jobs.size() ? jobs[done].doing : std::string()); });
+    return {reference.label,
+            reference.other,
+            finite(reference.apart),
+            known(reference.horizon),
+            double(reference.endKnown),
+            knowledgeOf(reference),
+            {},
+            {}};
+}
+void take(const ItemRow& row, StabilityReference& reference)
+{
+    reference = {.done = true,
+                 .label = textAt(row, 0),
+                 .other = textAt(row, 1),
+                 .knowledge = textAt(row, 5),
+                 .apart = numberAt(row, 2),
+                 .horizon = std::isfinite(numberAt(row, 3)) ? std::optional(numberAt(row, 3)) : std::nullopt,
+                 .endKnown = numberAt(row, 4) > 0.0};
 }
 
-double costOf(const std::vector<Job>& jobs)
+ItemRow rowOf(const RunVerdict& verdict, const MeasuredRun& run)
 {
-    return std::accumulate(jobs.begin(), jobs.end(), 0.0, [](double sum, const Job& job) { return sum + job.cost; });
+    return {double(verdict.kind),
+            finite(verdict.apart),
+            finite(verdict.imbalance),
+            std::string(name(run.end.kind)),
+            double(run.summary.steps),
+            double(run.summary.evaluations),
+            double(run.summary.events.size()),
+            verdict.sentence};
+}
+void take(const ItemRow& row, StabilityCell& cell)
+{
+    cell.done = true;
+    cell.verdict = {kindAt(row, 0, RunClass::Stopped), numberAt(row, 1), numberAt(row, 2), textAt(row, 7)};
+    cell.end = textAt(row, 3);
+    cell.steps = numberAt(row, 4);
+    cell.evaluations = numberAt(row, 5);
+    cell.switches = numberAt(row, 6);
 }
 
-/// Compares with the run whose setting is a tenth.
-void judgeByCriterion(const StabilityTask& task, StabilityMap& map)
-{
-    for (StabilityCell& cell : map.cells) {
-        const SweptMethod& method = task.rows[cell.row].methods[cell.method];
-        if (method.key != "run.step") continue;
+class StabilityItems {
+public:
+    explicit StabilityItems(const std::shared_ptr<const StabilityTask>& task)
+        : task_(task), references_(task->rows.size())
+    {
+        for (std::size_t row = 0; row < task->rows.size(); ++row)
+            for (std::size_t method = 0; method < task->rows[row].methods.size(); ++method)
+                for (std::size_t setting = 0; setting < task->rows[row].methods[method].settings.size(); ++setting)
+                    cells_.push_back({row, method, setting});
+        for (std::size_t i = 0; i < cells_.size(); ++i)
+            if (const auto finer = finerThan(i)) pairs_.push_back({i, *finer});
+    }
+
+    std::size_t count() const { return references_.size() + cells_.size() + pairs_.size(); }
+
+    /// Pairs compare runs that the cells have made.
+    double cost(std::size_t item) const
+    {
+        if (item < references_.size()) {
+            double sum = 0.0;
+            for (const ReferenceCase& each : task_->rows[item].references) sum += expectedCost(each.c);
+            return sum;
+        }
+        return isCell(item) ? expectedCost(caseOf(cells_[item - references_.size()])) : 0.0;
+    }
+
+    std::string content(std::size_t item)
+    {
+        const StabilityCell* cell = cellOf(item);
+        std::string text =
+            "stability " + decimalText(task_->rule.agreement) + " " + decimalText(task_->rule.energyDrift) + "\n";
+        for (const ReferenceCase& each : task_->rows[cell == nullptr ? item : cell->row].references)
+            text += contents_.of(each.c);
+        if (cell != nullptr) text += "cell\n" + contents_.of(caseOf(*cell));
+        if (cell != nullptr && !isCell(item)) text += "finer\n" + contents_.of(caseOf(cells_[pairOf(item).second]));
+        return text;
+    }
+
+    std::optional<ItemRow> solve(std::size_t item, const GoOn& goOn, const ShareTeller& tell)
+    {
+        const StabilityCell* cell = cellOf(item);
+        const ProvenReference* reference =
+            referenceOf(cell == nullptr ? item : cell->row, goOn, cell == nullptr ? tell : ShareTeller());
+        if (reference == nullptr) return {};
+        if (cell == nullptr) return rowOf(*reference);
+        std::vector<std::size_t> runs{runOf(caseOf(*cell))};
+        if (!isCell(item)) runs.push_back(runOf(caseOf(cells_[pairOf(item).second])));
+        if (!runs_.make(runs, goOn, tell)) return {};
+        const MeasuredRun& own = runs_.run(runs.front());
+        if (isCell(item)) return rowOf(classify(caseOf(*cell), own, *reference, task_->rule), own);
+        return criterionRow(own, runs_.run(runs.back()), *reference);
+    }
+
+    /// Lets go of the runs where all rows are there.
+    StabilityMap mapOf(const ItemRows& rows)
+    {
+        if (std::ranges::all_of(rows, &std::optional<ItemRow>::has_value)) forget();
+        StabilityMap map;
+        map.references.resize(references_.size());
+        map.cells = cells_;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!rows[i]) continue;
+            const ItemRow& row = *rows[i];
+            if (i < references_.size()) {
+                take(row, map.references[i]);
+            } else if (isCell(i)) {
+                take(row, map.cells[i - references_.size()]);
+            } else {
+                const auto& [coarse, finer] = pairOf(i);
+                const StabilityCell& cell = cells_[finer];
+                map.cells[coarse].criterion = {task_->rows[cell.row].methods[cell.method].settings[cell.setting].label,
+                                               numberAt(row, 0) > 0.0, numberAt(row, 1),
+                                               kindAt(row, 2, CriterionVerdict::NotDetermined)};
+            }
+        }
+        return map;
+    }
+
+private:
+    /// The reference of a row, as far as it is known.
+    struct RowReference {
+        std::mutex mutex{};
+        std::optional<ProvenReference> proven{};
+        std::vector<std::size_t> nudged{}; // runs from starts that hardly differ
+        bool endProven = false;
+    };
+    using Pair = std::pair<std::size_t, std::size_t>; // cells
+
+    bool isCell(std::size_t item) const { return item - references_.size() < cells_.size(); }
+    const Pair& pairOf(std::size_t item) const { return pairs_[item - references_.size() - cells_.size()]; }
+    /// Of a pair, the one with the longer step; nullptr for a reference.
+    const StabilityCell* cellOf(std::size_t item) const
+    {
+        if (item < references_.size()) return nullptr;
+        return &cells_[isCell(item) ? item - references_.size() : pairOf(item).first];
+    }
+    const Case& caseOf(const StabilityCell& cell) const
+    {
+        return task_->rows[cell.row].methods[cell.method].settings[cell.setting].c;
+    }
+    std::size_t runOf(const Case& c) { return runs_.add(lean(c), std::string(spacingOf(c))); }
+
+    /// The cell of the same row and method whose step is a tenth.
+    std::optional<std::size_t> finerThan(std::size_t i) const
+    {
+        const StabilityCell& cell = cells_[i];
+        const SweptMethod& method = task_->rows[cell.row].methods[cell.method];
+        if (method.key != "run.step") return {};
         const double wanted = tenth * method.settings[cell.setting].value;
-        const ProvenReference& reference = map.references[cell.row];
-        for (const StabilityCell& finer : map.cells) {
-            if (finer.row != cell.row || finer.method != cell.method) continue;
-            if (!(std::abs(method.settings[finer.setting].value - wanted) <= 1e-6 * wanted)) continue;
-            CriterionResult& result = cell.criterion.emplace();
-            result.finer = method.settings[finer.setting].label;
-            result.endChanges = !sameOutcome(cell.run, finer.run);
-            result.trajectoryChange = trajectoryError(cell.run, finer.run, 0).at(ErrorMeasure::Worst).value_or(0.0);
-            const bool right = reference.endKnown && sameOutcome(cell.run, reference.run);
-            if (!reference.endKnown)
-                result.verdict = CriterionVerdict::NotDetermined;
-            else if (right == result.endChanges)
-                result.verdict = right ? CriterionVerdict::FalseAlarm : CriterionVerdict::Fooled;
-            break;
+        for (std::size_t k = 0; k < method.settings.size(); ++k)
+            if (std::abs(method.settings[k].value - wanted) <= 1e-6 * wanted) return i - cell.setting + k;
+        return {};
+    }
+
+    std::vector<MeasuredRun> copiesOf(const std::vector<std::size_t>& runs) const
+    {
+        std::vector<MeasuredRun> copies;
+        for (const std::size_t i : runs) copies.push_back(runs_.run(i));
+        return copies;
+    }
+
+    /// nullptr where it was told to end.
+    const ProvenReference* referenceOf(std::size_t row, const GoOn& goOn, const ShareTeller& tell)
+    {
+        const std::vector<ReferenceCase>& cases = task_->rows[row].references;
+        RowReference& reference = references_[row];
+        std::vector<std::size_t> runs;
+        for (const ReferenceCase& each : cases) runs.push_back(runOf(each.c));
+        if (!runs_.make(runs, goOn, tell)) return nullptr;
+        {
+            const std::lock_guard lock(reference.mutex);
+            if (!reference.proven) {
+                reference.proven = proveReference(cases, copiesOf(runs), task_->rule.agreement);
+                if (reference.proven->horizon && reference.proven->endKnown)
+                    for (const Case& c : nudgedStarts(cases[reference.proven->which].c))
+                        reference.nudged.push_back(runOf(c));
+            }
+        }
+        if (!runs_.make(reference.nudged, goOn)) return nullptr;
+        const std::lock_guard lock(reference.mutex);
+        if (!std::exchange(reference.endProven, true)) proveEnd(*reference.proven, copiesOf(reference.nudged));
+        return &*reference.proven;
+    }
+
+    void forget()
+    {
+        runs_.forget();
+        for (RowReference& each : references_) {
+            each.proven.reset();
+            each.nudged.clear();
+            each.endProven = false;
         }
     }
-}
+
+    static ItemRow criterionRow(const MeasuredRun& run, const MeasuredRun& finer, const ProvenReference& reference)
+    {
+        const bool endChanges = !sameOutcome(run, finer);
+        const bool right = reference.endKnown && sameOutcome(run, reference.run);
+        CriterionVerdict verdict = CriterionVerdict::Right;
+        if (!reference.endKnown)
+            verdict = CriterionVerdict::NotDetermined;
+        else if (right == endChanges)
+            verdict = right ? CriterionVerdict::FalseAlarm : CriterionVerdict::Fooled;
+        const double change = trajectoryError(run, finer, 0).at(ErrorMeasure::Worst).value_or(0.0);
+        ItemRow row{double(endChanges), finite(change), double(verdict)};
+        row.resize(width);
+        return row;
+    }
+
+    const std::shared_ptr<const StabilityTask> task_;
+    std::deque<RowReference> references_;
+    std::vector<StabilityCell> cells_;
+    std::vector<Pair> pairs_;
+    SharedRuns runs_{{.energyBalance = true}};
+    CaseContent contents_;
+};
 
 } // namespace
 
-bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback)
+ItemStudy stabilityItems(const std::shared_ptr<const StabilityTask>& task,
+                         std::function<StudyReport(const StabilityMap&, bool whole)> reportOf)
 {
-    map = {};
-    map.references.resize(task.rows.size());
-    for (std::size_t row = 0; row < task.rows.size(); ++row)
-        for (std::size_t method = 0; method < task.rows[row].methods.size(); ++method)
-            for (std::size_t setting = 0; setting < task.rows[row].methods[method].settings.size(); ++setting)
-                map.cells.push_back({row, method, setting, false, {}, {}, {}});
-    CellsSoFar soFar(map.cells);
-
-    std::vector<Job> references, nudges, runs;
-    std::vector<std::vector<MeasuredRun>> found(task.rows.size()), nudged(task.rows.size());
-    const auto at = [&](std::size_t row) {
-        return task.rows[row].label.empty() ? std::string() : " at " + task.rows[row].label;
+    const auto items = std::make_shared<StabilityItems>(task);
+    return {
+        .count = items->count(),
+        .width = width,
+        .content = [items](std::size_t i) { return items->content(i); },
+        .solve = [items](std::size_t i, const GoOn& goOn,
+                         const ShareTeller& tell) { return items->solve(i, goOn, tell); },
+        .report =
+            [items, reportOf = std::move(reportOf)](const ItemRows& rows) {
+                return reportOf(items->mapOf(rows), std::ranges::all_of(rows, &std::optional<ItemRow>::has_value));
+            },
+        .cost = [items](std::size_t i) { return items->cost(i); },
     };
-    for (std::size_t row = 0; row < task.rows.size(); ++row) {
-        const std::vector<ReferenceCase>& cases = task.rows[row].references;
-        found[row].resize(cases.size());
-        for (std::size_t k = 0; k < cases.size(); ++k)
-            references.push_back({&cases[k].c, &found[row][k], "reference" + at(row) + ": " + cases[k].label,
-                                  expectedCost(cases[k].c), 0});
-    }
-    for (std::size_t i = 0; i < map.cells.size(); ++i) {
-        StabilityCell& cell = map.cells[i];
-        const SweptMethod& method = task.rows[cell.row].methods[cell.method];
-        const MethodSetting& setting = method.settings[cell.setting];
-        runs.push_back(
-            {&setting.c, &cell.run, nameOf(method.name, setting.label) + at(cell.row), expectedCost(setting.c), i});
-    }
-    putLongestFirst(references);
-    scatter(runs);
-    const double all = costOf(references) + costOf(runs);
-    const double proven = all > 0.0 ? (1.0 - nudgedShare) * costOf(references) / all : 0.0;
-    const auto between = [&](double from, double to) {
-        return [&, from, to](double share, const std::string& doing) {
-            return !callback || callback(std::lerp(from, to, share), doing, soFar.news());
-        };
-    };
-    const auto nothing = [](const Job&) {};
-    if (!performJobs(references, jobs, nothing, between(0.0, proven))) return false;
-
-    std::vector<std::vector<Case>> starts(task.rows.size());
-    for (std::size_t row = 0; row < task.rows.size(); ++row) {
-        const std::vector<ReferenceCase>& cases = task.rows[row].references;
-        const ProvenReference& reference = map.references[row] =
-            proveReference(cases, std::move(found[row]), task.rule.agreement);
-        if (!reference.horizon || !reference.endKnown) continue;
-        starts[row] = nudgedStarts(cases[reference.which].c);
-        nudged[row].resize(starts[row].size());
-        for (std::size_t k = 0; k < starts[row].size(); ++k)
-            nudges.push_back({&starts[row][k], &nudged[row][k], "starts that hardly differ" + at(row),
-                              expectedCost(starts[row][k]), 0});
-    }
-    putLongestFirst(nudges);
-    if (!performJobs(nudges, jobs, nothing, between(proven, proven + nudgedShare))) return false;
-    for (std::size_t row = 0; row < task.rows.size(); ++row) proveEnd(map.references[row], nudged[row]);
-
-    const auto classified = [&](const Job& job) {
-        StabilityCell& cell = map.cells[job.cell];
-        cell.verdict = classify(*job.c, cell.run, map.references[cell.row], task.rule);
-        cell.done = true;
-        soFar.take(job.cell, cell);
-    };
-    if (!performJobs(runs, jobs, classified, between(proven + nudgedShare, 1.0))) return false;
-    judgeByCriterion(task, map);
-    return true;
 }
 
 } // namespace touchdown

@@ -9,12 +9,13 @@
 //   right            it does not change and is the reference's, or changes from one that is not
 //   not determined   the end of the reference is not determined
 //
-// All references are made before the first cell, so that a cell has its class, which does not change any more, as soon
-// as its run ends.
+// The map is a list: the reference of each value, the cells, and the pairs of cells that the criterion compares. A
+// thread that needs a reference first helps to make it.
 #pragma once
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,7 @@
 #include "core/studies/runs/proven_reference.h"
 #include "core/studies/runs/run_class.h"
 #include "core/studies/runs/swept_method.h"
+#include "core/studies/study/item_study.h"
 
 namespace touchdown {
 
@@ -63,22 +65,29 @@ struct CriterionResult {
 
 struct StabilityCell {
     std::size_t row = 0, method = 0, setting = 0;
-    bool done = false; // its run has ended, and its class is final
-    MeasuredRun run;
-    RunVerdict verdict;
-    std::optional<CriterionResult> criterion; // where there is a run with a tenth of its step
+    bool done = false; // what follows is known
+    RunVerdict verdict{};
+    std::string end{}; // "flying"
+    double steps = 0.0, evaluations = 0.0, switches = 0.0;
+    std::optional<CriterionResult> criterion{}; // where there is a run with a tenth of its step
+};
+
+/// What is known of a proven reference.
+struct StabilityReference {
+    bool done = false;
+    std::string label{}, other{}, knowledge{};
+    double apart = 0.0;              // [m]
+    std::optional<double> horizon{}; // [s]
+    bool endKnown = false;
 };
 
 struct StabilityMap {
-    std::vector<ProvenReference> references; // one a row
-    std::vector<StabilityCell> cells;        // row by row, method by method
+    std::vector<StabilityReference> references; // one a row
+    std::vector<StabilityCell> cells;           // row by row, method by method
 };
 
-/// Asked with the share that is done, by expected time, and what is done next; false stops. `soFar`: the map without
-/// references, and its cells without their runs, where there is more to show than before.
-using MapCallback = std::function<bool(double share, const std::string& doing, const StabilityMap* soFar)>;
-
-/// On up to `jobs` threads, on which the outcome does not depend. Returns false where the callback stopped it.
-bool performMap(const StabilityTask& task, int jobs, StabilityMap& map, const MapCallback& callback);
+/// `reportOf`: of what is known of the map; `whole` where that is all.
+ItemStudy stabilityItems(const std::shared_ptr<const StabilityTask>& task,
+                         std::function<StudyReport(const StabilityMap&, bool whole)> reportOf);
 
 } // namespace touchdown

@@ -115,6 +115,7 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
                       {"criterion", "", "", "Paper's criterion is"},
                       {.name = "detail", .secondary = true}}};
     for (const StabilityCell& cell : map.cells) {
+        if (!cell.done) continue;
         const StabilityRow& row = task.rows[cell.row];
         const SweptMethod& method = row.methods[cell.method];
         const StudyValue parameter = task.parameterIsNumber ? StudyValue(row.value) : StudyValue(row.label);
@@ -122,12 +123,12 @@ StudyTable runsTable(const StabilityTask& task, const StabilityMap& map)
                                        method.settings[cell.setting].label,
                                        parameter,
                                        std::string(name(cell.verdict.kind)),
-                                       std::string(name(cell.run.end.kind)),
+                                       cell.end,
                                        cell.verdict.apart,
                                        cell.verdict.imbalance,
-                                       static_cast<double>(cell.run.summary.steps),
-                                       static_cast<double>(cell.run.summary.evaluations),
-                                       static_cast<double>(cell.run.summary.events.size())};
+                                       cell.steps,
+                                       cell.evaluations,
+                                       cell.switches};
         if (cell.criterion) {
             values.insert(values.end(), {cell.criterion->finer, std::string(cell.criterion->endChanges ? "yes" : "no"),
                                          cell.criterion->trajectoryChange, std::string(name(cell.criterion->verdict))});
@@ -154,10 +155,11 @@ StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
                       {"end_is_known"},
                       {"detail"}}};
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
-        const ProvenReference& reference = map.references[row];
+        const StabilityReference& reference = map.references[row];
+        if (!reference.done) continue;
         table.rows.push_back({task.rows[row].label, reference.label, reference.other, reference.apart,
                               known(reference.horizon), std::string(reference.endKnown ? "yes" : "no"),
-                              knowledgeOf(reference)});
+                              reference.knowledge});
     }
     return table;
 }
@@ -277,9 +279,9 @@ void tellMap(const StabilityTask& task, const StabilityMap& map, StudyReport& re
         report.findings.push_back(countsOf(task, map, method));
     tellCriterion(task, map, report);
     for (std::size_t row = 0; row < task.rows.size(); ++row)
-        if (const ProvenReference& reference = map.references[row]; reference.horizon || !reference.endKnown)
+        if (const StabilityReference& reference = map.references[row]; reference.horizon || !reference.endKnown)
             report.warnings.push_back((task.rows[row].label.empty() ? "" : "At " + task.rows[row].label + ": ") +
-                                      knowledgeOf(reference) + ".");
+                                      reference.knowledge + ".");
 }
 
 } // namespace touchdown

@@ -3,20 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <mutex>
+#include <memory>
+#include <set>
 #include <utility>
 
 #include "core/case/parameters.h"
-#include "core/case_files/case_text.h"
+#include "core/formats/decimal.h"
 #include "core/formats/units.h"
+#include "core/formats/words.h"
 #include "core/numerics/moments.h"
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/run_statistics.h"
+#include "core/studies/runs/case_content.h"
+#include "core/studies/runs/expected_cost.h"
 #include "core/studies/runs/sampled_values.h"
-#include "core/studies/runs/work_done.h"
-#include "core/studies/study/growing_report.h"
-#include "core/work/parallel.h"
+#include "core/studies/runs/shared_runs.h"
 
 namespace touchdown {
 
@@ -139,32 +140,116 @@ double valueOf(const Statement& statement, const SampledRun& run)
     return NAN;
 }
 
-struct Work {
-    Case c;
-    std::vector<std::string> sampled{};
-    MeasuredRun run{};
-};
+/// Every thing that a statement asks of its runs.
+std::string criterionOf(const Statement& statement)
+{
+    std::string text = joined(statement.ends, ",") + ";" + joined(statement.motions, ",") + ";";
+    if (statement.sameAsLike) text += *statement.sameAsLike ? "same" : "other";
+    for (const std::string& word :
+         {statement.quantity.name, statement.quantity.displayUnit, std::string(name(statement.taken))})
+        text += " " + word;
+    for (const double bound : {statement.atLeast, statement.atMost, statement.from, statement.to})
+        text += " " + (std::isfinite(bound) ? decimalText(bound) : std::string("none"));
+    return text;
+}
 
-/// The distinct runs of cases as they are; each keeps the samples of all quantities that somebody asks for.
-class SharedRuns {
+/// What a list of statements does: each statement's own run, then each start of its ensemble.
+class StatementItems {
 public:
-    std::size_t add(const Case& c, const std::optional<std::string>& sampled)
+    explicit StatementItems(const StatementTask& task) : task_(task)
     {
-        const auto [place, isNew] = index_.emplace(formatCase(c) + '\n' + c.folder.string(), all.size());
-        if (isNew) all.push_back({.c = c});
-        std::vector<std::string>& names = all[place->second].sampled;
-        if (sampled && std::ranges::find(names, *sampled) == names.end()) names.push_back(*sampled);
-        return place->second;
+        std::set<std::size_t> known;
+        for (const Statement& statement : task_.statements) {
+            const std::string sampled = sampledBy(statement).value_or("");
+            std::vector<std::size_t>& own = runs_.emplace_back();
+            own.push_back(shared_.add(statement.c, sampled));
+            if (statement.like) own.push_back(shared_.add(*statement.like, sampled));
+            double cost = 0.0; // of runs that no statement before it has made
+            for (const std::size_t run : own)
+                if (known.insert(run).second) cost += expectedCost(run == own[0] ? statement.c : *statement.like);
+            items_.push_back({items_.size(), {}, cost});
+        }
+        for (std::size_t i = 0; i < task_.statements.size(); ++i) {
+            const Statement& statement = task_.statements[i];
+            if (!statement.ensemble) continue;
+            for (const double start : startsOf(statement.c, *statement.ensemble))
+                items_.push_back({i, start, expectedCost(statement.c)});
+        }
     }
-    SampledRun at(std::size_t i, const std::optional<std::string>& sampled) const
+
+    std::size_t count() const { return items_.size(); }
+    double cost(std::size_t item) const { return items_[item].cost; }
+
+    std::string content(std::size_t item)
     {
-        const std::vector<std::string>& names = all[i].sampled;
-        return {&all[i].run, sampled ? std::size_t(std::ranges::find(names, *sampled) - names.begin()) : 0};
+        const Statement& statement = task_.statements[items_[item].statement];
+        const std::optional<double>& start = items_[item].start;
+        return "statement " + criterionOf(statement) +
+               (start ? " " + statement.ensemble->key + " " + decimalText(*start) : "") + "\n" +
+               contents_.of(statement.c) + (statement.like ? "like\n" + contents_.of(*statement.like) : "");
     }
-    std::vector<Work> all{};
+
+    std::optional<ItemRow> solve(std::size_t item, const GoOn& goOn, const ShareTeller& tell)
+    {
+        const auto& [i, start, cost] = items_[item];
+        const Statement& statement = task_.statements[i];
+        const std::string sampled = sampledBy(statement).value_or("");
+        const auto at = [&](std::size_t run) { return SampledRun{&shared_.run(run), shared_.columnOf(run, sampled)}; };
+        std::vector<std::size_t> needed = runs_[i];
+        if (start) needed.erase(needed.begin());
+        if (!shared_.make(needed, goOn, start ? ShareTeller() : tell)) return {};
+        const SampledRun like = statement.like ? at(runs_[i][1]) : SampledRun{};
+        MeasuredRun drawn;
+        if (start) {
+            Case c = statement.c;
+            setFromNumber(c, *findParameter(statement.ensemble->key), *start);
+            drawn = measureRun(c, sampled.empty() ? std::vector<std::string>{} : std::vector{sampled}, goOn, {}, tell);
+            if (drawn.summary.status == RunStatus::Cancelled) return {};
+        }
+        const StatementFinding finding = judge(statement, start ? SampledRun{&drawn, 0} : at(runs_[i][0]), like);
+        return ItemRow{finding.agrees ? 1.0 : 0.0, finding.text};
+    }
+
+    /// Lets go of the runs where all rows are there.
+    CheckedStatements checked(const ItemRows& rows)
+    {
+        if (std::ranges::all_of(rows, &std::optional<ItemRow>::has_value)) shared_.forget();
+        CheckedStatements result(task_.statements.size());
+        std::vector<std::size_t> agree(result.size()), known(result.size());
+        for (std::size_t item = 0; item < items_.size(); ++item) {
+            if (!rows[item]) continue;
+            const std::size_t i = items_[item].statement;
+            const auto* agrees = std::get_if<double>(&rows[item]->front());
+            const auto* text = std::get_if<std::string>(&rows[item]->back());
+            const StatementFinding finding{agrees != nullptr && *agrees > 0.0, text == nullptr ? "" : *text};
+            if (items_[item].start) {
+                ++known[i];
+                agree[i] += finding.agrees ? 1 : 0;
+            } else {
+                result[i].done = true;
+                result[i].finding = finding;
+            }
+        }
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            if (!task_.statements[i].ensemble) continue;
+            const auto starts = std::size_t(task_.statements[i].ensemble->starts);
+            result[i].done = result[i].done && known[i] == starts;
+            if (result[i].done) result[i].share = shareOf(agree[i], starts);
+        }
+        return result;
+    }
 
 private:
-    std::map<std::string, std::size_t> index_{};
+    struct Item {
+        std::size_t statement = 0;
+        std::optional<double> start{}; // value of the ensemble's key; none: the run of the case itself
+        double cost = 0.0;
+    };
+    const StatementTask task_;
+    SharedRuns shared_;
+    CaseContent contents_;
+    std::vector<Item> items_;
+    std::vector<std::vector<std::size_t>> runs_; // of each statement: its own, and that of `like`
 };
 
 } // namespace
@@ -194,86 +279,19 @@ StatementFinding judge(const Statement& statement, SampledRun run, SampledRun li
     return {within(statement, value), shown(value, statement)};
 }
 
-CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback,
-                                  const std::function<StudyReport(const CheckedStatements&)>& reportOf)
+ItemStudy statementItems(const StatementTask& task, std::function<StudyReport(const CheckedStatements&)> reportOf)
 {
-    const std::size_t count = task.statements.size();
-    SharedRuns shared;
-    std::vector<std::size_t> own(count), like(count);
-    struct Drawn {
-        std::size_t statement = 0;
-        double start = 0.0; // value of the ensemble's key
-        bool done = false, agrees = false;
+    const auto items = std::make_shared<StatementItems>(task);
+    return {
+        .count = items->count(),
+        .width = 2,
+        .content = [items](std::size_t i) { return items->content(i); },
+        .solve = [items](std::size_t i, const GoOn& goOn,
+                         const ShareTeller& tell) { return items->solve(i, goOn, tell); },
+        .report = [items,
+                   reportOf = std::move(reportOf)](const ItemRows& rows) { return reportOf(items->checked(rows)); },
+        .cost = [items](std::size_t i) { return items->cost(i); },
     };
-    std::mutex mutex; // guards `made`, and `drawn` once its runs have begun
-    std::vector<Drawn> drawn;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Statement& statement = task.statements[i];
-        own[i] = shared.add(statement.c, sampledBy(statement));
-        like[i] = statement.like ? shared.add(*statement.like, sampledBy(statement)) : own[i];
-        if (!statement.ensemble) continue;
-        for (const double start : startsOf(statement.c, *statement.ensemble)) drawn.push_back({i, start});
-    }
-    const auto likeOf = [&](std::size_t i) {
-        return task.statements[i].like ? shared.at(like[i], sampledBy(task.statements[i])) : SampledRun{};
-    };
-    std::vector<char> made(shared.all.size(), 0);
-    std::vector<double> costs;
-    for (const Work& work : shared.all) costs.push_back(expectedCost(work.c));
-    for (const Drawn& each : drawn) costs.push_back(expectedCost(task.statements[each.statement].c));
-    WorkDone done(std::move(costs));
-    const auto runShared = [&](std::size_t i, const GoOn& goOn) {
-        Work& work = shared.all[i];
-        work.run = measureRun(work.c, work.sampled, goOn, {}, done.teller(i));
-        const std::lock_guard lock(mutex);
-        made[i] = work.run.summary.status != RunStatus::Cancelled;
-    };
-    const auto runDrawn = [&](std::size_t i, const GoOn& goOn) {
-        Drawn& each = drawn[i];
-        const Statement& statement = task.statements[each.statement];
-        Case c = statement.c;
-        setFromNumber(c, *findParameter(statement.ensemble->key), each.start);
-        const std::optional<std::string> sampled = sampledBy(statement);
-        const std::vector<std::string> names = sampled ? std::vector{*sampled} : std::vector<std::string>{};
-        const MeasuredRun run = measureRun(c, names, goOn, {}, done.teller(shared.all.size() + i));
-        const bool agrees = judge(statement, {&run, 0}, likeOf(each.statement)).agrees;
-        const std::lock_guard lock(mutex);
-        each.agrees = agrees;
-        each.done = run.summary.status != RunStatus::Cancelled;
-    };
-    const auto checkAll = [&] {
-        CheckedStatements result;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Statement& statement = task.statements[i];
-            CheckedStatement& checked = result.all.emplace_back();
-            if (!made[own[i]] || !made[like[i]]) continue;
-            checked.finding = judge(statement, shared.at(own[i], sampledBy(statement)), likeOf(i));
-            checked.done = true;
-            if (!statement.ensemble) continue;
-            const auto isOf = [&](const Drawn& each) { return each.statement == i; };
-            const auto agrees =
-                std::ranges::count_if(drawn, [&](const Drawn& each) { return isOf(each) && each.agrees; });
-            checked.done = std::ranges::all_of(drawn, [&](const Drawn& each) { return !isOf(each) || each.done; });
-            if (checked.done) checked.share = shareOf(std::size_t(agrees), std::size_t(statement.ensemble->starts));
-        }
-        return result;
-    };
-    const std::size_t total = shared.all.size() + drawn.size();
-    std::size_t told = 0;
-    const auto tell = [&](std::size_t ended) {
-        const std::string doing = "run " + std::to_string(std::min(ended + 1, total)) + " of " + std::to_string(total);
-        return tellProgress(callback, {done.share(), doing}, reportOf && std::exchange(told, ended) < ended, [&] {
-            const std::lock_guard lock(mutex);
-            return reportOf(checkAll());
-        });
-    };
-    // Ensembles may compare with runs of the cases themselves, which end first.
-    const bool whole =
-        runParallel(shared.all.size(), jobs, runShared, tell) &&
-        runParallel(drawn.size(), jobs, runDrawn, [&](std::size_t ended) { return tell(shared.all.size() + ended); });
-    CheckedStatements result = checkAll();
-    if (!whole) result.status = StudyStatus::Cancelled;
-    return result;
 }
 
 } // namespace touchdown

@@ -11,7 +11,7 @@
 
 #include "core/studies/runs/ensemble.h"
 #include "core/studies/statements/statement_task.h"
-#include "core/studies/study/study.h"
+#include "core/studies/study/item_study.h"
 
 namespace touchdown {
 
@@ -40,14 +40,11 @@ struct CheckedStatement {
     bool holds() const { return share ? share->share > 0.5 : finding.agrees; }
 };
 
-struct CheckedStatements {
-    StudyStatus status = StudyStatus::Completed;
-    std::vector<CheckedStatement> all; // as task.statements; only whole ones are done
-};
+/// As task.statements; only whole ones are done.
+using CheckedStatements = std::vector<CheckedStatement>;
 
-/// Runs that several statements share are made once. The outcome does not depend on `jobs`. `reportOf`: of the
-/// statements so far, for the callback, whenever a run has ended.
-CheckedStatements checkStatements(const StatementTask& task, int jobs, const StudyCallback& callback,
-                                  const std::function<StudyReport(const CheckedStatements&)>& reportOf = {});
+/// An item for each statement and one for each start of its ensemble. Its row: whether it agrees, 1 or 0, and what was
+/// found. Runs that several statements share are made once, where no part is asked for.
+ItemStudy statementItems(const StatementTask& task, std::function<StudyReport(const CheckedStatements&)> reportOf);
 
 } // namespace touchdown

@@ -40,9 +40,9 @@ StudyTable tableOf(const StatementTask& task, const CheckedStatements& checked)
                                             {.name = "remark", .longName = "Remark", .secondary = true}})
         table.columns.push_back(column);
     for (std::size_t i = 0; i < task.statements.size(); ++i) {
-        if (!checked.all[i].done) continue;
+        if (!checked[i].done) continue;
         const Statement& statement = task.statements[i];
-        const CheckedStatement& each = checked.all[i];
+        const CheckedStatement& each = checked[i];
         std::vector<StudyValue> row;
         if (several) row.emplace_back(statement.candidate);
         const std::string shares = each.share ? shareText(*each.share, statement.ensemble->starts) : "";
@@ -66,10 +66,10 @@ StudyTable candidatesOf(const StatementTask& task, const CheckedStatements& chec
     for (const std::string& candidate : task.candidates) {
         double holding = 0.0, all = 0.0, least = 1.0;
         for (std::size_t i = 0; i < task.statements.size(); ++i) {
-            if (task.statements[i].candidate != candidate || !checked.all[i].done) continue;
+            if (task.statements[i].candidate != candidate || !checked[i].done) continue;
             all += 1.0;
-            holding += checked.all[i].holds() ? 1.0 : 0.0;
-            if (checked.all[i].share) least = std::min(least, checked.all[i].share->share);
+            holding += checked[i].holds() ? 1.0 : 0.0;
+            if (checked[i].share) least = std::min(least, checked[i].share->share);
         }
         if (all > 0.0) table.rows.push_back({candidate, holding, all, least});
     }
@@ -89,12 +89,12 @@ std::vector<StudyChart> chartsOf(const StatementTask& task, const CheckedStateme
             const Statement& statement = task.statements[i];
             if (statement.candidate != candidate || !statement.ensemble) continue;
             x += 1.0;
-            if (!checked.all[i].share) continue;
-            const Share& share = *checked.all[i].share;
+            if (!checked[i].share) continue;
+            const Share& share = *checked[i].share;
             series.points.push_back({.x = x,
                                      .y = 0.5 * (share.lower + share.upper),
                                      .label = statement.figure,
-                                     .kind = checked.all[i].holds() ? PointKind::Good : PointKind::WrongState,
+                                     .kind = checked[i].holds() ? PointKind::Good : PointKind::WrongState,
                                      .yError = 0.5 * (share.upper - share.lower)});
         }
         if (!series.points.empty()) panel.series.push_back(std::move(series));
@@ -109,13 +109,11 @@ std::vector<StudyChart> chartsOf(const StatementTask& task, const CheckedStateme
 StudyReport reportOf(const StatementTask& task, const CheckedStatements& checked)
 {
     StudyReport report;
-    report.status = checked.status;
-    if (report.status == StudyStatus::Cancelled) report.message = "stopped before all statements were checked";
     report.tables.push_back(tableOf(task, checked));
     if (!task.candidates.empty()) report.tables.push_back(candidatesOf(task, checked));
     report.charts = chartsOf(task, checked);
     std::size_t done = 0, holding = 0;
-    for (const CheckedStatement& each : checked.all) {
+    for (const CheckedStatement& each : checked) {
         done += each.done ? 1 : 0;
         holding += each.done && each.holds() ? 1 : 0;
     }
@@ -128,8 +126,8 @@ StudyReport reportOf(const StatementTask& task, const CheckedStatements& checked
                                   " hold; the least share of an ensemble is " + percent(std::get<double>(row[3])) +
                                   ".");
     }
-    for (std::size_t i = 0; i < checked.all.size(); ++i) {
-        const CheckedStatement& each = checked.all[i];
+    for (std::size_t i = 0; i < checked.size(); ++i) {
+        const CheckedStatement& each = checked[i];
         if (!each.done || each.holds()) continue;
         const Statement& statement = task.statements[i];
         report.findings.push_back(
@@ -143,12 +141,10 @@ StudyReport reportOf(const StatementTask& task, const CheckedStatements& checked
 
 } // namespace
 
-StudyPerformance planStatements(StudyReader& reader)
+StudyWork planStatements(StudyReader& reader)
 {
-    return [task = readStatements(reader)](int jobs, const StudyCallback& callback) {
-        const auto report = [&](const CheckedStatements& checked) { return reportOf(task, checked); };
-        return report(checkStatements(task, jobs, callback, report));
-    };
+    const StatementTask task = readStatements(reader);
+    return statementItems(task, [task](const CheckedStatements& checked) { return reportOf(task, checked); });
 }
 
 } // namespace touchdown

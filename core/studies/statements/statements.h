@@ -45,14 +45,14 @@
 // candidate: a search for lost values.
 #pragma once
 
-#include "core/studies/study/study.h"
+#include "core/studies/study/item_study.h"
 #include "core/studies/study/study_key.h"
 
 namespace touchdown {
 
 class StudyReader;
 
-StudyPerformance planStatements(StudyReader& reader);
+StudyWork planStatements(StudyReader& reader);
 StudyForm statementsForm(const Case& c);
 
 } // namespace touchdown

@@ -17,24 +17,59 @@ namespace touchdown {
 
 namespace {
 
+constexpr double longestSilence = 0.03; // before the first item [s]
 constexpr double betweenReports = 0.25; // while rows come, at least [s]
 constexpr double reportShare = 0.1;     // of the time that reports of a growing list may take [-]
+constexpr double longShare = 0.1;       // of the time of a thread, of an item that begins early
 constexpr std::size_t mostNamed = 5;    // items in a sentence
+
+/// What is to be done, in the order in which it begins: long items first, so that none is left for the end, then
+/// scattered, and last those whose work another one does.
+struct ItemOrder {
+    std::vector<std::size_t> items;
+    std::vector<double> costs;
+};
+
+ItemOrder orderOf(const ItemStudy& study, const ItemOptions& options)
+{
+    std::vector<std::pair<std::size_t, double>> order;
+    double all = 0.0;
+    for (const std::size_t k : scatteredOrder(options.part.size(study.count))) {
+        const std::size_t i = options.part.part - 1 + k * options.part.of;
+        order.emplace_back(i, study.cost ? study.cost(i) : 1.0);
+        all += order.back().second;
+    }
+    const double isLong = longShare * all / std::max(options.jobs, 1);
+    if (study.cost)
+        std::ranges::stable_sort(order, {}, [&](const auto& each) {
+            return each.second > isLong ? -each.second : each.second > 0.0 ? 0.0 : 1.0;
+        });
+    ItemOrder result;
+    for (const auto& [i, cost] : order) {
+        result.items.push_back(i);
+        result.costs.push_back(cost);
+    }
+    return result;
+}
 
 class Performance {
 public:
     Performance(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback)
-        : study_(study), options_(options), callback_(callback), rows_(study.count), keys_(study.count)
-    {
-        std::vector<std::size_t> mine;
-        for (std::size_t i = options.part.part - 1; i < study.count; i += options.part.of) mine.push_back(i);
-        for (const std::size_t k : scatteredOrder(mine.size())) order_.push_back(mine[k]);
-    }
+        : Performance(study, options, callback, orderOf(study, options))
+    {}
 
     StudyReport perform()
     {
+        if (!prepare()) {
+            StudyReport report;
+            finish(report, false);
+            return report;
+        }
         const auto work = [&](std::size_t k, const GoOn& goOn) {
-            takeOrSolve(order_[k], [&] { return goOn() && !halted_; });
+            const ShareTeller tellShare = work_.teller(k);
+            takeOrSolve(
+                order_[k], [&] { return goOn() && !halted_; }, tellShare);
+            tellShare(1.0);
         };
         const bool whole =
             runParallel(order_.size(), options_.jobs, work, [&](std::size_t done) { return tell(done); }) && !halted_;
@@ -44,7 +79,29 @@ public:
     }
 
 private:
-    void takeOrSolve(std::size_t i, const GoOn& goOn)
+    Performance(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback, ItemOrder order)
+        : study_(study),
+          options_(options),
+          callback_(callback),
+          order_(std::move(order.items)),
+          work_(std::move(order.costs)),
+          rows_(study.count),
+          keys_(study.count)
+    {}
+
+    bool prepare()
+    {
+        if (!study_.prepare) return true;
+        double calledAt = 0.0;
+        return study_.prepare([&] {
+            const double now = wallClock();
+            if (!callback_ || now - calledAt < longestSilence) return true;
+            calledAt = now;
+            return callback_({0.0, "what the report needs", nullptr});
+        });
+    }
+
+    void takeOrSolve(std::size_t i, const GoOn& goOn, const ShareTeller& tellShare)
     {
         std::string key = itemKey(study_.content(i));
         std::optional<ItemRow> row;
@@ -54,7 +111,7 @@ private:
                 found != options_.kept->end() && found->second.size() == study_.width)
                 row = found->second;
         if (!row && !options_.onlyKept && goOn()) {
-            row = study_.solve(i, goOn);
+            row = study_.solve(i, goOn, tellShare);
             isNew = row.has_value();
         }
         const std::lock_guard lock(mutex_);
@@ -77,7 +134,7 @@ private:
         if (halted_) return false;
         if (!callback_) return true;
         const std::size_t count = order_.size();
-        const double share = double(done) / double(std::max<std::size_t>(count, 1)), now = wallClock();
+        const double share = work_.share(), now = wallClock();
         const std::string doing = std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count);
         std::optional<ItemRows> seen;
         if (now >= nextReport_) {
@@ -148,6 +205,7 @@ private:
     const ItemOptions& options_;
     const StudyCallback& callback_;
     std::vector<std::size_t> order_; // of the items of the part
+    WorkDone work_;                  // in this order
     std::mutex mutex_;               // of the next five
     ItemRows rows_;
     std::vector<std::string> keys_;

@@ -17,6 +17,7 @@
 
 #include "core/studies/study/study.h"
 #include "core/work/parallel.h"
+#include "core/work/work_done.h"
 
 namespace touchdown {
 
@@ -32,12 +33,17 @@ struct ItemStudy {
     std::size_t width = 0; // of each row
     /// All on which the row of an item depends: its case, how it is solved, what is read off. Any text.
     std::function<std::string(std::size_t)> content;
-    /// Called on several threads; nothing where it was told to end. Failures of numerics are part of the row.
-    std::function<std::optional<ItemRow>(std::size_t, const GoOn& goOn)> solve;
+    /// Called on several threads; nothing where it was told to end. Failures of numerics are part of the row. It may
+    /// tell its share that is done.
+    std::function<std::optional<ItemRow>(std::size_t, const GoOn& goOn, const ShareTeller& tell)> solve;
     /// Of the rows that are there; findings only where all are.
     std::function<StudyReport(const ItemRows&)> report;
     /// The case of an item, which is a row of the first table; not set where rows are no cases.
     std::function<Case(std::size_t)> caseOf{};
+    /// The expected time of an item relative to others, 0 where another one has done its work; not set: all alike.
+    std::function<double(std::size_t)> cost{};
+    /// Makes what the report needs beside the rows, before it is asked for; false where it was told to end.
+    std::function<bool(const GoOn& goOn)> prepare{};
 };
 
 /// A study that is ready: a list, or something else that can be performed.

@@ -13,6 +13,14 @@ using namespace touchdown;
 
 namespace test_convergence {
 
+ConvergenceStudy solved(const Case& c, int levels, int jobs = 1)
+{
+    const StudyReport report = performItems(convergenceItems(c, levels), {.jobs = jobs}, {});
+    ItemRows rows;
+    for (const StudyItem& item : report.items) rows.emplace_back(item.row);
+    return convergenceOf(c, levels, rows);
+}
+
 class TestConvergence : public QObject {
     Q_OBJECT
 
@@ -51,7 +59,7 @@ private slots:
     void hertz()
     {
         const Case c = sample("contact_hertz");
-        const ConvergenceStudy study = studyConvergence(c, {.levels = 4, .jobs = 2});
+        const ConvergenceStudy study = solved(c, 4, 2);
         QCOMPARE(study.status, StudyStatus::Completed);
         QCOMPARE(study.levels.size(), std::size_t{4});
         QCOMPARE(study.levels[2].cell, c.elastic.cell);
@@ -66,23 +74,23 @@ private slots:
     void doesNotDependOnJobs()
     {
         const Case c = sample("contact_rough");
-        const ConvergenceStudy one = studyConvergence(c, {.levels = 3, .jobs = 1});
-        const ConvergenceStudy three = studyConvergence(c, {.levels = 3, .jobs = 3});
+        const ConvergenceStudy one = solved(c, 3, 1);
+        const ConvergenceStudy three = solved(c, 3, 3);
         for (std::size_t i = 0; i < one.levels.size(); ++i) QCOMPARE(one.levels[i].values, three.levels[i].values);
     }
     void stops()
     {
-        const ConvergenceStudy study = studyConvergence(sample("contact_hertz"), {.levels = 5, .jobs = 1},
-                                                        [](int, double, const ConvergenceStudy&) { return false; });
-        QCOMPARE(study.status, StudyStatus::Cancelled);
-        QVERIFY(study.observed.empty());
-        QVERIFY(!study.message.empty());
+        const StudyReport report =
+            performItems(convergenceItems(sample("contact_hertz"), 5), {}, [](const StudyProgress&) { return false; });
+        QCOMPARE(report.status, StudyStatus::Cancelled);
+        QCOMPARE(report.tables.size(), std::size_t{1}); // no orders
+        QCOMPARE(report.message, std::string("stopped after 0 of 5 items"));
     }
     void noSolution()
     {
         Case c = sample("contact_hertz");
         c.elastic.maximumIterations = 1;
-        const ConvergenceStudy study = studyConvergence(c, {.levels = 3});
+        const ConvergenceStudy study = solved(c, 3);
         QCOMPARE(study.status, StudyStatus::Failed);
         QVERIFY2(study.message.starts_with("cells of "), study.message.c_str());
     }
@@ -104,7 +112,7 @@ private slots:
     {
         QFETCH(QString, name);
         QFETCH(QString, says);
-        const std::string reason = reasonNotToConverge(sample(name.toLatin1().constData()), {});
+        const std::string reason = reasonNotToConverge(sample(name.toLatin1().constData()), standardLevels);
         QCOMPARE(reason.empty(), says.isEmpty());
         QVERIFY2(QString::fromStdString(reason).contains(says), reason.c_str());
     }
@@ -114,9 +122,9 @@ private slots:
         Case c = sample("contact_rough");
         c.elastic.cell = 0.5e-6;
         c.pad.length = 9e-6;
-        const std::string reason = reasonNotToConverge(c, {.levels = 4});
+        const std::string reason = reasonNotToConverge(c, 4);
         QVERIFY2(reason.starts_with("pad.length: 9 um with elastic.cell = 2 um is not a whole number"), reason.c_str());
-        QCOMPARE(reasonNotToConverge(c, {.levels = 3}), std::string());
+        QCOMPARE(reasonNotToConverge(c, 3), std::string());
     }
 };
 

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/studies/precision/precision_task.h"
+#include "core/studies/runs/expected_cost.h"
 #include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"
 

@@ -117,6 +117,21 @@ private slots:
         const auto pair = changeCase(c, {{"ono_yamane.touch_down", "6 nm"}});
         QVERIFY(pair && pair->key.starts_with("ono_yamane."));
     }
+    void aRunTellsItsShare()
+    {
+        Case c = sample("fig10a");
+        c.run.duration = 0.2e-3;
+        std::vector<double> shares;
+        measureRun(c, {}, {}, {}, [&](double share) { shares.push_back(share); });
+        QVERIFY(shares.size() > 1);
+        QVERIFY(std::ranges::is_sorted(shares));
+        QCOMPARE(shares.back(), 1.0);
+        // However it ends.
+        shares.clear();
+        measureRun(
+            c, {}, [] { return false; }, {}, [&](double share) { shares.push_back(share); });
+        QCOMPARE(shares.back(), 1.0);
+    }
 };
 
 TOUCHDOWN_TEST(TestMeasuredRun)

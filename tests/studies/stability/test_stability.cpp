@@ -35,8 +35,15 @@ Read read(const std::string& text, const Case& c)
     if (!toml.problem.empty()) qFatal("no TOML: %s", toml.problem.c_str());
     StudyReader reader(toml, "study.toml", c, result.problems);
     reader.setKeys(stabilityForm(c).keys);
-    result.perform = planStability(reader);
+    StudyWork work = planStability(reader);
     reader.finish();
+    if (auto* perform = std::get_if<StudyPerformance>(&work)) {
+        result.perform = std::move(*perform);
+        return result;
+    }
+    result.perform = [items = std::get<ItemStudy>(std::move(work))](int jobs, const StudyCallback& callback) {
+        return performItems(items, {.jobs = jobs}, callback);
+    };
     return result;
 }
 

@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/runs/work_done.h"
+#include "core/work/work_done.h"
 
-#include <algorithm>
 #include <cmath>
 #include <thread>
 #include <vector>
 
 #include <QTest>
 
-#include "core/case/integrator_kind.h"
-#include "core/studies/runs/measured_run.h"
-#include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -52,35 +48,6 @@ private slots:
                 });
         }
         QVERIFY(std::abs(work.share() - 1.0) < 1e-12);
-    }
-    /// A tenth of the step needs ten times the right-hand sides; a film of four times the nodes costs four times as
-    /// much.
-    void expectedCosts()
-    {
-        Case c = sample("fig10a");
-        c.run.integrator = IntegratorKind::Rk4;
-        c.run.step = 10e-9;
-        Case fine = c;
-        fine.run.step = 1e-9;
-        QVERIFY(std::abs(expectedCost(fine) / expectedCost(c) - 10.0) < 1e-9);
-        Case film = sample("film_pico"), wide = film;
-        wide.film.nodes = {2 * film.film.nodes[0], 2 * film.film.nodes[1]};
-        QVERIFY(std::abs(expectedCost(wide) / expectedCost(film) - 4.0) < 1e-9);
-    }
-    void aRunTellsItsShare()
-    {
-        Case c = sample("fig10a");
-        c.run.duration = 0.2e-3;
-        std::vector<double> shares;
-        measureRun(c, {}, {}, {}, [&](double share) { shares.push_back(share); });
-        QVERIFY(shares.size() > 1);
-        QVERIFY(std::ranges::is_sorted(shares));
-        QCOMPARE(shares.back(), 1.0);
-        // However it ends.
-        shares.clear();
-        measureRun(
-            c, {}, [] { return false; }, {}, [&](double share) { shares.push_back(share); });
-        QCOMPARE(shares.back(), 1.0);
     }
 };
 
