@@ -117,10 +117,10 @@ void StudyEditor::build()
     duration_->setAccessibleName(tr("The time that the study takes"));
     duration_->hide();
     run_->setAccessibleName(tr("Perform the study"));
-    run_->setToolTip(tr("Perform the study (Shift+F5)"));
     stop_->setAccessibleName(tr("Stop the study"));
     stop_->setToolTip(tr("Stop the study; its results so far are kept (F8)"));
     stop_->setEnabled(false);
+    nameRun();
     for (QPushButton* button : {run_, stop_}) button->setAutoDefault(false);
 
     subject_->setWordWrap(true);
@@ -308,8 +308,22 @@ void StudyEditor::showProblems()
 
 void StudyEditor::setRunning(bool running, bool chosen)
 {
-    run_->setText(running && chosen ? tr("Perform again") : tr("Perform"));
+    running_ = running && chosen;
     stop_->setEnabled(running);
+    nameRun();
+}
+
+void StudyEditor::setContinues(bool continues)
+{
+    continues_ = continues;
+    nameRun();
+}
+
+void StudyEditor::nameRun()
+{
+    run_->setText(running_ ? tr("Perform again") : continues_ ? tr("Continue") : tr("Perform"));
+    run_->setToolTip(continues_ ? tr("Solve the rows that are missing (Shift+F5)")
+                                : tr("Perform the study (Shift+F5)"));
 }
 
 void StudyEditor::changeEvent(QEvent* event)

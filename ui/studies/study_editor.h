@@ -73,6 +73,8 @@ public:
     QString titleOf(const QString& kind) const;
     /// Whether a study is under way; one of the chosen kind?
     void setRunning(bool running, bool chosen);
+    /// Whether the study goes on with the rows that it has.
+    void setContinues(bool continues);
     /// The time that the study takes, in a sentence; empty: nothing is said.
     void setDuration(const QString& sentence);
     QString duration() const { return duration_->text(); }
@@ -132,13 +134,15 @@ private:
     void takeDefaults();
     void replan();
     void showProblems();
+    void nameRun();
     void colour();
 
     StudyCatalogue catalogue_;
     Case case_;
     std::map<QString, Draft> drafts_;
     StudyPlan plan_;
-    bool stale_ = true; // the plan is of another text or another case
+    bool running_ = false, continues_ = false; // the study of the chosen kind
+    bool stale_ = true;                        // the plan is of another text or another case
     QTimer soon_;
 
     QComboBox* kinds_;

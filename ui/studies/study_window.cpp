@@ -100,17 +100,38 @@ bool StudyWindow::perform()
     pilotSoon_.stop();
     pilot_.stopAndWait();
     performing_ = plan.kind;
+    StudyPerformance work = plan.perform;
+    taken_ = std::make_shared<std::size_t>(0);
+    if (plan.performList) {
+        const auto kept = std::make_shared<KeptRows>();
+        if (const StudyOutcome* before = outcome(performing_); before != nullptr && before->report)
+            for (const StudyItem& item : before->report->items) kept->emplace(item.key, item.row);
+        work = [list = plan.performList, kept, taken = taken_](int jobs, const StudyCallback& callback) {
+            return list({.jobs = jobs, .kept = kept.get(), .taken = taken.get()}, callback);
+        };
+    }
     StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0};
-    outcome.number = controller_.start(outcome.plan.perform, threads());
+    outcome.number = controller_.start(std::move(work), threads());
     updateDuration();
     show();
     emit started();
     return true;
 }
 
+bool StudyWindow::goesOn() const
+{
+    const StudyOutcome* last = outcome(editor_->kind().toStdString());
+    if (last == nullptr || !last->report || last->report->items.empty()) return false;
+    const StudyPlan& plan = editor_->plan();
+    return plan.performList && last->report->status != StudyStatus::Completed && alike(last->plan, plan);
+}
+
 void StudyWindow::onFinished(const StudyReport& report)
 {
-    progress_->conclude(name(report.status), tr("%1 · %2").arg(readable(report.title), timeText(report.wallSeconds)));
+    QString text = tr("%1 · %2").arg(readable(report.title), timeText(report.wallSeconds));
+    if (*taken_ > 0)
+        text += tr(" · %1 of %2 rows were there already").arg(*taken_).arg(outcomes_[performing_].plan.items);
+    progress_->conclude(name(report.status), text);
     if (report.status == StudyStatus::Cancelled && showsNothing(report))
         outcomes_.erase(performing_);
     else
@@ -174,6 +195,7 @@ void StudyWindow::show()
 
 void StudyWindow::updateStale()
 {
+    editor_->setContinues(!underWay(shown_) && goesOn());
     const auto outcome = outcomes_.find(shown_);
     if (outcome == outcomes_.end() || underWay(shown_)) return;
     results_->setStale(!alike(outcome->second.plan, editor_->plan()));

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <optional>
 
 #include <QObject>
@@ -43,8 +44,11 @@ public:
     StudyController& controller() { return controller_; }
     StudyPilot& pilot() { return pilot_; }
 
-    /// Performs the study in the editor; false if it has errors.
+    /// Performs the study in the editor; false if it has errors. Rows of the latest list of its kind are taken as they
+    /// are.
     bool perform();
+    /// Whether the study in the editor ended early and goes on with the rows that it has.
+    bool goesOn() const;
     /// The kind of the study under way; empty: none.
     QString kindUnderWay() const { return controller_.active() ? QString::fromStdString(performing_) : QString(); }
     bool underWay(const std::string& kind) const { return controller_.active() && kind == performing_; }
@@ -95,8 +99,9 @@ private:
     StudyResults* results_;
     ProgressStrip* progress_;
     std::map<std::string, StudyOutcome> outcomes_;
-    std::string performing_; // the kind of the study under way, or of the last one
-    std::string shown_;      // the kind on the page
+    std::shared_ptr<std::size_t> taken_; // rows of the latest list that were there already
+    std::string performing_;             // the kind of the study under way, or of the last one
+    std::string shown_;                  // the kind on the page
 };
 
 } // namespace touchdown

@@ -164,7 +164,7 @@ void MainWindow::performStudy()
         if (studies_->perform()) messages_->clear(); // also that the one before it was stopped
     };
     const QString other = studies_->kindUnderWay();
-    if (const StudyReport* former = studies_->unsaved(plan.kind))
+    if (const StudyReport* former = studies_->unsaved(plan.kind); former && !studies_->goesOn())
         askToReplaceReport(*this, *former, perform);
     else if (!other.isEmpty() && other != QString::fromStdString(plan.kind))
         askBeforeLoss(*this,

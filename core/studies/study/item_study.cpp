@@ -137,13 +137,18 @@ private:
         const double share = work_.share(), now = wallClock();
         const std::string doing = std::to_string(std::min(done + 1, count)) + " of " + std::to_string(count);
         std::optional<ItemRows> seen;
+        std::vector<std::string> keys;
         if (now >= nextReport_) {
             const std::lock_guard lock(mutex_);
-            if (std::exchange(told_, ready_) < ready_) seen = rows_;
+            if (std::exchange(told_, ready_) < ready_) {
+                seen = rows_;
+                keys = keys_;
+            }
         }
         if (!seen) return callback_({share, doing, nullptr});
         StudyReport soFar = study_.report(*seen);
         soFar.findings.clear();
+        addItems(soFar, std::move(keys), std::move(*seen));
         const bool goOn = callback_({share, doing, &soFar});
         const double took = wallClock() - now;
         nextReport_ = now + std::max(betweenReports, took / reportShare);
@@ -161,9 +166,12 @@ private:
                " have no row in these files: " + joined(names);
     }
 
-    /// Kept rows that this list has no use for, or did not reach.
-    void addOthers(StudyReport& report) const
+    /// The rows that are there; behind them kept rows that this list has no use for, or has not reached.
+    void addItems(StudyReport& report, std::vector<std::string> keys, ItemRows rows) const
     {
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            if (rows[i]) report.items.push_back({std::move(keys[i]), std::move(*rows[i])});
+        if (options_.kept == nullptr || options_.onlyKept) return;
         std::unordered_set<std::string> used;
         for (const StudyItem& item : report.items) used.insert(item.key);
         std::vector<std::string> others;
@@ -178,10 +186,8 @@ private:
 
     void finish(StudyReport& report, bool whole)
     {
-        for (std::size_t i = 0; i < rows_.size(); ++i)
-            if (rows_[i]) report.items.push_back({std::move(keys_[i]), std::move(*rows_[i])});
-        const std::size_t ready = report.items.size();
-        if (options_.kept != nullptr && !options_.onlyKept) addOthers(report);
+        addItems(report, std::move(keys_), std::move(rows_));
+        const std::size_t ready = ready_;
         if (options_.taken != nullptr) *options_.taken = taken_;
         if (!problem_.empty()) {
             report.status = StudyStatus::Failed;
