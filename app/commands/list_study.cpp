@@ -59,6 +59,10 @@ void ListStudy::check(const StudyPlan& plan, const CommandArguments& arguments, 
         else if (arguments.out.empty())
             refuse(option, "needs --out FILE.h5");
     }
+    if (plan.keepsFiles && arguments.out.empty())
+        refuse("--out", "is needed: the study keeps the results of its runs in a folder beside that file");
+    else if (plan.keepsFiles)
+        options_.files = std::filesystem::path(arguments.out).parent_path() / "runs";
     if (!arguments.part.empty()) {
         if (const auto part = readPart(arguments.part))
             options_.part = *part;

@@ -7,7 +7,6 @@
 #include <iterator>
 #include <optional>
 
-#include "app/commands/run_output.h"
 #include "app/commands/run_source.h"
 #include "app/terminal/console.h"
 #include "app/terminal/json_text.h"
@@ -21,6 +20,7 @@
 #include "core/case_files/case_file.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/results/run_output.h"
 #include "core/simulation/contact/pad_way.h"
 #include "core/simulation/run.h"
 
@@ -314,7 +314,8 @@ int runCommand(const CommandArguments& arguments)
     if (!problems.empty()) return refuse(problems, arguments.json);
 
     ProgressLine line(arguments.progress);
-    RunOutput output(document, {source.out, arguments.csv}, source.continued, source.heldUntil);
+    RunOutput output(
+        document, {source.out, arguments.csv}, [] { return !stopRequested(); }, source.continued, source.heldUntil);
     if (!output.problem().empty()) return refuse({{"", 0, "", output.problem()}}, arguments.json);
     if (source.continued.from) {
         output.addBefore(source.samples, source.fields, source.continued);

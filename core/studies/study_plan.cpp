@@ -151,6 +151,7 @@ StudyPlan planStudy(const std::string& kind, Source source, const std::vector<st
     }
     const auto list = std::make_shared<const ItemStudy>(std::move(std::get<ItemStudy>(work)));
     plan.items = list->count;
+    plan.keepsFiles = list->keepsFiles;
     plan.caseOf = list->caseOf;
     plan.performList = [list, finished](const ItemOptions& parts, const StudyCallback& callback) {
         return finished([&] { return performItems(*list, parts, callback); });
@@ -193,6 +194,18 @@ std::optional<StoredStudy> storedIn(const std::string& file)
 {
     if (lowerCase(std::filesystem::path(file).extension().string()) != ".h5" || !isFile(file)) return {};
     return readStudy(file);
+}
+
+/// With the case that the file holds in place of the one that its text names.
+StudyPlan planStored(const std::string& kind, const StoredStudy& stored, const std::string& name,
+                     const std::vector<std::string>& settings, const std::vector<std::string>& options,
+                     OutsidePaths outside)
+{
+    Source source{stored.studyText, name, {}, parseCase(stored.caseText, name)};
+    source.instead = true;
+    std::vector<std::string> all = stored.options;
+    all.insert(all.end(), options.begin(), options.end());
+    return planStudy(kind, std::move(source), settings, all, outside);
 }
 
 CaseDocument openSample(const std::string& kind, const std::string& name, OutsidePaths outside)
@@ -278,13 +291,8 @@ std::optional<StudySource> findStudySource(const std::string& fileOrName)
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, const std::vector<std::string>& settings,
                     const std::vector<std::string>& options, OutsidePaths outside)
 {
-    if (auto stored = storedIn(fileOrName); stored && stored->problem.empty()) {
-        Source source{std::move(stored->studyText), fileOrName, {}, parseCase(std::move(stored->caseText), fileOrName)};
-        source.instead = true;
-        std::vector<std::string> all = std::move(stored->options);
-        all.insert(all.end(), options.begin(), options.end());
-        return planStudy(kind, std::move(source), settings, all, outside);
-    }
+    if (const auto stored = storedIn(fileOrName); stored && stored->problem.empty())
+        return planStored(kind, *stored, fileOrName, settings, options, outside);
     if (isFile(fileOrName)) {
         const std::filesystem::path folder = std::filesystem::path(fileOrName).parent_path();
         if (auto study = studyInFile(fileOrName))
@@ -294,6 +302,11 @@ StudyPlan openStudy(const std::string& kind, const std::string& fileOrName, cons
         return planStudy(kind, {sample->text, sample->name, {}, {}}, settings, options, outside);
     }
     return planStudy(kind, {"", fileOrName, {}, openSample(kind, fileOrName, outside)}, settings, options, outside);
+}
+
+StudyPlan reopenStudy(const StoredStudy& stored)
+{
+    return planStored(stored.report.kind, stored, stored.report.title, {}, {}, OutsidePaths::Refused);
 }
 
 StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,

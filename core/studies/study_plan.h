@@ -28,6 +28,7 @@
 namespace touchdown {
 
 class StudyReader;
+struct StoredStudy;
 
 struct StudyKind {
     std::string name;                            // "work-precision"
@@ -53,6 +54,7 @@ struct StudyPlan {
     std::vector<std::filesystem::path> inputs; // all files that were read: the study, its cases and their files
     StudyPerformance perform;                  // set where there is no problem
     std::size_t items = 0;                     // of a study that is a list
+    bool keepsFiles = false;                   // whole results of its items, in ItemOptions::files
     std::function<Case(std::size_t)> caseOf;   // of a row of its first table; not set where rows are no cases
     /// The same of such a study, also of a part of it; else not set.
     std::function<StudyReport(const ItemOptions&, const StudyCallback&)> performList;
@@ -77,6 +79,8 @@ std::string studyKindIn(const std::string& fileOrName);
 StudyPlan openStudy(const std::string& kind, const std::string& fileOrName,
                     const std::vector<std::string>& settings = {}, const std::vector<std::string>& options = {},
                     OutsidePaths outside = OutsidePaths::Refused);
+/// The study of a file that the program wrote, as it was performed.
+StudyPlan reopenStudy(const StoredStudy& stored);
 /// A study's text that stands in `folder`. `given` is the case where the text names none.
 StudyPlan parseStudy(const std::string& kind, const std::string& text, const std::string& name,
                      const std::filesystem::path& folder, const Case* given = nullptr,

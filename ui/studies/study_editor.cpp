@@ -10,7 +10,9 @@
 
 #include "core/formats/toml_document.h"
 #include "core/formats/toml_editor.h"
+#include "core/studies/engine/engine.h"
 #include "ui/case/parameter_text.h"
+#include "ui/studies/engine_dialog.h"
 #include "ui/style/foreign_text.h"
 #include "ui/style/quantity_format.h"
 #include "ui/style/readable.h"
@@ -24,6 +26,12 @@ namespace {
 
 constexpr int planDelay = 250;          // [ms] after the last key
 constexpr std::size_t mostProblems = 6; // shown at once
+
+bool hasCluster()
+{
+    static const bool has = reasonAgainst(EngineKind::Slurm).empty();
+    return has;
+}
 
 } // namespace
 
@@ -56,7 +64,9 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
       save_(quietButton(tr("Save…"), tr("Save this text as a study file; the command line can perform it, too"),
                         tr("Save the study's text"), this)),
       defaults_(quietButton(tr("Defaults"), tr("Restore the default text for this case"),
-                            tr("Use the defaults of this kind of study"), this))
+                            tr("Use the defaults of this kind of study"), this)),
+      cluster_(quietButton(tr("Cluster…"), tr("Perform the study in parts, as jobs of Slurm"),
+                           tr("Perform the study on a cluster"), this))
 {
     for (const StudyKind& kind : catalogue_.kinds)
         kinds_->addItem(QString::fromStdString(kind.title), QString::fromStdString(kind.name));
@@ -95,6 +105,7 @@ StudyEditor::StudyEditor(StudyCatalogue catalogue, QWidget* parent)
     });
     connect(open_, &QToolButton::clicked, this, &StudyEditor::chooseOpen);
     connect(run_, &QPushButton::clicked, this, &StudyEditor::runRequested);
+    connect(cluster_, &QToolButton::clicked, this, &StudyEditor::chooseEngine);
     connect(stop_, &QPushButton::clicked, this, &StudyEditor::stopRequested);
     connect(save_, &QToolButton::clicked, this, [this] { chooseSave(kind(), {}); });
     connect(defaults_, &QToolButton::clicked, this, &StudyEditor::takeDefaults);
@@ -140,6 +151,7 @@ void StudyEditor::build()
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(run_, 2);
     buttons->addWidget(stop_, 1);
+    buttons->addWidget(cluster_);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 8);
     layout->setSpacing(6);
@@ -193,6 +205,13 @@ void StudyEditor::showKind()
     if (isVisible()) replan();
 }
 
+QString StudyEditor::folder() const
+{
+    const auto draft = drafts_.find(kind());
+    return draft == drafts_.end() || draft->second.file.isEmpty() ? QString()
+                                                                  : QFileInfo(draft->second.file).absolutePath();
+}
+
 const StudyPlan& StudyEditor::plan()
 {
     form_->commitTyped();
@@ -239,6 +258,13 @@ void StudyEditor::showForm()
         form_->show(catalogue_.form(kind().toStdString(), plan_.start.value), toml, plan_.start.value,
                     QString::fromStdString(case_.title));
     form_->mark(plan_.problems, plan_.name);
+}
+
+void StudyEditor::chooseEngine()
+{
+    auto* dialog = new EngineDialog(folder(), this);
+    connect(dialog, &EngineDialog::taken, this, &StudyEditor::engineChosen);
+    dialog->open();
 }
 
 void StudyEditor::enter(const QString& key, const QString& value)
@@ -304,6 +330,8 @@ void StudyEditor::showProblems()
     problems_->setVisible(!lines.isEmpty());
     text_->markLines(marked);
     run_->setEnabled(plan_.valid() && plan_.perform != nullptr);
+    cluster_->setVisible(hasCluster());
+    cluster_->setEnabled(plan_.valid() && plan_.performList != nullptr);
 }
 
 void StudyEditor::setRunning(bool running, bool chosen)

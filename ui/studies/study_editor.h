@@ -27,6 +27,7 @@
 
 namespace touchdown {
 
+struct EngineTask;
 class TomlEditor;
 
 /// The studies that the window offers.
@@ -50,6 +51,8 @@ public:
     /// The case in the window, as it is edited.
     void setCase(const Case& c);
     void setKind(const QString& name);
+    /// Of the file of the chosen kind's text; empty: it has none.
+    QString folder() const;
     QString kind() const { return kinds_->currentData().toString(); }
     /// The plan of the chosen kind; an empty study is a plan with a problem.
     const StudyPlan& plan();
@@ -82,6 +85,7 @@ public:
     QComboBox* kinds() const { return kinds_; }
     QPushButton* run() const { return run_; }
     QPushButton* stop() const { return stop_; }
+    QToolButton* cluster() const { return cluster_; }
     QString problems() const { return problems_->text(); }
     StudyFormView* form() const { return form_; }
     StudySamples* samples() const { return samples_; }
@@ -91,6 +95,8 @@ public:
 
 signals:
     void runRequested();
+    /// The study is to be performed elsewhere.
+    void engineChosen(const touchdown::EngineTask& engine);
     void stopRequested();
     /// Something was opened or saved, or could not be.
     void succeeded(const QString& message);
@@ -114,6 +120,7 @@ private:
 
     void build();
     void chooseOpen();
+    void chooseEngine();
     /// Whether this is the draft's file, and another program has changed it since it was opened or saved.
     static bool changedOutside(const StudyDraft& draft, const QString& file);
     /// Asks about an edited text of a kind; calls `next` unless the user cancels.
@@ -155,7 +162,7 @@ private:
     QLabel* problems_;
     QLabel* duration_; // of the study
     QPushButton *run_, *stop_;
-    QToolButton *open_, *save_, *defaults_;
+    QToolButton *open_, *save_, *defaults_, *cluster_;
 };
 
 } // namespace touchdown

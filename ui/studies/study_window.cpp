@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <QDir>
+#include <QFileInfo>
 #include <QThread>
 
 #include "core/case_files/case_reader.h"
@@ -45,6 +46,36 @@ QString writeOutcome(const StudyOutcome& outcome, const QString& file)
                                              updateCaseText(plan.start.text, plan.start.value), plan.text));
 }
 
+/// The folder of whole runs beside a study.
+QString runsBeside(const QString& folder) { return QDir(folder).filePath(QStringLiteral("runs")); }
+
+/// The file with the run of a row; "" where there is none.
+QString runOf(const StudyOutcome& outcome, int row)
+{
+    if (outcome.runs.isEmpty() || !outcome.report || outcome.report->tables.empty() || row < 0) return {};
+    const StudyTable& table = outcome.report->tables.front();
+    const auto column = std::ranges::find(table.columns, "file", &StudyColumn::name);
+    if (column == table.columns.end() || std::size_t(row) >= table.rows.size()) return {};
+    const auto* name =
+        std::get_if<std::string>(&table.rows[std::size_t(row)][std::size_t(column - table.columns.begin())]);
+    // A report may come from a stranger: a name, never a way to another folder.
+    if (name == nullptr || name->empty() || name->find('/') != std::string::npos) return {};
+    const QString file = QDir(outcome.runs).filePath(QString::fromStdString(*name));
+    return QFileInfo(file).isFile() ? file : QString();
+}
+
+/// With what the engine tells meanwhile as warnings of the report.
+StudyPerformance onEngine(const StudyPlan& plan, const EngineTask& engine)
+{
+    return [plan, engine](int, const StudyCallback& callback) {
+        std::vector<std::string> told;
+        StudyReport report =
+            performByEngine(plan, engine, callback, [&](const std::string& text) { told.push_back(text); });
+        report.warnings.insert(report.warnings.end(), told.begin(), told.end());
+        return report;
+    };
+}
+
 } // namespace
 
 StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
@@ -74,6 +105,7 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
     });
     connect(results_, &StudyResults::caseRequested, this, [this](int row) {
         const StudyOutcome* of = outcome(shown_);
+        if (const QString file = of ? runOf(*of, row) : QString(); !file.isEmpty()) return emit runRequested(file);
         if (of && of->plan.caseOf && row >= 0 && std::size_t(row) < of->plan.items)
             emit caseRequested(of->plan.caseOf(std::size_t(row)),
                                tr("row %1 of %2").arg(QString::number(row + 1), readable(of->report->title)));
@@ -92,25 +124,34 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
     shown_ = editor_->kind().toStdString();
 }
 
-bool StudyWindow::perform()
+bool StudyWindow::perform(const std::optional<EngineTask>& engine)
 {
     const StudyPlan& plan = editor_->plan();
     if (!plan.valid() || !plan.perform) return false;
+    const QString folder = engine ? QString::fromStdString(engine->folder.string()) : editor_->folder();
+    const QString runs = plan.keepsFiles && !folder.isEmpty() ? runsBeside(folder) : QString();
+    if (plan.keepsFiles && runs.isEmpty()) {
+        emit failed(tr("This study keeps the results of its runs in a folder beside its file: save the study first."));
+        return false;
+    }
     controller_.stopAndWait();
     pilotSoon_.stop();
     pilot_.stopAndWait();
     performing_ = plan.kind;
     StudyPerformance work = plan.perform;
     taken_ = std::make_shared<std::size_t>(0);
-    if (plan.performList) {
+    if (engine) {
+        work = onEngine(plan, *engine);
+    } else if (plan.performList) {
         const auto kept = std::make_shared<KeptRows>();
         if (const StudyOutcome* before = outcome(performing_); before != nullptr && before->report)
             for (const StudyItem& item : before->report->items) kept->emplace(item.key, item.row);
-        work = [list = plan.performList, kept, taken = taken_](int jobs, const StudyCallback& callback) {
-            return list({.jobs = jobs, .kept = kept.get(), .taken = taken.get()}, callback);
+        work = [list = plan.performList, kept, taken = taken_,
+                files = runs.toStdString()](int jobs, const StudyCallback& callback) {
+            return list({.jobs = jobs, .files = files, .kept = kept.get(), .taken = taken.get()}, callback);
         };
     }
-    StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0};
+    StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0, runs};
     outcome.number = controller_.start(std::move(work), threads());
     updateDuration();
     show();
@@ -217,12 +258,16 @@ const StudyReport* StudyWindow::unsaved(const std::string& kind) const
 void StudyWindow::restore(StoredStudy stored, const QString& file)
 {
     const std::string kind = stored.report.kind;
-    StudyPlan plan;
-    plan.kind = kind;
+    StudyPlan plan = reopenStudy(stored);
+    if (!plan.valid()) { // its case names files that are not here
+        plan = {};
+        plan.kind = kind;
+        plan.text = std::move(stored.studyText);
+        plan.start = parseCase(std::move(stored.caseText), stored.report.title);
+    }
     plan.title = stored.report.title;
-    plan.text = std::move(stored.studyText);
-    plan.start = parseCase(std::move(stored.caseText), plan.title);
-    outcomes_[kind] = {std::move(plan), std::move(stored.report), SavedFile(file), 0};
+    const QString runs = file.isEmpty() ? QString() : runsBeside(QFileInfo(file).absolutePath());
+    outcomes_[kind] = {std::move(plan), std::move(stored.report), SavedFile(file), 0, runs};
     show();
 }
 

@@ -11,6 +11,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include "core/studies/engine/engine.h"
 #include "core/studies/study_plan.h"
 #include "ui/studies/study_controller.h"
 #include "ui/studies/study_pilot.h"
@@ -30,6 +31,7 @@ struct StudyOutcome {
     std::optional<StudyReport> report; // none before the first result
     SavedFile file;                    // that the user saved the report to
     int number = 0;                    // of the calculation; 0: it was restored
+    QString runs{};                    // the folder with the results of its runs; empty: it keeps none
 };
 
 class StudyWindow : public QObject {
@@ -44,9 +46,9 @@ public:
     StudyController& controller() { return controller_; }
     StudyPilot& pilot() { return pilot_; }
 
-    /// Performs the study in the editor; false if it has errors. Rows of the latest list of its kind are taken as they
-    /// are.
-    bool perform();
+    /// Performs the study in the editor, by this engine if there is one; false if it has errors. Here, rows of the
+    /// latest list of its kind are taken as they are.
+    bool perform(const std::optional<EngineTask>& engine = {});
     /// Whether the study in the editor ended early and goes on with the rows that it has.
     bool goesOn() const;
     /// The kind of the study under way; empty: none.
@@ -76,6 +78,8 @@ signals:
     void applyRequested(const touchdown::Case& found, const QString& kind);
     /// The user wants to see a case of a list.
     void caseRequested(const touchdown::Case& c, const QString& name);
+    /// The user wants to see a run of a list, whose results are in this file.
+    void runRequested(const QString& file);
     void succeeded(const QString& message);
     void failed(const QString& problem);
 

@@ -152,7 +152,7 @@ void MainWindow::startRun()
     });
 }
 
-void MainWindow::performStudy()
+void MainWindow::performStudyBy(const std::optional<EngineTask>& engine)
 {
     setPage(Page::Studies);
     if (!readyToRun()) return;
@@ -160,8 +160,8 @@ void MainWindow::performStudy()
     if (!plan.valid() || !plan.perform)
         return messages_->show(MessageStrip::Kind::Failure,
                                tr("The study cannot be performed: its errors are listed below its text."));
-    const auto perform = [this] {
-        if (studies_->perform()) messages_->clear(); // also that the one before it was stopped
+    const auto perform = [this, engine] {
+        if (studies_->perform(engine)) messages_->clear(); // also that the one before it was stopped
     };
     const QString other = studies_->kindUnderWay();
     if (const StudyReport* former = studies_->unsaved(plan.kind); former && !studies_->goesOn())

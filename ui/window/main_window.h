@@ -59,7 +59,7 @@ public:
     void startRun() override;
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
     void solveStaticState(bool atGivenAttitude = false);
-    void performStudy() override;
+    void performStudy() override { performStudyBy({}); }
     /// Performs the lesson beside the window and writes it as PDF.
     void printLessonTo(const QString& file);
     void setPage(Page page) override { pages_->setPage(page); }
@@ -95,6 +95,8 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    /// `engine`: where, if not here.
+    void performStudyBy(const std::optional<EngineTask>& engine);
     void connectFiles();
     void connectRuns();
     void connectFilm();

@@ -249,6 +249,7 @@ void MainWindow::connectStudies()
 {
     connect(actions_->study, &QAction::triggered, this, &MainWindow::performStudy);
     connect(studies_->editor(), &StudyEditor::runRequested, this, &MainWindow::performStudy);
+    connect(studies_->editor(), &StudyEditor::engineChosen, this, &MainWindow::performStudyBy);
     connect(studies_->editor(), &StudyEditor::fileOpened, this, &MainWindow::onStudyOpened);
     connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
     connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);

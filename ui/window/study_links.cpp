@@ -37,6 +37,7 @@ void linkStudies(const StudyLinkParts& parts, const std::function<void()>& showS
     QObject::connect(
         &parts.studies, &StudyWindow::caseRequested, &parts.files,
         [parts](const Case& c, const QString& name) { parts.files.use(c, name, tr("open the case of %1").arg(name)); });
+    QObject::connect(&parts.studies, &StudyWindow::runRequested, &parts.files, &CaseFiles::resultsFileChosen);
     QObject::connect(&parts.studies, &StudyWindow::applyRequested, &parts.files,
                      [parts](const Case& found, const QString& title) { apply(parts, found, title); });
 }

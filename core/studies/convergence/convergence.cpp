@@ -248,9 +248,9 @@ ItemStudy convergenceItems(const Case& c, int levels)
         .width = 4 + studied(c).size(),
         .content = [c, cellAt,
                     contents](std::size_t i) { return "level " + decimalText(cellAt(i)) + "\n" + contents->of(c); },
-        .solve = [c, cellAt](std::size_t i, const GoOn& goOn, const ShareTeller&) -> std::optional<ItemRow> {
-            const ConvergenceLevel level = solveLevel(c, cellAt(i), goOn);
-            return goOn() ? std::optional(rowOf(level)) : std::nullopt;
+        .solve = [c, cellAt](std::size_t i, ItemCall& call) -> std::optional<ItemRow> {
+            const ConvergenceLevel level = solveLevel(c, cellAt(i), call.goOn);
+            return call.goOn() ? std::optional(rowOf(level)) : std::nullopt;
         },
         .report = [c, levels](const ItemRows& rows) { return convergenceReport(convergenceOf(c, levels, rows)); },
         .cost = [](std::size_t i) { return std::pow(4.0, double(i)); }, // as many cells

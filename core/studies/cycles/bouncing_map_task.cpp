@@ -232,9 +232,9 @@ ItemStudy bouncingMapItems(const MarkedMapTask& task)
                 const auto [x, y] = placeOf(i);
                 return decimalText(x) + " " + decimalText(y) + " " + common;
             },
-        .solve = [task, placeOf](std::size_t i, const GoOn& goOn, const ShareTeller&) -> std::optional<ItemRow> {
+        .solve = [task, placeOf](std::size_t i, ItemCall& call) -> std::optional<ItemRow> {
             const auto [x, y] = placeOf(i);
-            const MapCell cell = judgeCell(task, x, y, goOn);
+            const MapCell cell = judgeCell(task, x, y, call.goOn);
             return cell.done ? std::optional(rowOf(cell)) : std::nullopt;
         },
         .report =

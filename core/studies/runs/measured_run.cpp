@@ -7,6 +7,7 @@
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/numerics/moments.h"
+#include "core/results/run_output.h"
 #include "core/simulation/recording/last_sample.h"
 #include "core/simulation/run.h"
 
@@ -28,14 +29,10 @@ void dropSampleBetween(MeasuredRun& run, double interval)
         if (!column.empty()) column.pop_back();
 }
 
-} // namespace
-
-MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn,
-                       const RunOptions& options, const ShareTeller& tell)
+/// `output` may be null.
+MeasuredRun measure(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn,
+                    const RunOptions& options, const ShareTeller& tell, RunOutput* output)
 {
-    Case c = given;
-    c.run.stepCheck = false;
-    c.run.fieldSnapshots = 0;
     const std::vector<Quantity> all = recordedQuantities(c);
     std::vector<int> columns;
     for (const std::string& quantity : quantities) columns.push_back(findQuantity(all, quantity));
@@ -62,15 +59,34 @@ MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quanti
                 tail.push_back(batch.columns[static_cast<std::size_t>(spacing)][i]);
             }
             if (tell) tell(update.time / c.run.duration);
-            return !goOn || goOn();
+            if (output != nullptr) output->add(update);
+            return (!goOn || goOn()) && (output == nullptr || output->problem().empty());
         },
         options);
     if (tell) tell(1.0);
+    if (output != nullptr) output->finish(run.summary);
     if (!run.valid()) dropSampleBetween(run, c.run.sampleInterval);
     if (!run.valid() || tail.empty()) return run;
     const Moments moments = momentsOf(tail);
     run.end = {endKindOf(run.summary.verdict.touch), moments.mean, moments.deviation, run.summary.verdict.motion};
     return run;
+}
+
+} // namespace
+
+MeasuredRun measureRun(const Case& given, const std::vector<std::string>& quantities, const GoOn& goOn,
+                       const RunOptions& options, const ShareTeller& tell)
+{
+    Case c = given;
+    c.run.stepCheck = false;
+    c.run.fieldSnapshots = 0;
+    return measure(c, quantities, goOn, options, tell, nullptr);
+}
+
+MeasuredRun recordRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn,
+                      const ShareTeller& tell, RunOutput& output)
+{
+    return measure(c, quantities, goOn, {}, tell, &output);
 }
 
 bool sameEnd(const EndState& a, const EndState& b, double distance)

@@ -14,6 +14,7 @@
 
 namespace touchdown {
 
+class RunOutput;
 struct Case;
 
 /// The last part of a run, by which its end is judged [-].
@@ -60,6 +61,9 @@ std::string_view spacingOf(const Case& c);
 /// names of recordedQuantities(c). `goOn` and `tell` may be empty; `tell` hears 1 at the end, however the run ends.
 MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {},
                        const RunOptions& options = {}, const ShareTeller& tell = {});
+/// The same of the whole run, with its check and its maps, which `output` receives. A problem of that ends the run.
+MeasuredRun recordRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn,
+                      const ShareTeller& tell, RunOutput& output);
 
 /// Spacings that count as one [m].
 inline constexpr double sameSpacing = 0.1e-9;

@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "core/case/contact_law.h"
 #include "core/case/parameters.h"
+#include "core/case_files/case_text.h"
 #include "core/formats/nearest_name.h"
 #include "core/formats/quotation.h"
 #include "core/formats/words.h"
 #include "core/numerics/moments.h"
+#include "core/results/run_output.h"
 #include "core/simulation/run.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/simulation/static_state/steady_quantities.h"
@@ -182,8 +186,21 @@ bool needsSamples(ReadAt at)
     return at == ReadAt::Tail || at == ReadAt::Swing || at == ReadAt::Rms || at == ReadAt::Mean;
 }
 
-std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& readings, const GoOn& goOn,
-                                    const ShareTeller& tell)
+MeasuredRun recordedRun(const Case& c, const std::vector<std::string>& sampled, ItemCall& call)
+{
+    std::error_code error; // what cannot be written is told below
+    std::filesystem::create_directories(call.file.parent_path(), error);
+    CaseDocument document;
+    document.value = c;
+    document.text = formatCase(c);
+    RunOutput output(document, {call.file.string(), ""}, call.goOn);
+    MeasuredRun run;
+    if (output.problem().empty()) run = recordRun(c, sampled, call.goOn, call.tell, output);
+    if (!output.problem().empty()) call.problem = call.file.string() + ": " + output.problem();
+    return run;
+}
+
+std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& readings, ItemCall& call)
 {
     CaseReadings result;
     result.values.resize(readings.size());
@@ -195,7 +212,9 @@ std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& r
     for (const Reading& each : readings)
         if (needsSamples(each.at) && std::ranges::find(sampled, each.quantity.name) == sampled.end())
             sampled.push_back(each.quantity.name);
-    const MeasuredRun run = measureRun(c, sampled, goOn, {}, tell);
+    const MeasuredRun run =
+        call.file.empty() ? measureRun(c, sampled, call.goOn, {}, call.tell) : recordedRun(c, sampled, call);
+    if (!call.problem.empty()) return {};
     if (run.summary.status == RunStatus::Cancelled) return {};
     if (!run.valid()) {
         result.problem = run.summary.message;
@@ -375,7 +394,7 @@ std::vector<Reading> withErrors(Calculation calculation, const Case& c, const st
 }
 
 std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, const std::vector<Reading>& readings,
-                                     const GoOn& goOn, const ShareTeller& tell)
+                                     ItemCall& call)
 {
     for (const CaseProblem& wrong : checkCombinations(c)) {
         CaseReadings refused;
@@ -384,7 +403,7 @@ std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, con
         return refused;
     }
     auto found =
-        calculation == Calculation::Run ? readRun(c, readings, goOn, tell) : readState(c, calculation, readings, goOn);
+        calculation == Calculation::Run ? readRun(c, readings, call) : readState(c, calculation, readings, call.goOn);
     if (!found || !found->problem.empty()) return found;
     for (std::size_t i = 0; i < readings.size(); ++i) {
         if (!std::holds_alternative<std::monostate>(found->values[i])) continue;

@@ -82,9 +82,9 @@ struct CaseReadings {
     std::vector<StudyValue> values;
     std::string problem{};
 };
-/// Calculates the case, also one whose values contradict each other, which is a problem of it. Nothing where it was
-/// told to end.
+/// Calculates the case, also one whose values contradict each other, which is a problem of it. A run writes its results
+/// to the file that the call names. Nothing where it was told to end, or where these cannot be written.
 std::optional<CaseReadings> readCase(const Case& c, Calculation calculation, const std::vector<Reading>& readings,
-                                     const GoOn& goOn, const ShareTeller& tell = {});
+                                     ItemCall& call);
 
 } // namespace touchdown

@@ -278,8 +278,7 @@ ItemStudy stabilityItems(const std::shared_ptr<const StabilityTask>& task,
         .count = items->count(),
         .width = width,
         .content = [items](std::size_t i) { return items->content(i); },
-        .solve = [items](std::size_t i, const GoOn& goOn,
-                         const ShareTeller& tell) { return items->solve(i, goOn, tell); },
+        .solve = [items](std::size_t i, ItemCall& call) { return items->solve(i, call.goOn, call.tell); },
         .report =
             [items, reportOf = std::move(reportOf)](const ItemRows& rows) {
                 return reportOf(items->mapOf(rows), std::ranges::all_of(rows, &std::optional<ItemRow>::has_value));

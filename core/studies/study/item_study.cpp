@@ -111,7 +111,10 @@ private:
                 found != options_.kept->end() && found->second.size() == study_.width)
                 row = found->second;
         if (!row && !options_.onlyKept && goOn()) {
-            row = study_.solve(i, goOn, tellShare);
+            ItemCall call{goOn, tellShare};
+            if (study_.keepsFiles && !options_.files.empty()) call.file = options_.files / (key + ".h5");
+            row = study_.solve(i, call);
+            if (!call.problem.empty()) return halt(call.problem);
             isNew = row.has_value();
         }
         const std::lock_guard lock(mutex_);
@@ -127,6 +130,13 @@ private:
         keys_[i] = std::move(key);
         rows_[i] = std::move(row);
         ++ready_;
+    }
+
+    void halt(const std::string& problem)
+    {
+        const std::lock_guard lock(mutex_);
+        if (problem_.empty()) problem_ = problem;
+        halted_ = true;
     }
 
     bool tell(std::size_t done)

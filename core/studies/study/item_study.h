@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -28,14 +29,21 @@ using ItemRows = std::vector<std::optional<ItemRow>>;
 /// Rows by the keys of their items.
 using KeptRows = std::unordered_map<std::string, ItemRow>;
 
+/// What an item is told when it is solved, and what it may say.
+struct ItemCall {
+    const GoOn& goOn;
+    const ShareTeller& tell;      // its share that is done
+    std::filesystem::path file{}; // for its whole results; empty: they are not kept
+    std::string problem{};        // set by the item: why they could not be written, which ends the study
+};
+
 struct ItemStudy {
     std::size_t count = 0;
     std::size_t width = 0; // of each row
     /// All on which the row of an item depends: its case, how it is solved, what is read off. Any text.
     std::function<std::string(std::size_t)> content;
-    /// Called on several threads; nothing where it was told to end. Failures of numerics are part of the row. It may
-    /// tell its share that is done.
-    std::function<std::optional<ItemRow>(std::size_t, const GoOn& goOn, const ShareTeller& tell)> solve;
+    /// Called on several threads; nothing where it was told to end. Failures of numerics are part of the row.
+    std::function<std::optional<ItemRow>(std::size_t, ItemCall& call)> solve;
     /// Of the rows that are there; findings only where all are.
     std::function<StudyReport(const ItemRows&)> report;
     /// The case of an item, which is a row of the first table; not set where rows are no cases.
@@ -44,6 +52,7 @@ struct ItemStudy {
     std::function<double(std::size_t)> cost{};
     /// Makes what the report needs beside the rows, before it is asked for; false where it was told to end.
     std::function<bool(const GoOn& goOn)> prepare{};
+    bool keepsFiles = false; // whole results of its items
 };
 
 /// A study that is ready: a list, or something else that can be performed.
@@ -60,6 +69,8 @@ struct ItemPart {
 struct ItemOptions {
     int jobs = 1; // threads
     ItemPart part{};
+    /// Where whole results go, of a study that keeps them: a file for each item, named by its key.
+    std::filesystem::path files{};
     const KeptRows* kept = nullptr; // rows of an earlier call, of this study or of another one
     bool onlyKept = false;          // nothing is solved: an item without a row makes the study fail
     std::size_t* taken = nullptr;   // receives how many rows were there already

@@ -14,16 +14,17 @@ namespace {
 
 std::string contentOf(const SweepTask& task, std::size_t item, CaseContent& cases)
 {
-    std::string text = "sweep " + std::string(name(task.calculate));
+    std::string text = "sweep " + std::string(name(task.calculate)) + (task.keepsRuns ? " kept" : "");
     for (const Reading& reading : task.readings) text += " " + reading.column().name;
     return text + "\n" + cases.of(task.caseOf(item));
 }
 
-std::optional<ItemRow> solve(const SweepTask& task, std::size_t item, const GoOn& goOn, const ShareTeller& tell)
+std::optional<ItemRow> solve(const SweepTask& task, std::size_t item, ItemCall& call)
 {
-    auto found = readCase(task.caseOf(item), task.calculate, task.readings, goOn, tell);
+    auto found = readCase(task.caseOf(item), task.calculate, task.readings, call);
     if (!found) return {};
     ItemRow row = std::move(found->values);
+    if (task.keepsRuns) row.emplace_back(call.file.filename().string());
     row.emplace_back(std::move(found->problem));
     return row;
 }
@@ -37,13 +38,13 @@ StudyWork planSweep(StudyReader& reader)
     const bool averages = std::ranges::any_of(task->axes, &SweepAxis::average);
     return ItemStudy{
         .count = task->count(),
-        .width = task->readings.size() + 1,
+        .width = task->readings.size() + (task->keepsRuns ? 2 : 1),
         .content = [task, cases](std::size_t item) { return contentOf(*task, item, *cases); },
-        .solve = [task](std::size_t item, const GoOn& goOn,
-                        const ShareTeller& tell) { return solve(*task, item, goOn, tell); },
+        .solve = [task](std::size_t item, ItemCall& call) { return solve(*task, item, call); },
         .report = [task](const ItemRows& rows) { return sweepReport(*task, rows); },
         .caseOf =
             averages ? std::function<Case(std::size_t)>() : [task](std::size_t item) { return task->caseOf(item); },
+        .keepsFiles = task->keepsRuns,
     };
 }
 

@@ -88,6 +88,8 @@ StudyForm sweepForm(const Case& c)
     form.keys = {
         choiceKey("calculate", std::string(name(standardCalculation(c))), {"run", "steady", "modes"},
                   "what is done with each case: a run in time, its static state, or the modes about that"),
+        choiceKey("keep", "rows", {"rows", "all"},
+                  "all: also the results of each run, in a file in the folder runs beside the report"),
         tableKey("samples", "Instead of a grid over all axes: points that are drawn, with the distribution of each "
                             "axis."),
         onlyOffered(choiceKey("samples.method", "grid", methods, "grid: every value of each axis with all others")),

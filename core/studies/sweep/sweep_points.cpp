@@ -90,7 +90,7 @@ std::string SweepPoints::nameOf(const SweepPoint& point) const
 const std::string& SweepPoints::problemOf(const ItemRow& row) const
 {
     static const std::string none;
-    const auto* text = std::get_if<std::string>(&row[readings()]);
+    const auto* text = std::get_if<std::string>(&row.back());
     return text == nullptr ? none : *text;
 }
 

@@ -63,6 +63,8 @@ private:
         }
         if (at_.averages())
             table.columns.push_back({.name = "failed", .longName = "Items without a valid end", .secondary = true});
+        if (keepsFiles())
+            table.columns.push_back({.name = "file", .longName = "Results of the run, in the folder runs"});
         table.columns.push_back({.name = "problem", .longName = "Why there is no valid end", .secondary = true});
         for (const SweepPoint& point : at_.points())
             if (!point.rows.empty()) table.rows.push_back(rowOf(point));
@@ -84,9 +86,13 @@ private:
         if (at_.averages())
             row.emplace_back(double(
                 std::ranges::count_if(point.rows, [&](const ItemRow* each) { return !at_.problemOf(*each).empty(); })));
+        if (keepsFiles()) row.push_back((*point.rows.front())[at_.readings()]);
         row.emplace_back(at_.firstProblem(point));
         return row;
     }
+
+    /// A point that is averaged over has a file for each of its items, which no column names.
+    bool keepsFiles() const { return at_.task().keepsRuns && !at_.averages(); }
 
     void addCorrelations(StudyReport& report) const
     {

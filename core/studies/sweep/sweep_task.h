@@ -3,6 +3,7 @@
 // What a sweep varies and reads, from its file:
 //
 //   calculate = "run"              # run, steady or modes
+//   keep = "rows"                  # all: also a results file of each run
 //   [[axis]]
 //   key = "springs.flying_height"  # any key of the case; keys = [...] that move together
 //   from = "3 nm"                  # or values = ["3 nm", "5 nm"]
@@ -49,6 +50,7 @@ struct SweepLimits {
 struct SweepTask {
     Case start;
     Calculation calculate = Calculation::Run;
+    bool keepsRuns = false; // the row of an item has the name of the file of its run behind its readings
     std::vector<SweepAxis> axes;
     std::optional<SweepSamples> samples{};
     std::vector<Reading> readings;             // stated errors behind what they belong to

@@ -32,6 +32,14 @@ double number(const StudyValue& value)
     return number == nullptr ? NAN : *number;
 }
 
+std::optional<CaseReadings> readingsOf(const Case& c, Calculation calculation, const std::vector<Reading>& readings)
+{
+    const GoOn goOn;
+    const ShareTeller tell;
+    ItemCall call{goOn, tell};
+    return readCase(c, calculation, readings, call);
+}
+
 class TestReading : public QObject {
     Q_OBJECT
 
@@ -46,7 +54,7 @@ private slots:
             readings.push_back(reading(Calculation::Run, c, "flying_height", at));
         for (const char* name : {"motion", "flies", "caught", "bounces", "steps", "touch_downs", "first_touch_down"})
             readings.push_back(reading(Calculation::Run, c, name));
-        const auto found = readCase(c, Calculation::Run, readings, {});
+        const auto found = readingsOf(c, Calculation::Run, readings);
         QVERIFY(found.has_value());
         QCOMPARE(found->problem, std::string());
 
@@ -84,7 +92,7 @@ private slots:
         readings = withErrors(Calculation::Steady, c, readings);
         QCOMPARE(readings.size(), std::size_t(4));
         QVERIFY(readings[1].isError && readings[3].isError);
-        const auto found = readCase(c, Calculation::Steady, readings, {});
+        const auto found = readingsOf(c, Calculation::Steady, readings);
         const SteadyResult state = steady(c);
         QCOMPARE(number(found->values[0]), state.minimumSpacing);
         QCOMPARE(number(found->values[1]), state.discretisationError.minimumSpacing);
@@ -97,7 +105,7 @@ private slots:
         const std::vector<Reading> readings{
             reading(Calculation::Modes, c, "mode_1_frequency"), reading(Calculation::Modes, c, "mode_2_damping_ratio"),
             reading(Calculation::Modes, c, "mode_1_kind"), reading(Calculation::Modes, c, "roll")};
-        const auto found = readCase(c, Calculation::Modes, readings, {});
+        const auto found = readingsOf(c, Calculation::Modes, readings);
         const ModesResult result = modes(c);
         QCOMPARE(number(found->values[0]), result.modes[0].frequency);
         QCOMPARE(number(found->values[1]), result.modes[1].dampingRatio);
@@ -124,7 +132,7 @@ private slots:
             readings.push_back(reading(Calculation::Run, c, each.quantity.name));
             QVERIFY(!readings.back().column().longName.empty());
         }
-        const auto found = readCase(c, Calculation::Run, readings, {});
+        const auto found = readingsOf(c, Calculation::Run, readings);
         QCOMPARE(found->problem, std::string());
         QCOMPARE(found->values.size(), readings.size());
         for (std::size_t i = 0; i < readings.size(); ++i)
@@ -160,7 +168,7 @@ private slots:
         Case c = sample("fig10a");
         c.onoYamane.takeOff = 0.5 * c.onoYamane.touchDown;
         const std::vector<Reading> readings{reading(Calculation::Run, c, "flying_height", "end")};
-        const auto refused = readCase(c, Calculation::Run, readings, {});
+        const auto refused = readingsOf(c, Calculation::Run, readings);
         QVERIFY2(refused->problem.starts_with("ono_yamane."), refused->problem.c_str());
         QVERIFY(std::holds_alternative<std::monostate>(refused->values[0]));
         QVERIFY(!readCase(sample("fig10a"), Calculation::Run, readings, [] { return false; }).has_value());

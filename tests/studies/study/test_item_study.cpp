@@ -23,7 +23,7 @@ struct Squares {
         return {.count = solved.size(),
                 .width = 1,
                 .content = [factor](std::size_t i) { return std::to_string(i) + " " + std::to_string(factor); },
-                .solve = [this, factor](std::size_t i, const GoOn&, const ShareTeller&) -> std::optional<ItemRow> {
+                .solve = [this, factor](std::size_t i, ItemCall&) -> std::optional<ItemRow> {
                     ++solved[i];
                     return ItemRow{factor * double(i * i)};
                 },
@@ -124,10 +124,10 @@ private slots:
             return std::string();
         };
         ItemStudy slow = squares.study();
-        slow.solve = [&, solve = slow.solve](std::size_t i, const GoOn& goOn, const ShareTeller& tell) {
-            while (kept.size() > 20 && goOn()) {
+        slow.solve = [&, solve = slow.solve](std::size_t i, ItemCall& call) {
+            while (kept.size() > 20 && call.goOn()) {
             }
-            return goOn() ? solve(i, goOn, tell) : std::nullopt;
+            return call.goOn() ? solve(i, call) : std::nullopt;
         };
         const StudyReport stopped =
             performItems(slow, options, [&](const StudyProgress& progress) { return progress.share < 0.1; });

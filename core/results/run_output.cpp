@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/commands/run_output.h"
+#include "core/results/run_output.h"
 
 #include <utility>
 
-#include "app/terminal/stop_signals.h"
 #include "core/case_files/case_text.h"
 #include "core/simulation/run.h"
 
 namespace touchdown {
 
-RunOutput::RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued, double heldUntil)
+RunOutput::RunOutput(const CaseDocument& document, const Files& files, const std::function<bool()>& goOn,
+                     const ContinuedRun& continued, double heldUntil)
     : quantities_(recordedQuantities(document.value)), spectrum_(document.value.spectrum)
 {
     // The time series takes its name only at the end of the run, the results at once: nothing may fail after them.
-    if (!files.series.empty())
-        problem_ = csv_.emplace().open(files.series, quantities_, [] { return !stopRequested(); });
+    if (!files.series.empty()) problem_ = csv_.emplace().open(files.series, quantities_, goOn);
     if (problem_.empty() && !files.results.empty()) {
         // The text holds the contents of the files that the case names: the results need no other file.
         const std::string text = updateCaseText(document.text, document.value);

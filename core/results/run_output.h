@@ -3,6 +3,7 @@
 // The output files of a run: results and time series.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,9 +23,10 @@ public:
     struct Files {
         std::string results, series; // "" for none
     };
-    /// `continued`: a run that was begun before, whose file had samples until `heldUntil` [s]. Then what came before
-    /// follows, see addBefore().
-    RunOutput(const CaseDocument& document, const Files& files, const ContinuedRun& continued, double heldUntil);
+    /// `goOn` is asked while it waits. `continued`: a run that was begun before, whose file had samples until
+    /// `heldUntil` [s]. Then what came before follows, see addBefore().
+    RunOutput(const CaseDocument& document, const Files& files, const std::function<bool()>& goOn,
+              const ContinuedRun& continued = {}, double heldUntil = 0.0);
 
     const std::vector<Quantity>& quantities() const { return quantities_; }
     const std::string& problem() const { return problem_; }
