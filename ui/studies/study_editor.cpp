@@ -350,8 +350,10 @@ void StudyEditor::setContinues(bool continues)
 void StudyEditor::nameRun()
 {
     run_->setText(running_ ? tr("Perform again") : continues_ ? tr("Continue") : tr("Perform"));
-    run_->setToolTip(continues_ ? tr("Solve the rows that are missing (Shift+F5)")
-                                : tr("Perform the study (Shift+F5)"));
+    if (continues_)
+        run_->setToolTip(tr("Solve the rows that are missing (Shift+F5)"));
+    else
+        run_->setToolTip(tr("Perform the study (Shift+F5)"));
 }
 
 void StudyEditor::changeEvent(QEvent* event)

@@ -166,21 +166,6 @@ constexpr std::array<ModeReading, 4> modeReadings{{
      &AirBearingMode::dampingError},
 }};
 
-double valueOver(const Case& c, const MeasuredRun& run, const Reading& reading, std::span<const double> column)
-{
-    const Summary& summary = run.summary;
-    const std::string& quantity = reading.quantity.name;
-    if (reading.at == ReadAt::End) return valueOr(summary.final, quantity, unknown);
-    const Extremes extremes = valueOr(summary.extremes, quantity, {unknown, unknown});
-    if (reading.at == ReadAt::Least) return extremes.least;
-    if (reading.at == ReadAt::Most) return extremes.most;
-    if (column.empty() || run.time.empty()) return unknown;
-    if (reading.at == ReadAt::Swing) return tailSwing(c, run, quantity, column);
-    if (reading.at == ReadAt::Mean) return momentsOf(evenSamples(c, run, column, 0.0)).mean;
-    const Moments tail = momentsOf(tailSamples(c, run, column));
-    return reading.at == ReadAt::Rms ? tail.deviation : tail.mean;
-}
-
 bool needsSamples(ReadAt at)
 {
     return at == ReadAt::Tail || at == ReadAt::Swing || at == ReadAt::Rms || at == ReadAt::Mean;
@@ -227,7 +212,7 @@ std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& r
             const auto column = std::size_t(std::ranges::find(sampled, quantity) - sampled.begin());
             const std::span<const double> samples =
                 column < sampled.size() ? std::span<const double>(run.columns[column]) : std::span<const double>();
-            result.values[i] = finite(valueOver(c, run, reading, samples));
+            result.values[i] = finite(valueAt(reading.at, c, run, quantity, samples));
             continue;
         }
         const auto row =
@@ -278,6 +263,21 @@ std::optional<CaseReadings> readState(const Case& c, Calculation calculation, co
 }
 
 } // namespace
+
+double valueAt(ReadAt at, const Case& c, const MeasuredRun& run, const std::string& quantity,
+               std::span<const double> samples)
+{
+    const Summary& summary = run.summary;
+    if (at == ReadAt::End) return valueOr(summary.final, quantity, unknown);
+    const Extremes extremes = valueOr(summary.extremes, quantity, {unknown, unknown});
+    if (at == ReadAt::Least) return extremes.least;
+    if (at == ReadAt::Most) return extremes.most;
+    if (samples.empty() || run.time.empty()) return unknown;
+    if (at == ReadAt::Swing) return tailSwing(c, run, quantity, samples);
+    if (at == ReadAt::Mean) return momentsOf(evenSamples(c, run, samples, 0.0)).mean;
+    const Moments tail = momentsOf(tailSamples(c, run, samples));
+    return at == ReadAt::Rms ? tail.deviation : tail.mean;
+}
 
 std::string_view name(ReadAt taken) { return readAtRows[static_cast<std::size_t>(taken)].name; }
 std::string_view meaning(ReadAt taken) { return readAtRows[static_cast<std::size_t>(taken)].meaning; }

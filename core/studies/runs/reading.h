@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -18,6 +19,7 @@
 namespace touchdown {
 
 struct Case;
+struct MeasuredRun;
 
 enum class Calculation : std::uint8_t { Run, Steady, Modes };
 inline std::string_view name(Calculation calculation)
@@ -76,6 +78,11 @@ std::variant<Reading, std::string> findReading(Calculation calculation, const Ca
 
 /// The readings with the stated error of each behind it, where there is one.
 std::vector<Reading> withErrors(Calculation calculation, const Case& c, const std::vector<Reading>& readings);
+
+/// A quantity over a run, taken there [its unit]; NaN where it is not known. `samples`: of the quantity, all of the
+/// run.
+double valueAt(ReadAt at, const Case& c, const MeasuredRun& run, const std::string& quantity,
+               std::span<const double> samples);
 
 /// A value for each reading, nothing where it is not known; then why the calculation has no valid end, "" where it has.
 struct CaseReadings {

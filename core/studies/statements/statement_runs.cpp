@@ -11,11 +11,11 @@
 #include "core/formats/decimal.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
-#include "core/numerics/moments.h"
 #include "core/numerics/spectrum.h"
 #include "core/simulation/recording/run_statistics.h"
 #include "core/studies/runs/case_content.h"
 #include "core/studies/runs/expected_cost.h"
+#include "core/studies/runs/reading.h"
 #include "core/studies/runs/sampled_values.h"
 #include "core/studies/runs/shared_runs.h"
 
@@ -115,29 +115,35 @@ double largestDistance(const SampledRun& a, const SampledRun& b)
     return most;
 }
 
-Extremes extremesOf(const Statement& statement, const MeasuredRun& run)
+/// Where a reading takes it; nothing for what is no reading.
+std::optional<ReadAt> readAtOf(Taken taken)
 {
-    return valueOr(run.summary.extremes, statement.quantity.name, {NAN, NAN});
+    switch (taken) {
+    case Taken::End:
+    case Taken::Difference: return ReadAt::Tail;
+    case Taken::Swing: return ReadAt::Swing;
+    case Taken::Rms: return ReadAt::Rms;
+    case Taken::Mean: return ReadAt::Mean;
+    case Taken::Least: return ReadAt::Least;
+    case Taken::Greatest: return ReadAt::Most;
+    case Taken::Peaks:
+    case Taken::Case:
+    case Taken::Distance:
+    case Taken::Likeness:
+    case Taken::Peak: break;
+    }
+    return {};
 }
 
 /// NaN where the run has no such value.
 double valueOf(const Statement& statement, const SampledRun& run)
 {
-    switch (statement.taken) {
-    case Taken::End:
-    case Taken::Difference: return momentsOf(tailSamples(statement.c, *run.run, run.samples())).mean;
-    case Taken::Swing: return tailSwing(statement.c, *run.run, statement.quantity.name, run.samples());
-    case Taken::Rms: return momentsOf(tailSamples(statement.c, *run.run, run.samples())).deviation;
-    case Taken::Mean: return momentsOf(evenSamples(statement.c, *run.run, run.samples(), 0.0)).mean;
-    case Taken::Least: return extremesOf(statement, *run.run).least;
-    case Taken::Greatest: return extremesOf(statement, *run.run).most;
-    case Taken::Peaks: return peaksWithin(statement, run);
-    case Taken::Case: return std::get<double>(findParameter(statement.quantity.name)->get(statement.c));
-    case Taken::Distance:
-    case Taken::Likeness:
-    case Taken::Peak: break;
-    }
-    return NAN;
+    const std::string& quantity = statement.quantity.name;
+    if (const auto at = readAtOf(statement.taken))
+        return valueAt(*at, statement.c, *run.run, quantity,
+                       run.column < run.run->columns.size() ? run.samples() : std::span<const double>());
+    if (statement.taken == Taken::Peaks) return peaksWithin(statement, run);
+    return statement.taken == Taken::Case ? std::get<double>(findParameter(quantity)->get(statement.c)) : NAN;
 }
 
 /// Every thing that a statement asks of its runs.

@@ -154,6 +154,87 @@ private slots:
         QCOMPARE(std::ranges::count_if(squares.solved, [](const auto& count) { return count > 0; }), std::ptrdiff_t(1));
     }
 
+    /// Long items begin first; those whose work another one does come last; the share follows the costs.
+    void costsOrderTheItems()
+    {
+        Squares squares(40);
+        std::vector<std::size_t> order;
+        ItemStudy study = squares.study();
+        study.cost = [](std::size_t i) { return i == 17 ? 500.0 : i == 5 ? 300.0 : i % 8 == 0 ? 0.0 : 1.0; };
+        study.solve = [&, solve = study.solve](std::size_t i, ItemCall& call) {
+            order.push_back(i);
+            call.tell(0.5);
+            return solve(i, call);
+        };
+        performItems(study, {.jobs = 1}, {});
+        QCOMPARE(order.size(), std::size_t(40));
+        QCOMPARE(order[0], std::size_t(17));
+        QCOMPARE(order[1], std::size_t(5));
+        for (std::size_t k = 0; k < 40; ++k) QCOMPARE(order[k] % 8 == 0, k >= 35);
+        QVERIFY(!std::ranges::is_sorted(order.begin() + 2, order.begin() + 35)); // scattered
+    }
+    /// One item of a cost of 3 and one of 1: after half of the first, 3/8.
+    void theShareFollowsTheCosts()
+    {
+        Squares squares(2);
+        ItemStudy study = squares.study();
+        study.cost = [](std::size_t i) { return i == 0 ? 3.0 : 1.0; };
+        std::atomic<bool> seen = false;
+        study.solve = [&, solve = study.solve](std::size_t i, ItemCall& call) {
+            call.tell(0.5);
+            while (i == 0 && !seen && call.goOn()) {
+            }
+            return solve(i, call);
+        };
+        performItems(study, {.jobs = 1}, [&](const StudyProgress& progress) {
+            if (progress.share == 0.375) seen = true;
+            return progress.share <= 0.375 || seen;
+        });
+        QVERIFY(seen);
+    }
+    /// The report waits for what it needs, and a study that is stopped meanwhile solves nothing.
+    void preparesItsReport()
+    {
+        Squares squares(3);
+        ItemStudy study = squares.study();
+        bool prepared = false;
+        study.prepare = [&](const GoOn& goOn) { return prepared = goOn(); };
+        study.report = [&, report = study.report](const ItemRows& rows) {
+            if (!prepared) qFatal("the report is asked for too early");
+            return report(rows);
+        };
+        QCOMPARE(performItems(study, {}, {}).status, StudyStatus::Completed);
+        prepared = false;
+        const StudyReport stopped = performItems(study, {}, [](const StudyProgress&) { return false; });
+        QCOMPARE(stopped.status, StudyStatus::Cancelled);
+        QVERIFY(!prepared && stopped.items.empty());
+        for (const auto& count : squares.solved) QCOMPARE(count.load(), 1);
+    }
+    /// Files are named by the keys of the items; what cannot be written ends the study with its reason.
+    void wholeResults()
+    {
+        Squares squares(3);
+        ItemStudy study = squares.study();
+        std::set<std::string> files;
+        study.solve = [&, solve = study.solve](std::size_t i, ItemCall& call) {
+            files.insert(call.file.string());
+            return solve(i, call);
+        };
+        performItems(study, {.files = "runs"}, {});
+        QCOMPARE(files, std::set<std::string>{""}); // it keeps none
+        study.keepsFiles = true;
+        files.clear();
+        const StudyReport report = performItems(study, {.files = "runs"}, {});
+        for (const StudyItem& item : report.items) QVERIFY(files.contains("runs/" + item.key + ".h5"));
+        study.solve = [](std::size_t, ItemCall& call) -> std::optional<ItemRow> {
+            call.problem = "runs: no space left";
+            return {};
+        };
+        const StudyReport full = performItems(study, {.files = "runs"}, {});
+        QCOMPARE(full.status, StudyStatus::Failed);
+        QCOMPARE(full.message, std::string("runs: no space left"));
+    }
+
     void keysDiffer()
     {
         std::set<std::string> keys;

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAction>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QLabel>
+#include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 
 #include "tests/support/test_program.h"
 #include "tests/ui/window_fixture.h"
+#include "ui/calculation/progress_strip.h"
 #include "ui/case/case_panel.h"
 #include "ui/case/parameter_editor.h"
+#include "ui/studies/engine_dialog.h"
 #include "ui/studies/study_editor.h"
 #include "ui/studies/study_results.h"
 #include "ui/studies/study_window.h"
@@ -65,6 +73,93 @@ private slots:
         QVERIFY(editor.plan().items >= 4);
     }
 
+    /// Stopped, it continues with its rows and without a question; another value asks for new rows alone.
+    void aListGoesOn()
+    {
+        Fixture f;
+        StudyEditor& editor = *f.window.findChild<StudyEditor*>();
+        editor.setKind(QStringLiteral("sweep"));
+        editor.setText(slow(40));
+        QVERIFY2(editor.plan().valid(), qPrintable(editor.problems()));
+        QCOMPARE(editor.run()->text(), QStringLiteral("Perform"));
+        StudyWindow& studies = f.window.studies();
+        f.toEnd([&] {
+            QObject::connect(&studies.controller(), &StudyController::partial, &studies.controller(),
+                             [&](int, const StudyReport& report) {
+                                 if (!report.items.empty()) studies.controller().stop();
+                             });
+            f.window.performStudy();
+        });
+        studies.controller().disconnect(&studies.controller());
+        const std::size_t there = studies.outcome("sweep")->report->items.size();
+        QVERIFY2(there > 0 && there < 40, std::to_string(there).c_str());
+        QCOMPARE(editor.run()->text(), QStringLiteral("Continue"));
+        f.toEnd([&] { f.window.performStudy(); });
+        QCOMPARE(studies.outcome("sweep")->report->status, StudyStatus::Completed);
+        QCOMPARE(studies.outcome("sweep")->report->items.size(), std::size_t(40));
+        QVERIFY2(concluded(f).contains(QStringLiteral("%1 of 40 rows were there already").arg(there)),
+                 qPrintable(concluded(f)));
+        QCOMPARE(editor.run()->text(), QStringLiteral("Perform"));
+    }
+
+    /// Opened from its file, too; and with keep = "all" a row opens its run.
+    void rowsOfAnOpenedReport()
+    {
+        const QTemporaryDir folder;
+        const QString study = folder.filePath(QStringLiteral("a.toml")),
+                      report = folder.filePath(QStringLiteral("a.h5"));
+        {
+            Fixture f;
+            StudyEditor& editor = *f.window.findChild<StudyEditor*>();
+            editor.setKind(QStringLiteral("sweep"));
+            editor.setText(QStringLiteral("keep = \"all\"\n") + slow(3));
+            f.window.performStudy();
+            QCOMPARE(f.window.studies().controller().active(), false); // it has no folder yet
+            QCOMPARE(editor.save(study), QString());
+            f.toEnd([&] { f.window.performStudy(); });
+            QCOMPARE(QDir(folder.filePath(QStringLiteral("runs"))).entryList(QDir::Files).size(), qsizetype(3));
+            openRow(f, 1);
+            QTRY_COMPARE(f.window.runs().count(), 1);
+            QCOMPARE(f.window.studies().save("sweep", report), QString());
+        }
+        Fixture f;
+        f.window.files().open(report);
+        QTRY_VERIFY(f.window.studies().outcome("sweep") != nullptr);
+        openRow(f, 2);
+        QTRY_COMPARE(f.window.runs().count(), 1);
+        QVERIFY(QDir(folder.filePath(QStringLiteral("runs"))).removeRecursively());
+        openRow(f, 2);
+        QCOMPARE(f.window.edits().value().initial.flyingHeight, 30e-9);
+    }
+
+    /// By other processes: the same table, and what the engine tells stands below it.
+    void aListIsPerformedElsewhere()
+    {
+        const QTemporaryDir folder;
+        Fixture f;
+        StudyEditor& editor = *f.window.findChild<StudyEditor*>();
+        editor.setKind(QStringLiteral("sweep"));
+        editor.setText(slow(6));
+        EngineDialog dialog(folder.path(), &editor);
+        EngineTask task;
+        connect(&dialog, &EngineDialog::taken, [&](const EngineTask& taken) { task = taken; });
+        dialog.findChildren<QSpinBox*>().at(0)->setValue(3);
+        dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+        QCOMPARE(task.kind, EngineKind::Slurm);
+        QCOMPARE(task.parts, std::size_t(3));
+        QCOMPARE(task.jobs, 1);
+        QCOMPARE(task.folder, std::filesystem::path(folder.filePath(QStringLiteral("cluster")).toStdString()));
+        task.kind = EngineKind::Command;
+        task.program = TOUCHDOWN_COMMAND;
+        task.submit = "sh -c 'for k in {parts}; do {script} $k; done'";
+        f.toEnd([&] { QVERIFY(f.window.studies().perform(task)); });
+        const StudyReport there = *f.window.studies().outcome("sweep")->report;
+        QVERIFY2(there.status == StudyStatus::Completed, there.message.c_str());
+        const StudyReport here = editor.plan().perform(1, {});
+        QVERIFY(there.tables.front().rows == here.tables.front().rows);
+        QVERIFY(QFile::exists(folder.filePath(QStringLiteral("cluster/part.sh"))));
+    }
+
     void textsAndListsAreNot()
     {
         Fixture f;
@@ -74,6 +169,30 @@ private slots:
     }
 
 private:
+    /// So many drops from 10 to 30 nm.
+    static QString slow(int count)
+    {
+        return QStringLiteral("case = \"fig10a\"\nset = { \"run.duration\" = \"1 ms\" }\n[[axis]]\nkey = "
+                              "\"initial.flying_height\"\nfrom = \"10 nm\"\nto = \"30 nm\"\ncount = %1\n[[reading]]\n"
+                              "quantity = \"flying_height\"\n")
+            .arg(count);
+    }
+    static QString concluded(Fixture& f)
+    {
+        QString all;
+        for (const QLabel* label : f.window.studies().progress()->findChildren<QLabel*>()) all += label->text() + u'\n';
+        return all;
+    }
+    static void openRow(Fixture& f, int row)
+    {
+        StudyResults& results = *f.window.findChild<StudyResults*>();
+        auto* table = results.findChild<ResultTable*>();
+        QVERIFY(table);
+        table->selectRow(row);
+        auto* open = button(results, QStringLiteral("Open the case"));
+        QVERIFY(open && open->isEnabled());
+        open->click();
+    }
     static void vary(Fixture& f, const char* key)
     {
         const ParameterEditor* field = f.window.casePanel().editor(key);
