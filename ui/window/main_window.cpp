@@ -152,7 +152,9 @@ void MainWindow::startRun()
     });
 }
 
-void MainWindow::performStudyBy(const std::optional<EngineTask>& engine)
+void MainWindow::performStudy() { performStudy(nullptr); }
+
+void MainWindow::performStudy(const EngineTask* engine)
 {
     setPage(Page::Studies);
     if (!readyToRun()) return;
@@ -160,8 +162,8 @@ void MainWindow::performStudyBy(const std::optional<EngineTask>& engine)
     if (!plan.valid() || !plan.perform)
         return messages_->show(MessageStrip::Kind::Failure,
                                tr("The study cannot be performed: its errors are listed below its text."));
-    const auto perform = [this, engine] {
-        if (studies_->perform(engine)) messages_->clear(); // also that the one before it was stopped
+    const auto perform = [this, by = engine ? std::optional(*engine) : std::nullopt] {
+        if (studies_->perform(by)) messages_->clear(); // also that the one before it was stopped
     };
     const QString other = studies_->kindUnderWay();
     if (const StudyReport* former = studies_->unsaved(plan.kind); former && !studies_->goesOn())

@@ -29,6 +29,7 @@ class Session;
 class StartCard;
 class SolutionFiles;
 class WindowActions;
+struct EngineTask;
 struct SteadyResult;
 struct StudyCatalogue;
 struct StudyReport;
@@ -59,7 +60,7 @@ public:
     void startRun() override;
     /// Solves a film case for its static state, or only for the pressure at the attitude of its start.
     void solveStaticState(bool atGivenAttitude = false);
-    void performStudy() override { performStudyBy({}); }
+    void performStudy() override;
     /// Performs the lesson beside the window and writes it as PDF.
     void printLessonTo(const QString& file);
     void setPage(Page page) override { pages_->setPage(page); }
@@ -95,8 +96,8 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    /// `engine`: where, if not here.
-    void performStudyBy(const std::optional<EngineTask>& engine);
+    /// `engine`: by which, if not here.
+    void performStudy(const EngineTask* engine);
     void connectFiles();
     void connectRuns();
     void connectFilm();

@@ -247,9 +247,10 @@ void MainWindow::connectFilm()
 
 void MainWindow::connectStudies()
 {
-    connect(actions_->study, &QAction::triggered, this, &MainWindow::performStudy);
-    connect(studies_->editor(), &StudyEditor::runRequested, this, &MainWindow::performStudy);
-    connect(studies_->editor(), &StudyEditor::engineChosen, this, &MainWindow::performStudyBy);
+    connect(actions_->study, &QAction::triggered, this, [this] { performStudy(nullptr); });
+    connect(studies_->editor(), &StudyEditor::runRequested, this, [this] { performStudy(nullptr); });
+    connect(studies_->editor(), &StudyEditor::engineChosen, this,
+            [this](const EngineTask& engine) { performStudy(&engine); });
     connect(studies_->editor(), &StudyEditor::fileOpened, this, &MainWindow::onStudyOpened);
     connect(actions_->stop, &QAction::triggered, &studies_->controller(), &StudyController::stop);
     connect(&studies_->controller(), &StudyController::stateChanged, this, &MainWindow::updateRunActions);
