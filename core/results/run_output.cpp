@@ -18,7 +18,7 @@ RunOutput::RunOutput(const CaseDocument& document, const Files& files, const std
         // The text holds the contents of the files that the case names: the results need no other file.
         const std::string text = updateCaseText(document.text, document.value);
         const std::vector<RecordedFields> fields = recordedFields(document.value);
-        ResultsWriter& writer = results_.emplace();
+        ResultsWriter& writer = files.whole ? results_.emplace(std::nullopt) : results_.emplace();
         // What the file holds stays until the run has come as far.
         problem_ = continued.from || !continued.startsAgain.empty()
                        ? writer.openAgain(files.results, document.value, text, quantities_, fields, heldUntil,

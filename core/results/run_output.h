@@ -21,7 +21,8 @@ namespace touchdown {
 class RunOutput {
 public:
     struct Files {
-        std::string results, series; // "" for none
+        std::string results{}, series{}; // "" for none
+        bool whole = false;              // the results appear when the run has ended, else from its beginning on
     };
     /// `goOn` is asked while it waits. `continued`: a run that was begun before, whose file had samples until
     /// `heldUntil` [s]. Then what came before follows, see addBefore().

@@ -201,7 +201,6 @@ private slots:
         const StudyTable& table = report.tables.front();
         const StudyReport bare = openStudy("sweep", folder_->path("rows.toml").toStdString()).perform(1, {});
         QCOMPARE(table.rows.size(), std::size_t(4));
-        QCOMPARE(QDir(folder_->path("runs")).entryList(QDir::Files).size(), 4);
         for (std::size_t i = 0; i < 4; ++i) {
             const std::string name = test::word(table, i, "file");
             const QString file = folder_->path("runs/" + QString::fromStdString(name));
@@ -214,6 +213,23 @@ private slots:
             QCOMPARE(test::number(bare.tables.front(), i, "flying_height_end"),
                      test::number(table, i, "flying_height_end"));
         }
+    }
+    /// A run whose file is gone is made again, the others are not.
+    void aKeptRunThatIsGone()
+    {
+        folder_->put("a.toml", QByteArray(sweep_)
+                                   .replace("count = 6", "count = 2")
+                                   .replace("count = 5", "count = 1")
+                                   .replace("[[axis]]\nkey = \"initial", "keep = \"all\"\n[[axis]]\nkey = \"initial"));
+        const QStringList command{"study", "a.toml", "--out", "a.h5", "--resume"};
+        QCOMPARE(folder_->touchdown(command).code, 0);
+        QVERIFY(folder_->touchdown(command).err.contains("2 of 2 items were there already"));
+        const StudyTable table = readStudy(folder_->path("a.h5").toStdString()).report.tables.front();
+        const QString file = folder_->path("runs/" + QString::fromStdString(test::word(table, 0, "file")));
+        QVERIFY(QFile::remove(file));
+        const Outcome o = folder_->touchdown(command);
+        QVERIFY2(o.err.contains("1 of 2 items were there already"), o.err);
+        QVERIFY(QFile::exists(file));
     }
     /// Killed at any moment and continued: the same table, and nothing is solved twice.
     void killedAndContinued()

@@ -193,8 +193,9 @@ void Session::keepStudy(const std::string& kind)
     if (!folder_ || !outcome || !outcome->report) return;
     StudyReport kept = bench_.studies().underWay(kind) ? interruptedReport(*outcome->report) : *outcome->report;
     write([file = folder_->studyFile(QString::fromStdString(kind)).toStdString(), kept = std::move(kept),
-           c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text] {
-        return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text));
+           c = outcome->plan.start.value, caseText = outcome->plan.start.text, text = outcome->plan.text,
+           options = outcome->plan.options] {
+        return QString::fromStdString(writeStudy(file, kept, c, updateCaseText(caseText, c), text, options));
     });
 }
 

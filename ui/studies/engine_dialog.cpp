@@ -57,6 +57,9 @@ EngineDialog::EngineDialog(const QString& folder, QWidget* parent)
         new QLabel(tr("Each part is a job of Slurm and should take minutes. All computers must see the folder. "
                       "Stopping leaves the jobs; performing again with the same folder takes them up."),
                    this);
+    const QString program = commandLine();
+    if (program.isEmpty())
+        note->setText(tr("The program touchdown, which each job runs, is neither beside this one nor in PATH."));
     note->setWordWrap(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Submit"));
@@ -67,17 +70,17 @@ EngineDialog::EngineDialog(const QString& folder, QWidget* parent)
     layout->addRow(tr("&Options of sbatch"), options_);
     layout->addRow(note);
     layout->addRow(buttons);
-    const auto check = [this, buttons] {
-        buttons->button(QDialogButtonBox::Ok)->setEnabled(QDir::isAbsolutePath(folder_->text()));
+    const auto check = [this, buttons, program] {
+        buttons->button(QDialogButtonBox::Ok)->setEnabled(!program.isEmpty() && QDir::isAbsolutePath(folder_->text()));
     };
     connect(folder_, &QLineEdit::textChanged, this, check);
     connect(choose, &QPushButton::clicked, this, &EngineDialog::chooseFolder);
     check();
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    connect(buttons, &QDialogButtonBox::accepted, this, [this] {
+    connect(buttons, &QDialogButtonBox::accepted, this, [this, program] {
         emit taken({.kind = EngineKind::Slurm,
                     .folder = QDir::fromNativeSeparators(folder_->text()).toStdString(),
-                    .program = commandLine().toStdString(),
+                    .program = program.toStdString(),
                     .parts = std::size_t(parts_->value()),
                     .jobs = threads_->value(),
                     .options = options_->text().toStdString(),

@@ -127,7 +127,6 @@ void StudyEditor::build()
     duration_->setWordWrap(true);
     duration_->setAccessibleName(tr("The time that the study takes"));
     duration_->hide();
-    run_->setAccessibleName(tr("Perform the study"));
     stop_->setAccessibleName(tr("Stop the study"));
     stop_->setToolTip(tr("Stop the study; its results so far are kept (F8)"));
     stop_->setEnabled(false);
@@ -349,6 +348,7 @@ void StudyEditor::setContinues(bool continues)
 
 void StudyEditor::nameRun()
 {
+    run_->setAccessibleName(continues_ ? tr("Continue the study") : tr("Perform the study"));
     run_->setText(running_ ? tr("Perform again") : continues_ ? tr("Continue") : tr("Perform"));
     if (continues_)
         run_->setToolTip(tr("Solve the rows that are missing (Shift+F5)"));

@@ -68,9 +68,9 @@ StudyResults::StudyResults(QWidget* parent)
       findings_(new OwnTextBrowser(this)),
       staleMark_(new QLabel(tr("The case or the study has changed since."), this)),
       apply_(new QPushButton(tr("Apply to the case"), this)),
-      case_(quietButton(tr("Open the case"),
-                        tr("Open the case of the chosen row; a double click on the row does it, too"),
-                        tr("Open the case of the chosen row"), this)),
+      open_(quietButton(tr("Open the case"),
+                        tr("Open the case or the run of the chosen row; a double click on the row does it, too"),
+                        tr("Open the chosen row"), this)),
       copy_(quietButton(tr("Copy"), tr("Copy the table, or its selected rows, for a spreadsheet"), tr("Copy the table"),
                         this)),
       save_(quietButton(tr("Save"), tr("Save the chart, the table or the whole report"),
@@ -106,7 +106,7 @@ void StudyResults::build()
     save_->setMenu(new QMenu(save_));
     connect(save_->menu(), &QMenu::aboutToShow, this, &StudyResults::fillSaveMenu);
     connect(apply_, &QPushButton::clicked, this, &StudyResults::applyRequested);
-    connect(case_, &QToolButton::clicked, this, [this] { emit caseRequested(row_); });
+    connect(open_, &QToolButton::clicked, this, [this] { emit openRequested(row_); });
     connect(copy_, &QToolButton::clicked, this, [this] {
         if (const ResultTable* table = shownTable()) table->copy();
     });
@@ -117,7 +117,7 @@ void StudyResults::build()
     tools->addWidget(factTabs_, 1);
     tools->addWidget(staleMark_);
     tools->addWidget(apply_);
-    tools->addWidget(case_);
+    tools->addWidget(open_);
     tools->addWidget(copy_);
     tools->addWidget(save_);
     auto* below = new QVBoxLayout(facts);
@@ -167,6 +167,7 @@ void StudyResults::setReport(const StudyReport& report, bool underWay)
         factTabs_->setCurrentIndex(0);
     }
     pages_->showResult(true);
+    updateTools();
 }
 
 void StudyResults::showCharts()
@@ -212,7 +213,7 @@ void StudyResults::showTables()
             updateTools();
         });
         connect(tables_.front(), &ResultTable::doubleClicked, this, [this] {
-            if (case_->isEnabled()) emit caseRequested(row_);
+            if (open_->isEnabled()) emit openRequested(row_);
         });
     }
     QStringList titles{tr("Findings")};
@@ -227,19 +228,15 @@ void StudyResults::showTables()
     updateTools();
 }
 
-void StudyResults::setCases(std::size_t rows)
-{
-    cases_ = rows;
-    updateTools();
-}
-
 void StudyResults::updateTools()
 {
     const ResultTable* table = shownTable();
     copy_->setVisible(table != nullptr);
-    case_->setVisible(cases_ > 0 && !underWay_ && table != nullptr && table == tables_.front());
-    const std::size_t rows = tables_.empty() ? 0 : report_->tables.front().rows.size(); // fewer where some are missing
-    case_->setEnabled(rows == cases_ && row_ >= 0 && std::size_t(row_) < rows);
+    const auto opens = [this](int row) { return opening_ && row >= 0 ? opening_(row) : QString(); };
+    const QString own = opens(row_), some = own.isEmpty() ? opens(0) : own;
+    open_->setText(some);
+    open_->setVisible(!some.isEmpty() && !underWay_ && table != nullptr && table == tables_.front());
+    open_->setEnabled(!own.isEmpty());
 }
 
 ResultTable* StudyResults::shownTable() const { return qobject_cast<ResultTable*>(factPages_->currentWidget()); }

@@ -4,7 +4,9 @@
 // introduction.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <QLabel>
@@ -37,16 +39,16 @@ public:
     void setStale(bool stale);
     const std::optional<StudyReport>& report() const { return report_; }
 
-    /// Whether each row of the first table, of which there are so many, is a case; zero: they are none.
-    void setCases(std::size_t rows);
+    /// What a row of the first table opens, as the name of a command; "": nothing.
+    void setOpening(std::function<QString(int row)> opening) { opening_ = std::move(opening); }
 
     bool isEmpty() const;
 
 signals:
     /// The user wants to edit the case that the study found.
     void applyRequested();
-    /// The user wants the case of a row of the first table.
-    void caseRequested(int row);
+    /// The user wants what a row of the first table opens.
+    void openRequested(int row);
     /// The user wants to save the whole report.
     void saveRequested();
     void succeeded(const QString& message);
@@ -74,9 +76,9 @@ private:
     QTextBrowser* findings_;
     QLabel* staleMark_;
     QPushButton* apply_;
-    QToolButton *case_, *copy_, *save_;
-    std::size_t cases_ = 0; // rows of the first table that are cases
-    int row_ = -1;          // the chosen one of it; -1: none
+    QToolButton *open_, *copy_, *save_;
+    std::function<QString(int row)> opening_{};
+    int row_ = -1; // the chosen one of the first table; -1: none
 };
 
 } // namespace touchdown

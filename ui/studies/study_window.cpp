@@ -31,48 +31,37 @@ int threads() { return std::max(1, QThread::idealThreadCount()); }
 /// Whether two plans perform the same.
 bool alike(const StudyPlan& a, const StudyPlan& b)
 {
-    return a.kind == b.kind && a.text == b.text && caseDifference(a.start.value, b.start.value).isEmpty();
+    return a.kind == b.kind && a.text == b.text && a.options == b.options &&
+           caseDifference(a.start.value, b.start.value).isEmpty();
 }
 
 bool showsNothing(const StudyReport& report)
 {
-    return report.charts.empty() && report.tables.empty() && report.findings.empty();
+    return report.charts.empty() && report.tables.empty() && report.findings.empty() && report.items.empty();
 }
 
 QString writeOutcome(const StudyOutcome& outcome, const QString& file)
 {
     const StudyPlan& plan = outcome.plan;
     return QString::fromStdString(writeStudy(file.toStdString(), *outcome.report, plan.start.value,
-                                             updateCaseText(plan.start.text, plan.start.value), plan.text));
+                                             updateCaseText(plan.start.text, plan.start.value), plan.text,
+                                             plan.options));
 }
 
 /// The folder of whole runs beside a study.
 QString runsBeside(const QString& folder) { return QDir(folder).filePath(QStringLiteral("runs")); }
 
-/// The file with the run of a row; "" where there is none.
-QString runOf(const StudyOutcome& outcome, int row)
-{
-    if (outcome.runs.isEmpty() || !outcome.report || outcome.report->tables.empty() || row < 0) return {};
-    const StudyTable& table = outcome.report->tables.front();
-    const auto column = std::ranges::find(table.columns, "file", &StudyColumn::name);
-    if (column == table.columns.end() || std::size_t(row) >= table.rows.size()) return {};
-    const auto* name =
-        std::get_if<std::string>(&table.rows[std::size_t(row)][std::size_t(column - table.columns.begin())]);
-    // A report may come from a stranger: a name, never a way to another folder.
-    if (name == nullptr || name->empty() || name->find('/') != std::string::npos) return {};
-    const QString file = QDir(outcome.runs).filePath(QString::fromStdString(*name));
-    return QFileInfo(file).isFile() ? file : QString();
-}
-
-/// With what the engine tells meanwhile as warnings of the report.
+/// What the engine tells meanwhile stands beside its progress.
 StudyPerformance onEngine(const StudyPlan& plan, const EngineTask& engine)
 {
     return [plan, engine](int, const StudyCallback& callback) {
-        std::vector<std::string> told;
-        StudyReport report =
-            performByEngine(plan, engine, callback, [&](const std::string& text) { told.push_back(text); });
-        report.warnings.insert(report.warnings.end(), told.begin(), told.end());
-        return report;
+        std::string told;
+        const StudyCallback both = [&](const StudyProgress& progress) {
+            StudyProgress now = progress;
+            if (!told.empty()) now.doing += "; " + told;
+            return callback(now);
+        };
+        return performByEngine(plan, engine, both, [&](const std::string& text) { told = text; });
     };
 }
 
@@ -103,10 +92,13 @@ StudyWindow::StudyWindow(StudyCatalogue catalogue, QWidget* parent)
         if (results_->report() && results_->report()->found)
             emit applyRequested(*results_->report()->found, QString::fromStdString(results_->report()->title));
     });
-    connect(results_, &StudyResults::caseRequested, this, [this](int row) {
+    results_->setOpening([this](int row) {
+        return !runOf(row).isEmpty() ? tr("Open the run") : hasCase(row) ? tr("Open the case") : QString();
+    });
+    connect(results_, &StudyResults::openRequested, this, [this](int row) {
+        if (const QString file = runOf(row); !file.isEmpty()) return emit runRequested(file);
         const StudyOutcome* of = outcome(shown_);
-        if (const QString file = of ? runOf(*of, row) : QString(); !file.isEmpty()) return emit runRequested(file);
-        if (of && of->plan.caseOf && row >= 0 && std::size_t(row) < of->plan.items)
+        if (hasCase(row))
             emit caseRequested(of->plan.caseOf(std::size_t(row)),
                                tr("row %1 of %2").arg(QString::number(row + 1), readable(of->report->title)));
     });
@@ -140,15 +132,19 @@ bool StudyWindow::perform(const std::optional<EngineTask>& engine)
     performing_ = plan.kind;
     StudyPerformance work = plan.perform;
     taken_ = std::make_shared<std::size_t>(0);
+    byEngine_ = engine.has_value();
     if (engine) {
         work = onEngine(plan, *engine);
     } else if (plan.performList) {
         const auto kept = std::make_shared<KeptRows>();
-        if (const StudyOutcome* before = outcome(performing_); before != nullptr && before->report)
+        // Rows of a file that was opened count only where the study goes on.
+        if (const StudyOutcome* before = outcome(performing_);
+            before != nullptr && before->report && (before->number > 0 || goesOn()))
             for (const StudyItem& item : before->report->items) kept->emplace(item.key, item.row);
         work = [list = plan.performList, kept, taken = taken_,
                 files = runs.toStdString()](int jobs, const StudyCallback& callback) {
-            return list({.jobs = jobs, .files = files, .kept = kept.get(), .taken = taken.get()}, callback);
+            return list({.jobs = jobs, .files = files, .kept = kept.get(), .addsUnused = false, .taken = taken.get()},
+                        callback);
         };
     }
     StudyOutcome& outcome = outcomes_[performing_] = {plan, {}, {}, 0, runs};
@@ -159,24 +155,59 @@ bool StudyWindow::perform(const std::optional<EngineTask>& engine)
     return true;
 }
 
+bool StudyWindow::hasCase(int row) const
+{
+    const StudyOutcome* of = outcome(shown_);
+    if (of == nullptr || !of->plan.caseOf || !of->report || of->report->tables.empty()) return false;
+    // Where rows are missing, it is not known whose case a row is.
+    return row >= 0 && std::size_t(row) < of->plan.items && of->report->tables.front().rows.size() == of->plan.items;
+}
+
+QString StudyWindow::runOf(int row) const
+{
+    const StudyOutcome* of = outcome(shown_);
+    if (of == nullptr || !of->report || of->report->tables.empty() || row < 0) return {};
+    const StudyTable& table = of->report->tables.front();
+    const auto column = std::ranges::find(table.columns, "file", &StudyColumn::name) - table.columns.begin();
+    if (std::size_t(column) == table.columns.size() || std::size_t(row) >= table.rows.size()) return {};
+    const auto* name = std::get_if<std::string>(&table.rows[std::size_t(row)][std::size_t(column)]);
+    // A report may come from a stranger: a name of ours, never a way to another folder.
+    if (name == nullptr || !isItemFile(*name)) return {};
+    const QString folder =
+        of->runs.isEmpty() && !editor_->folder().isEmpty() ? runsBeside(editor_->folder()) : of->runs;
+    const QString file = QDir(folder).filePath(QString::fromStdString(*name));
+    return !folder.isEmpty() && QFileInfo(file).isFile() ? file : QString();
+}
+
 bool StudyWindow::goesOn() const
 {
     const StudyOutcome* last = outcome(editor_->kind().toStdString());
     if (last == nullptr || !last->report || last->report->items.empty()) return false;
     const StudyPlan& plan = editor_->plan();
-    return plan.performList && last->report->status != StudyStatus::Completed && alike(last->plan, plan);
+    return plan.performList && last->report->items.size() < plan.items && alike(last->plan, plan);
 }
 
-void StudyWindow::onFinished(const StudyReport& report)
+void StudyWindow::onFinished(StudyReport report)
 {
+    // What stopped with an error has told what it had before.
+    if (const auto before = outcomes_.find(performing_);
+        report.status == StudyStatus::Failed && showsNothing(report) && before->second.report) {
+        StudyReport known = *before->second.report;
+        known.status = report.status;
+        known.message = report.message;
+        report = std::move(known);
+    }
     QString text = tr("%1 · %2").arg(readable(report.title), timeText(report.wallSeconds));
+    outcomes_[performing_].isContinued = *taken_ > 0;
     if (*taken_ > 0)
         text += tr(" · %1 of %2 rows were there already").arg(*taken_).arg(outcomes_[performing_].plan.items);
     progress_->conclude(name(report.status), text);
-    if (report.status == StudyStatus::Cancelled && showsNothing(report))
+    if (report.status == StudyStatus::Cancelled && showsNothing(report)) {
+        if (byEngine_) emit succeeded(sentence(report.message));
         outcomes_.erase(performing_);
-    else
+    } else {
         outcomes_[performing_].report = report;
+    }
     if (shown_ == performing_) show();
     updateDuration();
     emit ended(report);
@@ -192,8 +223,9 @@ void StudyWindow::updateDuration()
     };
     if (!plan.valid() || controller_.active()) return say({}); // its own progress tells the time left
     const StudyOutcome* last = outcome(plan.kind);
+    if (goesOn()) return say({}); // an estimate is of all rows
     if (last != nullptr && last->report && last->report->status == StudyStatus::Completed && alike(last->plan, plan))
-        return say(tr("Took %1.").arg(timeText(last->report->wallSeconds)));
+        return say(last->isContinued ? QString() : tr("Took %1.").arg(timeText(last->report->wallSeconds)));
     if (!plan.openEnd.empty()) return say(tr("How long it takes cannot be told: %1.").arg(readable(plan.openEnd)));
     if (alike(estimated_, plan)) {
         if (pilot_.state() == StudyPilot::State::Running) return editor_->setDuration(tr("Estimating the time…"));
@@ -230,7 +262,6 @@ void StudyWindow::show()
         results_->clear(underWay(shown_));
     else
         results_->setReport(*outcome->second.report, underWay(shown_));
-    results_->setCases(outcome != outcomes_.end() && outcome->second.plan.caseOf ? outcome->second.plan.items : 0);
     updateStale();
 }
 

@@ -32,6 +32,7 @@ struct StudyOutcome {
     SavedFile file;                    // that the user saved the report to
     int number = 0;                    // of the calculation; 0: it was restored
     QString runs{};                    // the folder with the results of its runs; empty: it keeps none
+    bool isContinued = false;          // its time is not that of all its rows
 };
 
 class StudyWindow : public QObject {
@@ -84,7 +85,10 @@ signals:
     void failed(const QString& problem);
 
 private:
-    void onFinished(const StudyReport& report);
+    void onFinished(StudyReport report);
+    /// Whether a row of the shown report has a case; the file with its run, "" where there is none.
+    bool hasCase(int row) const;
+    QString runOf(int row) const;
     /// The results of the chosen kind, if there are any.
     void show();
     void updateStale();
@@ -103,6 +107,7 @@ private:
     StudyResults* results_;
     ProgressStrip* progress_;
     std::map<std::string, StudyOutcome> outcomes_;
+    bool byEngine_ = false;
     std::shared_ptr<std::size_t> taken_; // rows of the latest list that were there already
     std::string performing_;             // the kind of the study under way, or of the last one
     std::string shown_;                  // the kind on the page

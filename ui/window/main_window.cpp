@@ -166,7 +166,7 @@ void MainWindow::performStudy(const EngineTask* engine)
         if (studies_->perform(by)) messages_->clear(); // also that the one before it was stopped
     };
     const QString other = studies_->kindUnderWay();
-    if (const StudyReport* former = studies_->unsaved(plan.kind); former && !studies_->goesOn())
+    if (const StudyReport* former = studies_->unsaved(plan.kind); former && (engine != nullptr || !studies_->goesOn()))
         askToReplaceReport(*this, *former, perform);
     else if (!other.isEmpty() && other != QString::fromStdString(plan.kind))
         askBeforeLoss(*this,

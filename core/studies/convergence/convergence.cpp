@@ -27,7 +27,6 @@ namespace {
 constexpr double highestOrder = 3.0;
 /// Steps from the start to the closest approach where the state depends on how it was reached.
 constexpr int stepsOfAdhesion = 40;
-const std::string notSolved = "not solved";
 
 /// The cell of the last but one level is that of the case.
 double cellOf(const Case& c, int level, int levels) { return std::ldexp(c.elastic.cell, levels - 2 - level); }
@@ -124,10 +123,10 @@ StudyTable levelsOf(const ConvergenceStudy& study)
         table.columns.push_back({quantity.name, quantity.unit, quantity.displayUnit, quantity.longName});
     table.columns.push_back({"iterations", "", "", "Iterations of the contact solver", true});
     for (const ConvergenceLevel& level : study.levels) {
-        if (!level.problem.empty()) continue;
+        if (!level.solved || !level.problem.empty()) continue;
         std::vector<StudyValue>& row = table.rows.emplace_back();
         row = {level.cell, double(level.cells), level.seconds};
-        for (const double value : level.values) row.emplace_back(value);
+        for (const double value : level.values) row.push_back(ifFinite(value));
         row.emplace_back(double(level.iterations));
     }
     return table;
@@ -150,36 +149,21 @@ StudyTable observedOf(const ConvergenceStudy& study)
     return table;
 }
 
-std::vector<ConvergenceLevel> openLevels(const Case& c, int count)
-{
-    std::vector<ConvergenceLevel> levels(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) {
-        levels[std::size_t(i)].cell = cellOf(c, i, count);
-        levels[std::size_t(i)].problem = notSolved;
-    }
-    return levels;
-}
-
 /// Problem, cells, iterations, seconds, then the values.
 ItemRow rowOf(const ConvergenceLevel& level)
 {
     ItemRow row{level.problem, double(level.cells), double(level.iterations), level.seconds};
-    for (const double value : level.values) row.push_back(known(std::isfinite(value), value));
+    for (const double value : level.values) row.push_back(ifFinite(value));
     return row;
 }
 
 void take(const ItemRow& row, ConvergenceLevel& level)
 {
-    const auto number = [&](std::size_t i) {
-        const auto* value = std::get_if<double>(&row[i]);
-        return value == nullptr ? 0.0 : *value;
-    };
-    const auto* problem = std::get_if<std::string>(&row[0]);
-    level.problem = problem == nullptr ? "" : *problem;
-    level.cells = std::llround(number(1));
-    level.iterations = std::llround(number(2));
-    level.seconds = number(3);
-    for (std::size_t i = 4; i < row.size(); ++i) level.values.push_back(number(i));
+    level.problem = textAt(row, 0);
+    level.cells = std::llround(numberAt(row, 1));
+    level.iterations = std::llround(numberAt(row, 2));
+    level.seconds = numberAt(row, 3);
+    for (std::size_t i = 4; i < row.size(); ++i) level.values.push_back(numberAt(row, i));
 }
 
 } // namespace
@@ -222,16 +206,19 @@ ConvergenceStudy convergenceOf(const Case& c, int levels, const ItemRows& rows)
     ConvergenceStudy study;
     study.separation = c.approach.closest;
     study.quantities = studied(c);
-    study.levels = openLevels(c, levels);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i]) take(*rows[i], study.levels[i]);
+    for (int i = 0; i < levels; ++i) {
+        ConvergenceLevel& level = study.levels.emplace_back();
+        level.cell = cellOf(c, i, levels);
+        level.solved = rows[std::size_t(i)].has_value();
+        if (level.solved) take(*rows[std::size_t(i)], level);
+    }
     for (const ConvergenceLevel& level : study.levels) {
-        if (level.problem.empty() || level.problem == notSolved) continue;
+        if (level.problem.empty()) continue;
         study.status = StudyStatus::Failed;
         study.message = "cells of " + formatQuantity(level.cell, "um") + ": " + level.problem;
         return study;
     }
-    if (!std::ranges::all_of(rows, &std::optional<ItemRow>::has_value)) return study;
+    if (!isWhole(rows)) return study;
     const std::size_t last = study.levels.size() - 1;
     for (std::size_t i = 0; i < study.quantities.size(); ++i)
         study.observed.push_back(observedOrder(study.levels[last - 2].values[i], study.levels[last - 1].values[i],
@@ -254,6 +241,7 @@ ItemStudy convergenceItems(const Case& c, int levels)
         },
         .report = [c, levels](const ItemRows& rows) { return convergenceReport(convergenceOf(c, levels, rows)); },
         .cost = [](std::size_t i) { return std::pow(4.0, double(i)); }, // as many cells
+        .end = [contents] { contents->forget(); },
     };
 }
 

@@ -31,7 +31,8 @@ struct ConvergenceLevel {
     std::vector<double> values; // of ConvergenceStudy::quantities
     long long iterations = 0;
     double seconds = 0.0; // of wall time
-    std::string problem;  // a sentence, where it was not solved; "" where it was
+    std::string problem;  // a sentence, where there is no solution
+    bool solved = true;   // or tried
 };
 
 struct ObservedOrder {

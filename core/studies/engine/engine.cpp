@@ -117,9 +117,10 @@ private:
     {
         StudyReport report;
         report.status = StudyStatus::Cancelled;
-        report.message = task_.kind == EngineKind::Slurm && !jobs_.empty()
-                             ? "the jobs go on; the same command follows them again and joins their parts"
-                             : "stopped; the same command goes on with what is solved";
+        report.message =
+            task_.kind == EngineKind::Slurm && !jobs_.empty()
+                ? "the jobs go on; the same study with the same folder follows them again and joins their parts"
+                : "stopped; the same study with the same folder goes on with what is solved";
         return report;
     }
 
@@ -383,7 +384,10 @@ private:
             StoredStudy stored = readStudy(fileOf(part));
             for (StudyItem& item : stored.report.items) kept.emplace(std::move(item.key), std::move(item.row));
         }
-        StudyReport report = plan_.performList({.jobs = task_.jobs, .kept = &kept, .onlyKept = true}, callback_);
+        const StudyCallback joining = [&](const StudyProgress& progress) {
+            return !callback_ || callback_({1.0, "joining the parts", progress.soFar});
+        };
+        StudyReport report = plan_.performList({.jobs = task_.jobs, .kept = &kept, .onlyKept = true}, joining);
         if (report.status == StudyStatus::Failed && report.items.size() < plan_.items)
             report.message +=
                 "; a file of a part has rows of another study or version: remove it, and the same command "

@@ -27,4 +27,10 @@ std::string CaseContent::of(const Case& c)
     return text + place->second;
 }
 
+void CaseContent::forget()
+{
+    const std::lock_guard lock(mutex_);
+    files_.clear();
+}
+
 } // namespace touchdown

@@ -9,11 +9,12 @@ namespace touchdown {
 
 struct Case;
 
-/// All that a case says: its text, and what the file of its measured surface held when it was asked for first. On any
-/// thread.
+/// All that a case says: its text, and what the file of its measured surface held when it was asked for first since the
+/// beginning or since forget(). On any thread.
 class CaseContent {
 public:
     std::string of(const Case& c);
+    void forget();
 
 private:
     std::mutex mutex_;

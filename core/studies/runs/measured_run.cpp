@@ -64,7 +64,7 @@ MeasuredRun measure(const Case& c, const std::vector<std::string>& quantities, c
         },
         options);
     if (tell) tell(1.0);
-    if (output != nullptr) output->finish(run.summary);
+    if (output != nullptr && run.summary.status != RunStatus::Cancelled) output->finish(run.summary);
     if (!run.valid()) dropSampleBetween(run, c.run.sampleInterval);
     if (!run.valid() || tail.empty()) return run;
     const Moments moments = momentsOf(tail);

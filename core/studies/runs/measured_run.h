@@ -61,7 +61,8 @@ std::string_view spacingOf(const Case& c);
 /// names of recordedQuantities(c). `goOn` and `tell` may be empty; `tell` hears 1 at the end, however the run ends.
 MeasuredRun measureRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn = {},
                        const RunOptions& options = {}, const ShareTeller& tell = {});
-/// The same of the whole run, with its check and its maps, which `output` receives. A problem of that ends the run.
+/// The same of the whole run, with its check and its maps, which `output` receives, all of it where the run was
+/// not told to end. A problem of that ends the run.
 MeasuredRun recordRun(const Case& c, const std::vector<std::string>& quantities, const GoOn& goOn,
                       const ShareTeller& tell, RunOutput& output);
 

@@ -56,8 +56,6 @@ double figureOf(const Summary& summary, std::string_view name)
     return found == summary.figures.end() ? unknown : found->value;
 }
 
-StudyValue finite(double value) { return known(std::isfinite(value), value); }
-
 bool endsIn(const Summary& summary, Touch touch)
 {
     return summary.verdict.touch == touch && summary.verdict.motion != Motion::Bounces;
@@ -68,7 +66,7 @@ StudyValue eventTime(const Summary& summary, std::string_view name, bool last)
     double time = unknown;
     for (const RunEvent& event : summary.events)
         if (event.name == name && (last || std::isnan(time))) time = event.time;
-    return finite(time);
+    return ifFinite(time);
 }
 
 const std::vector<RunReading>& runReadings()
@@ -94,10 +92,10 @@ const std::vector<RunReading>& runReadings()
          [](const Case&, const Summary& s) { return known(s.verdict.frequency > 0.0, s.verdict.frequency); }},
         {{"peak_frequency", "Hz", "kHz", "Frequency of the largest peak in the spectrum of the minimum spacing"},
          false,
-         [](const Case&, const Summary& s) { return s.peaks.empty() ? StudyValue() : finite(s.peaks[0].frequency); }},
+         [](const Case&, const Summary& s) { return s.peaks.empty() ? StudyValue() : ifFinite(s.peaks[0].frequency); }},
         {{"peak_amplitude", "m", "nm", "Amplitude of that peak"},
          false,
-         [](const Case&, const Summary& s) { return s.peaks.empty() ? StudyValue() : finite(s.peaks[0].amplitude); }},
+         [](const Case&, const Summary& s) { return s.peaks.empty() ? StudyValue() : ifFinite(s.peaks[0].amplitude); }},
         {{"first_touch_down", "s", "us", "Time of the first touch-down"},
          false,
          [](const Case&, const Summary& s) { return eventTime(s, "touch-down", false); }},
@@ -109,7 +107,7 @@ const std::vector<RunReading>& runReadings()
          [](const Case&, const Summary& s) { return eventTime(s, "take-off", true); }},
         {{"end_time", "s", "us", "Time that the run reached"},
          false,
-         [](const Case&, const Summary& s) { return finite(s.endTime); }},
+         [](const Case&, const Summary& s) { return ifFinite(s.endTime); }},
         {{"steps", "1", "1", "Accepted steps"},
          false,
          [](const Case&, const Summary& s) { return StudyValue(double(s.steps)); }},
@@ -178,10 +176,11 @@ MeasuredRun recordedRun(const Case& c, const std::vector<std::string>& sampled, 
     CaseDocument document;
     document.value = c;
     document.text = formatCase(c);
-    RunOutput output(document, {call.file.string(), ""}, call.goOn);
+    RunOutput output(document, {.results = call.file.string(), .whole = true}, call.goOn);
     MeasuredRun run;
     if (output.problem().empty()) run = recordRun(c, sampled, call.goOn, call.tell, output);
-    if (!output.problem().empty()) call.problem = call.file.string() + ": " + output.problem();
+    call.problem = output.problem();
+    call.wrote = call.problem.empty() && run.summary.status != RunStatus::Cancelled;
     return run;
 }
 
@@ -212,13 +211,13 @@ std::optional<CaseReadings> readRun(const Case& c, const std::vector<Reading>& r
             const auto column = std::size_t(std::ranges::find(sampled, quantity) - sampled.begin());
             const std::span<const double> samples =
                 column < sampled.size() ? std::span<const double>(run.columns[column]) : std::span<const double>();
-            result.values[i] = finite(valueAt(reading.at, c, run, quantity, samples));
+            result.values[i] = ifFinite(valueAt(reading.at, c, run, quantity, samples));
             continue;
         }
         const auto row =
             std::ranges::find(runReadings(), quantity, [](const RunReading& each) { return each.quantity.name; });
         result.values[i] =
-            row != runReadings().end() ? row->value(c, run.summary) : finite(figureOf(run.summary, quantity));
+            row != runReadings().end() ? row->value(c, run.summary) : ifFinite(figureOf(run.summary, quantity));
     }
     return result;
 }
@@ -227,7 +226,7 @@ StudyValue steadyValue(const SteadyResult& state, const std::string& quantity)
 {
     if (quantity == "contact") return state.contact.state.empty() ? StudyValue() : StudyValue(state.contact.state);
     for (const SteadyQuantity& each : steadyQuantities(state))
-        if (each.quantity.name == quantity) return finite(each.value);
+        if (each.quantity.name == quantity) return ifFinite(each.value);
     return {};
 }
 
@@ -256,7 +255,7 @@ std::optional<CaseReadings> readState(const Case& c, Calculation calculation, co
         for (std::size_t mode = 0; mode < found.modes.size(); ++mode) {
             if (quantity == modeName(mode, "_kind")) result.values[i] = found.modes[mode].kind;
             for (const ModeReading& each : modeReadings)
-                if (quantity == modeName(mode, each.name)) result.values[i] = finite(found.modes[mode].*each.value);
+                if (quantity == modeName(mode, each.name)) result.values[i] = ifFinite(found.modes[mode].*each.value);
         }
     }
     return result;

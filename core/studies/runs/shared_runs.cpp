@@ -32,7 +32,15 @@ bool SharedRuns::make(std::span<const std::size_t> wanted, const GoOn& goOn, con
             const auto before = double(std::ranges::count_if(wanted, is(State::Made)));
             lock.unlock();
             const auto tellPart = [&](double share) { tell((before + share) / double(wanted.size())); };
-            mine.run = measureRun(mine.c, mine.sampled, goOn, options_, tell ? ShareTeller(tellPart) : ShareTeller());
+            try {
+                mine.run =
+                    measureRun(mine.c, mine.sampled, goOn, options_, tell ? ShareTeller(tellPart) : ShareTeller());
+            } catch (...) {
+                lock.lock();
+                mine.state = State::Open; // for those that wait
+                ended_.notify_all();
+                throw;
+            }
             lock.lock();
             mine.state = mine.run.summary.status == RunStatus::Cancelled ? State::Open : State::Made;
             ended_.notify_all();

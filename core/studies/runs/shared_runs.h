@@ -25,7 +25,7 @@ public:
     explicit SharedRuns(RunOptions options = {}) : options_(std::move(options)) {}
 
     /// The number of the run of this case, the same for the same case. It keeps the samples of this quantity beside
-    /// those of earlier calls, "" for none; a quantity cannot be added to a run that is made already.
+    /// those of earlier calls, "" for none; all quantities of a run are named before it is made.
     std::size_t add(const Case& c, const std::string& sampled = {});
     /// False where it was told to end.
     bool make(std::span<const std::size_t> wanted, const GoOn& goOn, const ShareTeller& tell = {});

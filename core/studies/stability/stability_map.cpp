@@ -28,18 +28,6 @@ Case lean(Case c)
     return c;
 }
 
-double numberAt(const ItemRow& row, std::size_t i)
-{
-    const auto* value = std::get_if<double>(&row[i]);
-    return value == nullptr ? NAN : *value;
-}
-std::string textAt(const ItemRow& row, std::size_t i)
-{
-    const auto* text = std::get_if<std::string>(&row[i]);
-    return text == nullptr ? "" : *text;
-}
-StudyValue finite(double value) { return known(std::isfinite(value), value); }
-
 /// A number that stands for one of `count` kinds; the last of them for any other number.
 template <class Kind>
 Kind kindAt(const ItemRow& row, std::size_t i, Kind last)
@@ -52,7 +40,7 @@ ItemRow rowOf(const ProvenReference& reference)
 {
     return {reference.label,
             reference.other,
-            finite(reference.apart),
+            ifFinite(reference.apart),
             known(reference.horizon),
             double(reference.endKnown),
             knowledgeOf(reference),
@@ -73,8 +61,8 @@ void take(const ItemRow& row, StabilityReference& reference)
 ItemRow rowOf(const RunVerdict& verdict, const MeasuredRun& run)
 {
     return {double(verdict.kind),
-            finite(verdict.apart),
-            finite(verdict.imbalance),
+            ifFinite(verdict.apart),
+            ifFinite(verdict.imbalance),
             std::string(name(run.end.kind)),
             double(run.summary.steps),
             double(run.summary.evaluations),
@@ -132,22 +120,33 @@ public:
     std::optional<ItemRow> solve(std::size_t item, const GoOn& goOn, const ShareTeller& tell)
     {
         const StabilityCell* cell = cellOf(item);
-        const ProvenReference* reference =
-            referenceOf(cell == nullptr ? item : cell->row, goOn, cell == nullptr ? tell : ShareTeller());
-        if (reference == nullptr) return {};
-        if (cell == nullptr) return rowOf(*reference);
+        if (cell == nullptr) {
+            const ProvenReference* reference = referenceOf(item, goOn, tell);
+            return reference == nullptr ? std::nullopt : std::optional(rowOf(*reference));
+        }
         std::vector<std::size_t> runs{runOf(caseOf(*cell))};
         if (!isCell(item)) runs.push_back(runOf(caseOf(cells_[pairOf(item).second])));
         if (!runs_.make(runs, goOn, tell)) return {};
+        const ProvenReference* reference = referenceOf(cell->row, goOn, {});
+        if (reference == nullptr) return {};
         const MeasuredRun& own = runs_.run(runs.front());
         if (isCell(item)) return rowOf(classify(caseOf(*cell), own, *reference, task_->rule), own);
         return criterionRow(own, runs_.run(runs.back()), *reference);
     }
 
-    /// Lets go of the runs where all rows are there.
-    StabilityMap mapOf(const ItemRows& rows)
+    void forget()
     {
-        if (std::ranges::all_of(rows, &std::optional<ItemRow>::has_value)) forget();
+        runs_.forget();
+        contents_.forget();
+        for (RowReference& each : references_) {
+            each.proven.reset();
+            each.nudged.clear();
+            each.endProven = false;
+        }
+    }
+
+    StabilityMap mapOf(const ItemRows& rows) const
+    {
         StabilityMap map;
         map.references.resize(references_.size());
         map.cells = cells_;
@@ -235,16 +234,6 @@ private:
         return &*reference.proven;
     }
 
-    void forget()
-    {
-        runs_.forget();
-        for (RowReference& each : references_) {
-            each.proven.reset();
-            each.nudged.clear();
-            each.endProven = false;
-        }
-    }
-
     static ItemRow criterionRow(const MeasuredRun& run, const MeasuredRun& finer, const ProvenReference& reference)
     {
         const bool endChanges = !sameOutcome(run, finer);
@@ -255,7 +244,7 @@ private:
         else if (right == endChanges)
             verdict = right ? CriterionVerdict::FalseAlarm : CriterionVerdict::Fooled;
         const double change = trajectoryError(run, finer, 0).at(ErrorMeasure::Worst).value_or(0.0);
-        ItemRow row{double(endChanges), finite(change), double(verdict)};
+        ItemRow row{double(endChanges), ifFinite(change), double(verdict)};
         row.resize(width);
         return row;
     }
@@ -279,11 +268,10 @@ ItemStudy stabilityItems(const std::shared_ptr<const StabilityTask>& task,
         .width = width,
         .content = [items](std::size_t i) { return items->content(i); },
         .solve = [items](std::size_t i, ItemCall& call) { return items->solve(i, call.goOn, call.tell); },
-        .report =
-            [items, reportOf = std::move(reportOf)](const ItemRows& rows) {
-                return reportOf(items->mapOf(rows), std::ranges::all_of(rows, &std::optional<ItemRow>::has_value));
-            },
+        .report = [items, reportOf = std::move(reportOf)](
+                      const ItemRows& rows) { return reportOf(items->mapOf(rows), isWhole(rows)); },
         .cost = [items](std::size_t i) { return items->cost(i); },
+        .end = [items] { items->forget(); },
     };
 }
 

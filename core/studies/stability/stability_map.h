@@ -10,7 +10,8 @@
 //   not determined   the end of the reference is not determined
 //
 // The map is a list: the reference of each value, the cells, and the pairs of cells that the criterion compares. A
-// thread that needs a reference first helps to make it.
+// thread that needs a reference helps to make it. A part of the list makes the references and the runs of pairs that it
+// needs by itself: many parts do this work several times.
 #pragma once
 
 #include <array>

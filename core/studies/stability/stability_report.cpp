@@ -46,11 +46,17 @@ std::string placeOf(const StabilityTask& task, const StabilityCell& cell)
     return nameOf(method.name, method.settings[cell.setting].label) + (row.label.empty() ? "" : " at " + row.label);
 }
 
-const StabilityCell* cellAt(const StabilityMap& map, std::size_t row, std::size_t method, std::size_t setting)
+/// The cells stand row by row, method by method; all rows have the same settings.
+const StabilityCell& cellAt(const StabilityTask& task, const StabilityMap& map, std::size_t row, std::size_t method,
+                            std::size_t setting)
 {
-    const auto found = std::ranges::find_if(
-        map.cells, [&](const StabilityCell& c) { return c.row == row && c.method == method && c.setting == setting; });
-    return found == map.cells.end() ? nullptr : &*found;
+    std::size_t before = 0, all = 0;
+    for (std::size_t k = 0; k < task.methods.size(); ++k) {
+        const std::size_t settings = task.rows.front().methods[k].settings.size();
+        if (k < method) before += settings;
+        all += settings;
+    }
+    return map.cells[row * all + before + setting];
 }
 
 ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size_t method)
@@ -82,14 +88,14 @@ ChartPanel panelOf(const StabilityTask& task, const StabilityMap& map, std::size
     }
     for (const std::size_t row : orderOf(ys))
         for (const std::size_t setting : orderOf(xs)) {
-            const StabilityCell* cell = cellAt(map, row, method, setting);
-            if (cell == nullptr || !cell->done) {
+            const StabilityCell& cell = cellAt(task, map, row, method, setting);
+            if (!cell.done) {
                 chart.cells.push_back(-1);
                 chart.details.emplace_back();
                 continue;
             }
-            chart.cells.push_back(static_cast<int>(cell->verdict.kind));
-            chart.details.push_back(placeOf(task, *cell) + ": " + cell->verdict.sentence);
+            chart.cells.push_back(static_cast<int>(cell.verdict.kind));
+            chart.details.push_back(placeOf(task, cell) + ": " + cell.verdict.sentence);
         }
     return panel;
 }
@@ -157,7 +163,7 @@ StudyTable referenceTable(const StabilityTask& task, const StabilityMap& map)
     for (std::size_t row = 0; row < task.rows.size(); ++row) {
         const StabilityReference& reference = map.references[row];
         if (!reference.done) continue;
-        table.rows.push_back({task.rows[row].label, reference.label, reference.other, reference.apart,
+        table.rows.push_back({task.rows[row].label, reference.label, reference.other, ifFinite(reference.apart),
                               known(reference.horizon), std::string(reference.endKnown ? "yes" : "no"),
                               reference.knowledge});
     }

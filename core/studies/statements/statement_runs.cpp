@@ -201,10 +201,6 @@ public:
         const Statement& statement = task_.statements[i];
         const std::string sampled = sampledBy(statement).value_or("");
         const auto at = [&](std::size_t run) { return SampledRun{&shared_.run(run), shared_.columnOf(run, sampled)}; };
-        std::vector<std::size_t> needed = runs_[i];
-        if (start) needed.erase(needed.begin());
-        if (!shared_.make(needed, goOn, start ? ShareTeller() : tell)) return {};
-        const SampledRun like = statement.like ? at(runs_[i][1]) : SampledRun{};
         MeasuredRun drawn;
         if (start) {
             Case c = statement.c;
@@ -212,22 +208,27 @@ public:
             drawn = measureRun(c, sampled.empty() ? std::vector<std::string>{} : std::vector{sampled}, goOn, {}, tell);
             if (drawn.summary.status == RunStatus::Cancelled) return {};
         }
+        const std::span<const std::size_t> needed = std::span(runs_[i]).subspan(start ? 1 : 0);
+        if (!shared_.make(needed, goOn, start ? ShareTeller() : tell)) return {};
+        const SampledRun like = statement.like ? at(runs_[i][1]) : SampledRun{};
         const StatementFinding finding = judge(statement, start ? SampledRun{&drawn, 0} : at(runs_[i][0]), like);
         return ItemRow{finding.agrees ? 1.0 : 0.0, finding.text};
     }
 
-    /// Lets go of the runs where all rows are there.
-    CheckedStatements checked(const ItemRows& rows)
+    void forget()
     {
-        if (std::ranges::all_of(rows, &std::optional<ItemRow>::has_value)) shared_.forget();
+        shared_.forget();
+        contents_.forget();
+    }
+
+    CheckedStatements checked(const ItemRows& rows) const
+    {
         CheckedStatements result(task_.statements.size());
         std::vector<std::size_t> agree(result.size()), known(result.size());
         for (std::size_t item = 0; item < items_.size(); ++item) {
             if (!rows[item]) continue;
             const std::size_t i = items_[item].statement;
-            const auto* agrees = std::get_if<double>(&rows[item]->front());
-            const auto* text = std::get_if<std::string>(&rows[item]->back());
-            const StatementFinding finding{agrees != nullptr && *agrees > 0.0, text == nullptr ? "" : *text};
+            const StatementFinding finding{numberAt(*rows[item], 0) > 0.0, textAt(*rows[item], 1)};
             if (items_[item].start) {
                 ++known[i];
                 agree[i] += finding.agrees ? 1 : 0;
@@ -296,6 +297,7 @@ ItemStudy statementItems(const StatementTask& task, std::function<StudyReport(co
         .report = [items,
                    reportOf = std::move(reportOf)](const ItemRows& rows) { return reportOf(items->checked(rows)); },
         .cost = [items](std::size_t i) { return items->cost(i); },
+        .end = [items] { items->forget(); },
     };
 }
 

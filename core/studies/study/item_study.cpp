@@ -6,7 +6,10 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <mutex>
+#include <system_error>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -22,6 +25,8 @@ constexpr double betweenReports = 0.25; // while rows come, at least [s]
 constexpr double reportShare = 0.1;     // of the time that reports of a growing list may take [-]
 constexpr double longShare = 0.1;       // of the time of a thread, of an item that begins early
 constexpr std::size_t mostNamed = 5;    // items in a sentence
+constexpr std::size_t hashDigits = 16, folderDigits = 2;
+constexpr const char* fileEnding = ".h5";
 
 /// What is to be done, in the order in which it begins: long items first, so that none is left for the end, then
 /// scattered, and last those whose work another one does.
@@ -47,7 +52,7 @@ ItemOrder orderOf(const ItemStudy& study, const ItemOptions& options)
     ItemOrder result;
     for (const auto& [i, cost] : order) {
         result.items.push_back(i);
-        result.costs.push_back(cost);
+        result.costs.push_back(all > 0.0 ? cost : 1.0);
     }
     return result;
 }
@@ -62,6 +67,7 @@ public:
     {
         if (!prepare()) {
             StudyReport report;
+            takeKept();
             finish(report, false);
             return report;
         }
@@ -86,7 +92,8 @@ private:
           order_(std::move(order.items)),
           work_(std::move(order.costs)),
           rows_(study.count),
-          keys_(study.count)
+          keys_(study.count),
+          isKept_(study.count)
     {}
 
     bool prepare()
@@ -101,34 +108,74 @@ private:
         });
     }
 
+    /// All that needs no solving, of a study that ends before its items begin.
+    void takeKept()
+    {
+        for (const std::size_t i : order_)
+            takeOrSolve(
+                i, [] { return false; }, [](double) {});
+    }
+
+    /// The row of an earlier call.
+    const ItemRow* keptRow(const std::string& key) const
+    {
+        if (options_.kept == nullptr) return nullptr;
+        const auto found = options_.kept->find(key);
+        if (found == options_.kept->end() || found->second.size() != study_.width) return nullptr;
+        if (!study_.keepsFiles || options_.files.empty() || options_.onlyKept) return &found->second;
+        const std::string file = fileOf(key);
+        std::error_code error;
+        const bool lost = std::ranges::find(found->second, StudyValue(file)) != found->second.end() &&
+                          !std::filesystem::exists(options_.files / file, error);
+        return lost ? nullptr : &found->second;
+    }
+
     void takeOrSolve(std::size_t i, const GoOn& goOn, const ShareTeller& tellShare)
     {
         std::string key = itemKey(study_.content(i));
+        {
+            const std::lock_guard lock(mutex_);
+            keys_[i] = key;
+            const auto [place, isFirst] = firstOf_.emplace(keys_[i], i);
+            if (!isFirst) {
+                const std::size_t first = place->second;
+                if (rows_[first])
+                    set(i, *rows_[first], isKept_[first] != 0);
+                else
+                    waiting_[first].push_back(i);
+                return;
+            }
+        }
+        const ItemRow* kept = keptRow(key);
         std::optional<ItemRow> row;
-        bool isNew = false;
-        if (options_.kept != nullptr)
-            if (const auto found = options_.kept->find(key);
-                found != options_.kept->end() && found->second.size() == study_.width)
-                row = found->second;
-        if (!row && !options_.onlyKept && goOn()) {
+        if (kept != nullptr) {
+            row = *kept;
+        } else if (!options_.onlyKept && goOn()) {
             ItemCall call{goOn, tellShare};
-            if (study_.keepsFiles && !options_.files.empty()) call.file = options_.files / (key + ".h5");
+            if (study_.keepsFiles && !options_.files.empty()) call.file = options_.files / fileOf(key);
             row = study_.solve(i, call);
             if (!call.problem.empty()) return halt(call.problem);
-            isNew = row.has_value();
         }
         const std::lock_guard lock(mutex_);
-        if (!row) {
-            if (options_.onlyKept) missing_.push_back(i);
-            return;
-        }
-        if (isNew && options_.keep && problem_.empty()) {
+        if (row && kept == nullptr && options_.keep && problem_.empty()) {
             problem_ = options_.keep(key, *row);
             halted_ = !problem_.empty();
         }
-        if (!isNew) ++taken_;
-        keys_[i] = std::move(key);
-        rows_[i] = std::move(row);
+        std::vector<std::size_t> alike{i};
+        if (const auto waiting = waiting_.find(i); waiting != waiting_.end())
+            alike.insert(alike.end(), waiting->second.begin(), waiting->second.end());
+        for (const std::size_t each : alike)
+            if (row)
+                set(each, *row, kept != nullptr);
+            else if (options_.onlyKept)
+                missing_.push_back(each);
+    }
+
+    void set(std::size_t i, const ItemRow& row, bool isKept)
+    {
+        rows_[i] = row;
+        isKept_[i] = isKept ? 1 : 0;
+        taken_ += isKept ? 1 : 0;
         ++ready_;
     }
 
@@ -158,6 +205,8 @@ private:
         if (!seen) return callback_({share, doing, nullptr});
         StudyReport soFar = study_.report(*seen);
         soFar.findings.clear();
+        soFar.status = StudyStatus::Completed; // it may end well yet
+        soFar.message.clear();
         addItems(soFar, std::move(keys), std::move(*seen));
         const bool goOn = callback_({share, doing, &soFar});
         const double took = wallClock() - now;
@@ -181,7 +230,7 @@ private:
     {
         for (std::size_t i = 0; i < rows.size(); ++i)
             if (rows[i]) report.items.push_back({std::move(keys[i]), std::move(*rows[i])});
-        if (options_.kept == nullptr || options_.onlyKept) return;
+        if (options_.kept == nullptr || options_.onlyKept || !options_.addsUnused) return;
         std::unordered_set<std::string> used;
         for (const StudyItem& item : report.items) used.insert(item.key);
         std::vector<std::string> others;
@@ -207,7 +256,7 @@ private:
             report.message = missingText();
         } else if (!whole) {
             report.status = StudyStatus::Cancelled;
-            report.message = "stopped after " + std::to_string(ready) + " of " + counted(study_.count, "item");
+            report.message = "stopped after " + std::to_string(ready) + " of " + counted(order_.size(), "item");
         }
         if (report.status != StudyStatus::Completed || !options_.part.isWhole()) report.findings.clear();
         if (!options_.part.isWhole() && report.status == StudyStatus::Completed)
@@ -222,12 +271,15 @@ private:
     const StudyCallback& callback_;
     std::vector<std::size_t> order_; // of the items of the part
     WorkDone work_;                  // in this order
-    std::mutex mutex_;               // of the next five
+    std::mutex mutex_;               // of all before halted_
     ItemRows rows_;
     std::vector<std::string> keys_;
+    std::vector<char> isKept_;
+    std::unordered_map<std::string_view, std::size_t> firstOf_;         // by key: the item that is solved for all alike
+    std::unordered_map<std::size_t, std::vector<std::size_t>> waiting_; // by that item: the others
     std::vector<std::size_t> missing_;
     std::size_t ready_ = 0, taken_ = 0;
-    std::string problem_; // why a row could not be kept
+    std::string problem_; // why a row or a file could not be kept
     std::atomic<bool> halted_ = false;
     std::size_t told_ = 0; // rows of the last report
     double nextReport_ = 0.0;
@@ -250,8 +302,41 @@ std::string itemKey(const std::string& content)
     return hashText(all) + hashText(all, other);
 }
 
+double numberAt(const ItemRow& row, std::size_t i)
+{
+    const auto* value = std::get_if<double>(&row[i]);
+    return value == nullptr ? std::numeric_limits<double>::quiet_NaN() : *value;
+}
+
+std::string textAt(const ItemRow& row, std::size_t i)
+{
+    const auto* text = std::get_if<std::string>(&row[i]);
+    return text == nullptr ? std::string() : *text;
+}
+
+bool isWhole(const ItemRows& rows) { return std::ranges::all_of(rows, &std::optional<ItemRow>::has_value); }
+
+std::string fileOf(const std::string& key) { return key.substr(0, folderDigits) + "/" + key + fileEnding; }
+
+bool isItemFile(std::string_view text)
+{
+    const std::size_t slash = text.find('/');
+    if (slash != folderDigits || !text.ends_with(fileEnding)) return false;
+    const std::string_view key = text.substr(slash + 1, text.size() - slash - 1 - std::string_view(fileEnding).size());
+    constexpr std::string_view digits = "0123456789abcdef";
+    return key.size() == 2 * hashDigits && key.find_first_not_of(digits) == std::string_view::npos &&
+           key.starts_with(text.substr(0, slash));
+}
+
 StudyReport performItems(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback)
 {
+    struct End {
+        const ItemStudy& study;
+        ~End()
+        {
+            if (study.end) study.end();
+        }
+    } const end{study};
     return Performance(study, options, callback).perform();
 }
 

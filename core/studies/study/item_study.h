@@ -29,12 +29,19 @@ using ItemRows = std::vector<std::optional<ItemRow>>;
 /// Rows by the keys of their items.
 using KeptRows = std::unordered_map<std::string, ItemRow>;
 
+/// A number of a row, NaN where it is not known; a text, "" where there is none.
+double numberAt(const ItemRow& row, std::size_t i);
+std::string textAt(const ItemRow& row, std::size_t i);
+/// Whether all are there.
+bool isWhole(const ItemRows& rows);
+
 /// What an item is told when it is solved, and what it may say.
 struct ItemCall {
     const GoOn& goOn;
     const ShareTeller& tell;      // its share that is done
     std::filesystem::path file{}; // for its whole results; empty: they are not kept
-    std::string problem{};        // set by the item: why they could not be written, which ends the study
+    bool wrote = false;           // set by the item: the file is there
+    std::string problem{};        // set by the item: why it could not be written, which ends the study
 };
 
 struct ItemStudy {
@@ -52,7 +59,9 @@ struct ItemStudy {
     std::function<double(std::size_t)> cost{};
     /// Makes what the report needs beside the rows, before it is asked for; false where it was told to end.
     std::function<bool(const GoOn& goOn)> prepare{};
-    bool keepsFiles = false; // whole results of its items
+    /// Lets go of what was made for its items, when a call of performItems ends.
+    std::function<void()> end{};
+    bool keepsFiles = false; // whole results of its items; a row that names its file counts only with that
 };
 
 /// A study that is ready: a list, or something else that can be performed.
@@ -69,9 +78,10 @@ struct ItemPart {
 struct ItemOptions {
     int jobs = 1; // threads
     ItemPart part{};
-    /// Where whole results go, of a study that keeps them: a file for each item, named by its key.
+    /// Where whole results go, of a study that keeps them: a file for each item, named by fileOf().
     std::filesystem::path files{};
     const KeptRows* kept = nullptr; // rows of an earlier call, of this study or of another one
+    bool addsUnused = true;         // rows that this study has no use for stay in its report
     bool onlyKept = false;          // nothing is solved: an item without a row makes the study fail
     std::size_t* taken = nullptr;   // receives how many rows were there already
     /// Receives each row that was solved as soon as it is there, from any thread, one at a time. Returns "", or why it
@@ -85,8 +95,12 @@ std::string hashText(std::string_view text, std::uint64_t start = 0xcbf29ce48422
 /// The key of a row: the same only for the same content and the same version of this program. 32 hexadecimal digits.
 std::string itemKey(const std::string& content);
 
-/// Solves the items that have no row yet. The report has their rows as `items`, which a file of the study keeps; behind
-/// them all other kept rows, so that none is lost.
+/// The file of whole results of an item, in one of 256 folders: "3f/3f81....h5".
+std::string fileOf(const std::string& key);
+bool isItemFile(std::string_view text);
+
+/// Solves the items that have no row yet; items of one key are solved once. The report has their rows as `items`, which
+/// a file of the study keeps; behind them all other kept rows, so that none is lost.
 StudyReport performItems(const ItemStudy& study, const ItemOptions& options, const StudyCallback& callback);
 
 } // namespace touchdown

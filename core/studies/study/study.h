@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -123,6 +124,7 @@ struct StudyColumn {
 using StudyValue = std::variant<std::monostate, double, std::string>;
 /// A number where it is known.
 inline StudyValue known(bool isKnown, double value) { return isKnown ? StudyValue(value) : StudyValue(); }
+inline StudyValue ifFinite(double value) { return known(std::isfinite(value), value); }
 inline StudyValue known(const std::optional<double>& value) { return known(value.has_value(), value.value_or(0.0)); }
 struct StudyTable {
     std::string name; // "runs": a word of [a-z0-9_], a group of the HDF5 file

@@ -238,10 +238,11 @@ std::string StudyWriter::write(const StudyReport& report)
 }
 
 std::string writeStudy(const std::filesystem::path& path, const StudyReport& report, const Case& c,
-                       const std::string& caseText, const std::string& studyText)
+                       const std::string& caseText, const std::string& studyText,
+                       const std::vector<std::string>& options)
 {
     StudyWriter writer;
-    std::string problem = writer.open(path, {report.kind, report.title, c, caseText, studyText});
+    std::string problem = writer.open(path, {report.kind, report.title, c, caseText, studyText, options});
     return problem.empty() ? writer.finish(report) : problem;
 }
 

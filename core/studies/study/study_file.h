@@ -81,7 +81,8 @@ private:
 
 /// Each writes a whole file or none, also for a study that ended early, and returns "" or the problem in one sentence.
 std::string writeStudy(const std::filesystem::path& file, const StudyReport& report, const Case& c,
-                       const std::string& caseText, const std::string& studyText);
+                       const std::string& caseText, const std::string& studyText,
+                       const std::vector<std::string>& options = {});
 std::string writeStudyCsv(const std::filesystem::path& file, const StudyReport& report);
 
 } // namespace touchdown

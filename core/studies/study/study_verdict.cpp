@@ -9,6 +9,7 @@ namespace touchdown {
 
 StudyVerdict verdictOf(const StudyReport& report)
 {
+    if (report.status == StudyStatus::Completed && report.findings.empty()) return StudyVerdict::None;
     if (report.tables.empty()) return StudyVerdict::None;
     const StudyTable& table = report.tables.front();
     const auto column = std::ranges::find(table.columns, "holds", &StudyColumn::name);

@@ -13,7 +13,7 @@ namespace touchdown {
 struct StudyReport;
 
 enum class StudyVerdict : std::uint8_t {
-    None,        // nothing is checked
+    None,        // nothing is checked, or it is a part of a study
     Holds,       // every row
     HoldsPartly, // some
     HoldsNot,    // no row, also where the study ended before its first row

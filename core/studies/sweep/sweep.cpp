@@ -24,7 +24,8 @@ std::optional<ItemRow> solve(const SweepTask& task, std::size_t item, ItemCall& 
     auto found = readCase(task.caseOf(item), task.calculate, task.readings, call);
     if (!found) return {};
     ItemRow row = std::move(found->values);
-    if (task.keepsRuns) row.emplace_back(call.file.filename().string());
+    if (task.keepsRuns)
+        row.emplace_back(call.wrote ? (call.file.parent_path().filename() / call.file.filename()).string() : "");
     row.emplace_back(std::move(found->problem));
     return row;
 }
@@ -44,6 +45,7 @@ StudyWork planSweep(StudyReader& reader)
         .report = [task](const ItemRows& rows) { return sweepReport(*task, rows); },
         .caseOf =
             averages ? std::function<Case(std::size_t)>() : [task](std::size_t item) { return task->caseOf(item); },
+        .end = [cases] { cases->forget(); },
         .keepsFiles = task->keepsRuns,
     };
 }

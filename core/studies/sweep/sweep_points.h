@@ -19,8 +19,8 @@ struct SweepPoint {
     std::size_t items = 0; // that there are when all are done
 };
 
-/// A row holds a value for each reading of the task, then the problem of the item, "" for none. Task and rows must
-/// last.
+/// A row holds a value for each reading of the task, then the file of its run where they are kept, then the problem of
+/// the item, "" for none. Task and rows must last.
 class SweepPoints {
 public:
     SweepPoints(const SweepTask& task, const ItemRows& rows);

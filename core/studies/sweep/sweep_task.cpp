@@ -36,10 +36,13 @@ public:
             if (calculate == name(each)) task_.calculate = each;
         if (task_.calculate != Calculation::Run && task_.start.model != ModelKind::Film)
             reader_.add("calculate", "is " + inQuotes(calculate) + ", which only a case of model \"film\" has");
+        readSamples();
         task_.keepsRuns = reader_.choice("keep") == "all";
         if (task_.keepsRuns && task_.calculate != Calculation::Run)
             reader_.add("keep", "is \"all\", which is for calculate = \"run\": only runs have files of their own");
-        readSamples();
+        if (task_.keepsRuns && task_.samples && task_.samples->bySurface)
+            reader_.add("keep",
+                        "is \"all\", and most samples of samples.by = \"surface\" have no run; write one of the two");
         const TomlDocument standard = readToml(standardSweepLists(task_.start));
         StudyReader standardReader(standard, reader_.name(), task_.start, standardProblems_);
         if (!reader_.has("axis") && !reader_.has("reading")) lists_ = &standardReader;

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <set>
 
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/support/test_program.h"
@@ -225,7 +226,11 @@ private slots:
         study.keepsFiles = true;
         files.clear();
         const StudyReport report = performItems(study, {.files = "runs"}, {});
-        for (const StudyItem& item : report.items) QVERIFY(files.contains("runs/" + item.key + ".h5"));
+        for (const StudyItem& item : report.items) {
+            QVERIFY(files.contains("runs/" + fileOf(item.key)));
+            QVERIFY(isItemFile(fileOf(item.key)));
+            QVERIFY(!isItemFile("../" + fileOf(item.key)) && !isItemFile(item.key + ".h5"));
+        }
         study.solve = [](std::size_t, ItemCall& call) -> std::optional<ItemRow> {
             call.problem = "runs: no space left";
             return {};
@@ -233,6 +238,80 @@ private slots:
         const StudyReport full = performItems(study, {.files = "runs"}, {});
         QCOMPARE(full.status, StudyStatus::Failed);
         QCOMPARE(full.message, std::string("runs: no space left"));
+    }
+
+    /// A row that names its file counts only where the file is.
+    void aFileThatIsGone()
+    {
+        const QTemporaryDir folder;
+        Squares squares(2);
+        ItemStudy study = squares.study();
+        study.keepsFiles = true;
+        study.width = 2;
+        study.solve = [&, solve = study.solve](std::size_t i, ItemCall& call) {
+            auto row = solve(i, call);
+            row->emplace_back(i == 0 ? (call.file.parent_path().filename() / call.file.filename()).string() : "");
+            return row;
+        };
+        const ItemOptions options{.files = folder.path().toStdString()};
+        KeptRows kept = rowsOf(performItems(study, options, {}));
+        ItemOptions again = options;
+        again.kept = &kept;
+        performItems(study, again, {});
+        QCOMPARE(squares.solved[0].load(), 2); // its file was never there
+        QCOMPARE(squares.solved[1].load(), 1); // it names none
+        again.onlyKept = true;
+        QCOMPARE(performItems(study, again, {}).status, StudyStatus::Completed);
+    }
+    /// Items of the same content are solved once, and their row is kept once, on any number of threads.
+    void itemsThatAreAlike()
+    {
+        for (const int jobs : {1, 4}) {
+            Squares squares(60);
+            ItemStudy study = squares.study();
+            study.content = [](std::size_t i) { return std::to_string(i % 7); };
+            std::atomic<int> solved = 0, kept = 0;
+            study.solve = [&](std::size_t i, ItemCall&) -> std::optional<ItemRow> {
+                ++solved;
+                return ItemRow{double(i % 7)};
+            };
+            const StudyReport report = performItems(study,
+                                                    {.jobs = jobs,
+                                                     .keep =
+                                                         [&](const std::string&, const ItemRow&) {
+                                                             ++kept;
+                                                             return std::string();
+                                                         }},
+                                                    {});
+            QCOMPARE(report.status, StudyStatus::Completed);
+            QCOMPARE(solved.load(), 7);
+            QCOMPARE(kept.load(), 7);
+            QCOMPARE(report.tables[0].rows.size(), std::size_t(60));
+            for (std::size_t i = 0; i < 60; ++i) QCOMPARE(std::get<double>(report.tables[0].rows[i][0]), double(i % 7));
+        }
+    }
+    /// A study that is stopped while its report is prepared keeps the rows that it had; what is made for it ends.
+    void stoppedWhileItPrepares()
+    {
+        Squares squares(10);
+        ItemStudy study = squares.study();
+        int ends = 0;
+        study.end = [&] { ++ends; };
+        KeptRows kept = rowsOf(performItems(study, {.part = {1, 2}}, {}));
+        study.prepare = [](const GoOn&) { return false; };
+        const StudyReport report = performItems(study, {.kept = &kept}, {});
+        QCOMPARE(report.status, StudyStatus::Cancelled);
+        QCOMPARE(report.items.size(), std::size_t(5));
+        QCOMPARE(report.message, std::string("stopped after 5 of 10 items"));
+        QCOMPARE(ends, 2);
+    }
+    void rowsWithoutUse()
+    {
+        Squares squares(4);
+        const KeptRows others = rowsOf(performItems(squares.study(2.0), {}, {}));
+        QCOMPARE(performItems(squares.study(), {.kept = &others}, {}).items.size(), std::size_t(8));
+        QCOMPARE(performItems(squares.study(), {.kept = &others, .addsUnused = false}, {}).items.size(),
+                 std::size_t(4));
     }
 
     void keysDiffer()

@@ -35,6 +35,8 @@ private slots:
         report.tables = {{"statements", {{"figure"}, {"holds"}}, {}}};
         for (const QString& each : holds) report.tables[0].rows.push_back({std::string("1"), each.toStdString()});
         QCOMPARE(static_cast<int>(verdictOf(report)), verdict);
+        report.findings.clear(); // of a part
+        QCOMPARE(verdictOf(report), StudyVerdict::None);
     }
     void othersHaveNone()
     {

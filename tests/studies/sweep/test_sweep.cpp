@@ -278,6 +278,12 @@ private slots:
         row("twice", axis + "values = [\"3 nm\"]\n" + read + read, "is read twice");
         row("a static state of springs", "calculate = \"steady\"\n" + axis + "values = [\"3 nm\"]\n" + read,
             "only a case of model \"film\"");
+        row("modes that are kept", "keep = \"all\"\ncalculate = \"steady\"\n" + axis + "values = [\"3 nm\"]\n" + read,
+            "only runs have files");
+        row("runs of a surface",
+            "keep = \"all\"\n" + axis + "from = \"3 nm\"\nto = \"4 nm\"\n" + read +
+                "[samples]\nmethod = \"sobol\"\nby = \"surface\"\n",
+            "write one of the two");
         row("a distribution of a grid", axis + "from = \"3 nm\"\nto = \"4 nm\"\ndistribution = \"normal\"\n" + read,
             "is of samples");
         row("all averaged", axis + "from = \"3 nm\"\nto = \"4 nm\"\naverage = true\n" + read, "averaged");
