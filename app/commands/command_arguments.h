@@ -3,6 +3,7 @@
 // The arguments of the commands.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct CommandArguments {
     std::string part;                  // "K/N" of a list study; "" for all of it
     std::vector<std::string> join;     // files of parts
     bool resume = false;               // a list study goes on in its file
-    double checkpointEach = 1.0;       // of a run [s]
+    /// Of a run, between its states [s]; none: 1.
+    std::optional<double> checkpointEach{};
     std::string resumeRun;             // a run goes on: "true", "anyway"; "" for no
     std::string engine;                // of a list study: "local", "slurm", "command"; "" for this process
     int parts = 0;                     // of the engine; 0: not given

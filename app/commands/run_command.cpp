@@ -308,6 +308,10 @@ int runCommand(const CommandArguments& arguments)
     if (source.isStored && !(source.resumes && source.out == arguments.name)) inputs.emplace_back(arguments.name);
     std::ranges::move(targetProblems({{"--out", source.out}, {"--csv", arguments.csv, true}}, inputs),
                       std::back_inserter(problems));
+    if (arguments.checkpointEach && !(*arguments.checkpointEach >= 0.0 && *arguments.checkpointEach <= 1e6))
+        problems.push_back({"", 0, "--checkpoint", "must be from 0 to 1e6 seconds"});
+    else if (arguments.checkpointEach && source.out.empty())
+        problems.push_back({"", 0, "--checkpoint", "needs --out FILE.h5: the states stand there"});
     if (problems.empty())
         if (const std::string reason = reasonNotToRun(document.value); !reason.empty())
             problems.push_back({document.name, 0, "", reason});
@@ -334,7 +338,7 @@ int runCommand(const CommandArguments& arguments)
         return line.show(runProgress(update.time, update.duration, least)) && output.problem().empty();
     };
     RunOptions options;
-    if (!source.out.empty()) options.checkpointEach = arguments.checkpointEach;
+    if (!source.out.empty()) options.checkpointEach = arguments.checkpointEach.value_or(1.0);
     if (const auto& from = source.continued.from) options.from = {from, &from->at};
     if (!fitsInMemory([&] { summary = run(document.value, receive, options); })) {
         summary.status = RunStatus::Failed;

@@ -201,6 +201,8 @@ private slots:
         const auto add = [](const char* name, QStringList arguments, const char* words) {
             QTest::newRow(name) << arguments << QString(words);
         };
+        add("a state each", {"fig10a", "--checkpoint", "1"}, "--checkpoint: needs --out FILE.h5");
+        add("a state before", {"fig10a", "--checkpoint", "-1", "--out", "b.h5"}, "--checkpoint: must be from 0 to 1e6");
         add("completed", {"a.h5", "--resume"}, "the run has completed");
         add("shorter", {"a.h5", "--resume", "--set", "run.duration=0.4 ms"}, "run.duration is shorter");
         add("another key", {"a.h5", "--resume", "--set", "run.duration=2 ms", "--set", "slider.mass=2 mg"},
