@@ -25,11 +25,11 @@ struct CommandArguments {
     bool resume = false;               // a list study goes on in its file
     /// Of a run, between its states [s]; none: 1.
     std::optional<double> checkpointEach{};
-    std::string resumeRun;             // a run goes on: "true", "anyway"; "" for no
-    std::string engine;                // of a list study: "local", "slurm", "command"; "" for this process
-    int parts = 0;                     // of the engine; 0: not given
-    std::string sbatch, submit;        // options of sbatch; the command of the launcher
-    int jobs = 0;                      // 0: as many as there are cores
+    std::string resumeRun;      // a run goes on: "true", "anyway"; "" for no
+    std::string engine;         // of a list study: "local", "slurm", "command"; "" for this process
+    int parts = 0;              // of the engine; 0: not given
+    std::string sbatch, submit; // options of sbatch; the command of the launcher
+    int jobs = 0;               // 0: as many as there are cores
     bool fixedAttitude = false;
     bool asTemplate = false; // print a study of the case instead
     bool progress = false;
