@@ -14,6 +14,7 @@ using namespace touchdown;
 namespace test_list_studies {
 
 const std::string twoDrops = R"(
+case = "fig12a"
 starts = 3
 [[statement]]
 figure = "a"
@@ -138,7 +139,7 @@ private slots:
     /// What a study shows while it is under way holds its rows, so that none is lost with the program.
     void partialReportsHoldTheirRows()
     {
-        const StudyPlan plan = openStudy("sweep", "fig10a", {"run.duration=2 ms"});
+        const StudyPlan plan = openStudy("sweep", "fig10a", {"run.duration=500 ms"});
         std::size_t most = 0;
         plan.perform(1, [&](const StudyProgress& progress) {
             if (progress.soFar != nullptr && !progress.soFar->tables.empty()) {
