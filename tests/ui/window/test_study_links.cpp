@@ -138,11 +138,11 @@ private slots:
         StudyEditor& editor = *f.window.findChild<StudyEditor*>();
         editor.setKind(QStringLiteral("sweep"));
         editor.setText(slow(6));
-        EngineDialog dialog(folder.path(), &editor);
+        auto* dialog = new EngineDialog(folder.path(), &editor);
         EngineTask task;
-        connect(&dialog, &EngineDialog::taken, [&](const EngineTask& taken) { task = taken; });
-        dialog.findChildren<QSpinBox*>().at(0)->setValue(3);
-        dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
+        connect(dialog, &EngineDialog::taken, [&](const EngineTask& taken) { task = taken; });
+        dialog->findChildren<QSpinBox*>().at(0)->setValue(3);
+        dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->click();
         QCOMPARE(task.kind, EngineKind::Slurm);
         QCOMPARE(task.parts, std::size_t(3));
         QCOMPARE(task.jobs, 1);
@@ -187,9 +187,11 @@ private:
         auto* table = results.findChild<ResultTable*>();
         QVERIFY(table);
         table->selectRow(row);
-        auto* open = button(results, QStringLiteral("Open the case"));
-        QVERIFY(open && open->isEnabled());
-        open->click();
+        for (QToolButton* open : results.findChildren<QToolButton*>()) {
+            if (open->accessibleName() != QStringLiteral("Open the chosen row")) continue;
+            QVERIFY(open->isEnabled());
+            open->click();
+        }
     }
     static void vary(Fixture& f, const char* key)
     {
