@@ -2,7 +2,6 @@
 #include "core/studies/sweep/sweep.h"
 
 #include <algorithm>
-#include <memory>
 #include <utility>
 
 #include "core/studies/runs/case_content.h"
@@ -32,12 +31,11 @@ std::optional<ItemRow> solve(const SweepTask& task, std::size_t item, ItemCall& 
 
 } // namespace
 
-StudyWork planSweep(StudyReader& reader)
+ItemStudy sweepItems(const std::shared_ptr<const SweepTask>& task)
 {
-    const auto task = std::make_shared<const SweepTask>(readSweep(reader));
     const auto cases = std::make_shared<CaseContent>();
     const bool averages = std::ranges::any_of(task->axes, &SweepAxis::average);
-    return ItemStudy{
+    return {
         .count = task->count(),
         .width = task->readings.size() + (task->keepsRuns ? 2 : 1),
         .content = [task, cases](std::size_t item) { return contentOf(*task, item, *cases); },
@@ -49,5 +47,7 @@ StudyWork planSweep(StudyReader& reader)
         .keepsFiles = task->keepsRuns,
     };
 }
+
+StudyWork planSweep(StudyReader& reader) { return sweepItems(std::make_shared<const SweepTask>(readSweep(reader))); }
 
 } // namespace touchdown
