@@ -36,9 +36,9 @@ EngineDialog::EngineDialog(const QString& folder, QWidget* parent)
 {
     setWindowTitle(tr("Perform on a cluster"));
     setAttribute(Qt::WA_DeleteOnClose);
-    const QString place =
+    const QString suggested =
         folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) : folder;
-    folder_->setText(QDir::toNativeSeparators(QDir(place).filePath(QStringLiteral("cluster"))));
+    folder_->setText(QDir::toNativeSeparators(QDir(suggested).filePath(QStringLiteral("cluster"))));
     folder_->setMinimumWidth(fontMetrics().averageCharWidth() * 48);
     folder_->setAccessibleName(tr("Folder"));
     options_->setPlaceholderText(tr("such as --partition=long --time=2:00:00"));
@@ -50,9 +50,9 @@ EngineDialog::EngineDialog(const QString& folder, QWidget* parent)
     threads_->setAccessibleName(tr("Threads of each part"));
     auto* choose = new QPushButton(tr("Choose…"), this);
     choose->setAutoDefault(false);
-    auto* place_ = new QHBoxLayout;
-    place_->addWidget(folder_, 1);
-    place_->addWidget(choose);
+    auto* place = new QHBoxLayout;
+    place->addWidget(folder_, 1);
+    place->addWidget(choose);
     auto* note =
         new QLabel(tr("Each part is a job of Slurm and should take minutes. All computers must see the folder. "
                       "Stopping leaves the jobs; performing again with the same folder takes them up."),
@@ -64,7 +64,7 @@ EngineDialog::EngineDialog(const QString& folder, QWidget* parent)
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
     buttons->button(QDialogButtonBox::Ok)->setText(tr("&Submit"));
     auto* layout = new QFormLayout(this);
-    layout->addRow(tr("&Folder"), place_);
+    layout->addRow(tr("Folder"), place);
     layout->addRow(tr("&Parts"), parts_);
     layout->addRow(tr("&Threads of each part"), threads_);
     layout->addRow(tr("&Options of sbatch"), options_);

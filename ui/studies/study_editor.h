@@ -72,6 +72,8 @@ public:
     std::vector<StudyDraft> unsaved() const;
     /// A text from another window; false where an edited one would be replaced, or there is no such kind.
     bool restore(const StudyDraft& draft);
+    /// The text of a report, where its kind has none but the defaults.
+    void showTextOf(const std::string& kind, const std::string& text);
     /// Of a kind, as the list shows it.
     QString titleOf(const QString& kind) const;
     /// Whether a study is under way; one of the chosen kind?

@@ -102,6 +102,12 @@ bool StudyEditor::restore(const StudyDraft& draft)
     return true;
 }
 
+void StudyEditor::showTextOf(const std::string& kind, const std::string& text)
+{
+    const QString name = QString::fromStdString(kind), shown = QString::fromStdString(text);
+    if (!text.empty() && drafts_[name].file.isEmpty()) restore({name, shown, shown, {}});
+}
+
 QString StudyEditor::open(const QString& path)
 {
     const auto content = readTextFile(path.toStdString(), maximumStudyFileSize, FileContent::Text);

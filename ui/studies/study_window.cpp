@@ -297,6 +297,7 @@ void StudyWindow::restore(StoredStudy stored, const QString& file)
         plan.start = parseCase(std::move(stored.caseText), stored.report.title);
     }
     plan.title = stored.report.title;
+    if (plan.valid() && plan.options.empty()) editor_->showTextOf(kind, plan.text);
     const QString runs = file.isEmpty() ? QString() : runsBeside(QFileInfo(file).absolutePath());
     outcomes_[kind] = {std::move(plan), std::move(stored.report), SavedFile(file), 0, runs};
     show();

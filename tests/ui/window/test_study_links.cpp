@@ -123,6 +123,7 @@ private slots:
         Fixture f;
         f.window.files().open(report);
         QTRY_VERIFY(f.window.studies().outcome("sweep") != nullptr);
+        QVERIFY(f.window.findChild<StudyEditor*>()->toText().contains(slow(3))); // it can be performed again
         openRow(f, 2);
         QTRY_COMPARE(f.window.runs().count(), 1);
         QVERIFY(QDir(folder.filePath(QStringLiteral("runs"))).removeRecursively());
