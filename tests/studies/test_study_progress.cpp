@@ -9,8 +9,6 @@
 #include "core/studies/study_plan.h"
 #include "tests/support/test_program.h"
 
-Q_DECLARE_METATYPE(touchdown::StudyPlan)
-
 using namespace touchdown;
 
 namespace test_study_progress {
