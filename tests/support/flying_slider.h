@@ -7,6 +7,7 @@
 
 #include "core/case_files/case_file.h"
 #include "core/simulation/flight/coupled_step.h"
+#include "core/simulation/flight/film_on_cells.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
 
@@ -41,6 +42,7 @@ struct FlyingSlider {
     MinimumSpacing spacing;
     FilmLevel level;
     SliderBody body;
+    FilmOnCells film;
     CoupledStepper stepper;
 
     FlyingSlider(const Case& c, const SteadyResult& rest, const CoupledStepOptions& options, const Vector3& offset,
@@ -49,7 +51,8 @@ struct FlyingSlider {
           spacing(c.surface, recess),
           level(c, recess, spacing, rest.grid),
           body(c, rest.attitude),
-          stepper(level.film, body, contact, nullptr, options)
+          film(level.film, body, contact, nullptr, options.film, level.pressure),
+          stepper(film, body, contact, options)
     {
         level.gaps.pad.pad<double>(rest.pressure, level.pressure);
         SliderMotion motion;
@@ -57,7 +60,7 @@ struct FlyingSlider {
         level.film.setAttitude(body.attitude(motion.q));
         if (!level.flying.solveFilm(level.pressure, {.tolerance = 1e-12, .maximumIterations = 60}).converged)
             qFatal("the film of the start was not solved");
-        stepper.start(level.pressure, motion, 0.0);
+        stepper.start(motion, 0.0);
     }
     FlyingSlider(const FlyingSlider&) = delete;
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/case.h"
 #include "core/numerics/backward_difference.h"
 #include "core/physics/film/gas_film.h"
 #include "core/work/state_stream.h"
@@ -63,32 +62,15 @@ CoupledStepOptions steppingOf(const Case& c, const GasFilm& film)
     return options;
 }
 
-CoupledStepper::CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
+CoupledStepper::CoupledStepper(FilmInTime& film, const SliderBody& body, SliderContact* contact,
                                const CoupledStepOptions& options)
-    : film_(film),
-      loads_(film),
-      body_(body),
-      contact_(contact),
-      disk_(disk),
-      options_(options),
-      stepper_(film, options.film),
-      response_(film, loads_, body)
-{
-    for (auto* field : {&change_, &surface_}) field->assign(film.pad().size(), 0.0);
-}
+    : film_(film), body_(body), contact_(contact), options_(options)
+{}
 
 void CoupledStepper::setSurface(double time)
 {
     const Stopwatch watch(cost_.diskSeconds);
-    const bool rough = disk_ && !disk_->flat();
-    if (rough) {
-        if (!(surfaceTime_ == time) || deformed_) disk_->at(time, surface_);
-    } else if (deformed_) {
-        std::fill(surface_.begin(), surface_.end(), 0.0);
-    }
-    surfaceTime_ = time;
-    deformed_ = inReach_ && contact_->deform(surface_);
-    film_.setSurface(rough || deformed_ ? std::span<const double>(surface_) : std::span<const double>());
+    film_.setDisk(time, inReach_);
 }
 
 void CoupledStepper::askContact(const Attitude& attitude, double time)
@@ -104,27 +86,22 @@ void CoupledStepper::askContact(const Attitude& attitude, double time)
     contactStiffness_ = inReach_ ? contact_->stiffness() : Matrix3(Matrix3::Zero());
 }
 
-Vector3 CoupledStepper::filmForceAt(std::span<const double> p)
+void CoupledStepper::setFilmForce()
 {
     const Stopwatch watch(cost_.forceSeconds);
-    const std::array<double, 5> force = loads_.loadAndShear(p);
-    shear_ = {force[3], force[4]};
-    return body_.filmForce(force);
+    filmForce_ = film_.force();
 }
 
-void CoupledStepper::start(std::span<const double> p, const SliderMotion& motion, double time)
+void CoupledStepper::start(const SliderMotion& motion, double time)
 {
     motion_ = motion;
     time_ = time;
-    const Attitude attitude = body_.attitude(motion_.q);
-    askContact(attitude, time);
+    askContact(body_.attitude(motion_.q), time);
     if (contact_) contact_->accept();
     setSurface(time);
-    film_.setAttitude(attitude);
-    stepper_.start(p);
-    filmForce_ = filmForceAt(stepper_.pressure());
+    film_.start(motion_, time);
+    setFilmForce();
     starting_ = true;
-    response_.forget();
     contraction_ = 0.0;
     jerk_ = shiftJerk_ = Vector3::Zero();
     lastDt_ = 0.0;
@@ -159,7 +136,7 @@ void CoupledStepper::restartAcceleration()
 Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
 {
     Vector3 jerk = -body_.springs().cwiseProduct(v);
-    addTo(jerk, -1.0, response_.stiffness() + contactStiffness_, v);
+    addTo(jerk, -1.0, film_.stiffness() + contactStiffness_, v);
     return accelerationBy(jerk);
 }
 
@@ -167,7 +144,7 @@ Vector3 CoupledStepper::stiffJerk(const Vector3& v) const
 Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const
 {
     Matrix3 matrix = Matrix3::Zero();
-    if (stiff) matrix = response_.stiffness() + contactStiffness_;
+    if (stiff) matrix = film_.stiffness() + contactStiffness_;
     matrix.diagonal() += body_.inertia() * perSquare + body_.dampers() * perTime + body_.springs();
     Vector3 b = right;
     if (body_.holdsRoll()) {
@@ -176,7 +153,7 @@ Vector3 CoupledStepper::solveBody(const Vector3& right, double perSquare, double
         matrix(2, 2) = body_.inertia()[2] * perSquare;
         b[2] = 0.0;
     }
-    return solveScaled(matrix, b, film_.gaps().length, film_.gaps().width);
+    return solveScaled(matrix, b, body_.length(), body_.width());
 }
 
 /// Share of film and contact in the stiffness against a change of the attitude [-].
@@ -184,7 +161,7 @@ double CoupledStepper::stiffShare(double perSquare) const
 {
     double share = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
-        const double stiffness = std::abs(response_.stiffness()(k, k)) + std::abs(contactStiffness_(k, k));
+        const double stiffness = std::abs(film_.stiffness()(k, k)) + std::abs(contactStiffness_(k, k));
         share = std::max(share, stiffness / (stiffness + body_.inertia()[k] * perSquare));
     }
     return share;
@@ -192,17 +169,15 @@ double CoupledStepper::stiffShare(double perSquare) const
 
 double CoupledStepper::follow(const Vector3& change)
 {
-    const double left = response_.follow(change, change_);
-    stepper_.follow(body_.attitude(tried_.q), change_);
-    addTo(filmForce_, -1.0, response_.stiffness(), change);
+    const double left = film_.follow(tried_.q, change);
+    addTo(filmForce_, -1.0, film_.stiffness(), change);
     return left;
 }
 
-FilmStepResult CoupledStepper::stepFilm(double dt, const Attitude& attitude)
+FilmStepResult CoupledStepper::stepFilm(double dt)
 {
     const Stopwatch watch(cost_.filmSeconds);
-    stepper_.setRate(acceptedRate_);
-    const FilmStepResult film = stepper_.step(dt, attitude);
+    const FilmStepResult film = film_.step(dt, motion_, tried_.q, acceptedRate_);
     ++cost_.filmSolves;
     cost_.linearisations += film.linearisations;
     cost_.jacobiansKept += film.linearisations == 0;
@@ -252,23 +227,21 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
     while (result.iterations < options_.maximumIterations) {
         ++result.iterations;
         if (options_.goOn && !options_.goOn()) return fail(CoupledFailure::Stopped);
-        const Attitude attitude = body_.attitude(tried_.q);
-        askContact(attitude, time);
+        askContact(body_.attitude(tried_.q), time);
         if (!contactForces_.problem.empty()) return fail(CoupledFailure::Contact);
         setSurface(time);
-        const FilmStepResult film = stepFilm(dt, attitude);
+        const FilmStepResult film = stepFilm(dt);
         result.filmIterations += film.iterations;
         result.linearisations += film.linearisations;
         result.solves += film.solves;
         result.filmError = film.error;
         if (!film.converged) return fail(CoupledFailure::Film);
-        if (monolithic && response_.isOld()) {
+        if (monolithic && film_.isResponseOld()) {
             const Stopwatch watch(cost_.responseSeconds);
-            result.solves +=
-                response_.renew(stepper_.pressure(), stepper_.linear(), inReach_ ? contact_ : nullptr, options_.goOn);
-            if (!response_.known()) return fail(CoupledFailure::Stopped);
+            result.solves += film_.renewResponse(inReach_, options_.goOn);
+            if (!film_.isResponseKnown()) return fail(CoupledFailure::Stopped);
         }
-        filmForce_ = filmForceAt(stepper_.pressure());
+        setFilmForce();
 
         setVelocity(dt);
         Vector3 balance = forceOn(tried_) - body_.inertia().cwiseProduct(tried_.a);
@@ -286,23 +259,23 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         before = size;
         const double left = contraction_ < 1.0 ? contraction_ / (1.0 - contraction_) * size : size;
         const double preload = std::abs(body_.load()[0]);
-        const double load = preload > 0.0 ? preload : film_.ambient() * film_.gaps().length * film_.gaps().width;
+        const double load = preload > 0.0 ? preload : film_.ambientForce();
         result.forceBalance =
-            (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / film_.gaps().length) / load;
+            (std::abs(balance[0]) + (std::abs(balance[1]) + std::abs(balance[2])) / body_.length()) / load;
         if (monolithic) {
             tried_.q += change;
             const double filmLeft = follow(change);
             result.filmError += filmLeft;
             result.positionLeft = left;
             result.forceBalance *= contraction_;
-            if (left > options_.tolerance || filmLeft > stepper_.allowed()) continue;
+            if (left > options_.tolerance || filmLeft > film_.allowed()) continue;
         } else if (size > options_.tolerance) {
             tried_.q += change;
             continue;
         } else {
             result.positionLeft = size;
         }
-        if (measured > worthRenewing) response_.outdate();
+        if (measured > worthRenewing) film_.outdateResponse();
         finishMotion(dt, monolithic ? change : Vector3(Vector3::Zero()));
         setTimeError(dt, result);
         return result;
@@ -312,9 +285,9 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
 
 double CoupledStepper::fastestRate() const
 {
-    if (!response_.known()) return 0.0;
-    const Vector3 length(1.0, film_.gaps().length, film_.gaps().width);
-    Matrix3 stiffness = response_.stiffness() + contactStiffness_;
+    if (!film_.isResponseKnown()) return 0.0;
+    const Vector3 length(1.0, body_.length(), body_.width());
+    Matrix3 stiffness = film_.stiffness() + contactStiffness_;
     stiffness.diagonal() += body_.springs();
     Matrix3 perMass = length.cwiseQuotient(body_.inertia()).asDiagonal() * stiffness;
     perMass = perMass * length.cwiseInverse().asDiagonal();
@@ -326,7 +299,7 @@ double CoupledStepper::fastestRate() const
 /// step, whose earlier tries may know the stiffness and may not.
 void CoupledStepper::setRule(double dt, bool fourth)
 {
-    fourth_ = fourth && !starting_ && response_.known() && acceptedRate_ * dt < longestForFourth;
+    fourth_ = fourth && !starting_ && film_.isResponseKnown() && acceptedRate_ * dt < longestForFourth;
     later_ = fourth_ ? 1.0 / 12 : 0.25;
     shift_ = fourth_ ? dt * dt / 12.0 : 0.0;
 }
@@ -370,14 +343,15 @@ void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
     Vector3 change = tried_.a - motion_.a;
     if (fourth_) change -= dt * jerk_;
     change = change * dt * dt / 12.0;
-    const std::array<double, 3> load = stepper_.timeErrorLoad();
-    const Vector3 film = solveBody({load[0], load[1], load[2]}, slowestRate * slowestRate, 0.0, response_.known());
+    const std::array<double, 3> load = film_.timeErrorLoad();
+    const Vector3 film =
+        solveBody({load[0], load[1], load[2]}, slowestRate * slowestRate, 0.0, film_.isResponseKnown());
     result.timeError = body_.displacement(change) + body_.displacement(film);
 }
 
 void CoupledStepper::accept()
 {
-    if (!stepper_.accept()) return;
+    if (!film_.accept()) return;
     jerk_ = triedJerk_;
     shiftJerk_ = triedShiftJerk_;
     slope_ = triedSlope_;
@@ -386,7 +360,6 @@ void CoupledStepper::accept()
     lengths_ = {dt_, lengths_[0], lengths_[1]};
     motion_ = tried_;
     time_ += dt_;
-    response_.age();
     starting_ = false;
     acceptedRate_ = fastestRate();
     if (contact_) contact_->accept();
@@ -394,10 +367,9 @@ void CoupledStepper::accept()
 
 void CoupledStepper::pass(StateStream& stream)
 {
-    stream(stepper_, response_, motion_, jerk_, slope_, shiftJerk_, earlier_, lengths_, time_, lastDt_, surfaceTime_,
-           inReach_, deformed_, filmForce_, shear_, contactForces_, contactStiffness_, acceptedRate_, starting_, cost_,
-           contraction_);
-    stream.fixed(surface_);
+    stream(motion_, jerk_, slope_, shiftJerk_, earlier_, lengths_, time_, lastDt_, inReach_, filmForce_, contactForces_,
+           contactStiffness_, acceptedRate_, starting_, cost_, contraction_);
+    film_.pass(stream);
 }
 
 } // namespace touchdown

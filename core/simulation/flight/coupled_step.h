@@ -25,17 +25,15 @@
 
 #include <array>
 #include <functional>
-#include <span>
-#include <vector>
 
-#include "core/physics/film/film_step.h"
-#include "core/simulation/contact/disk_under_film.h"
+#include "core/case/case.h"
 #include "core/simulation/contact/slider_contact.h"
-#include "core/simulation/flight/film_response.h"
+#include "core/simulation/flight/film_in_time.h"
 #include "core/simulation/static_state/slider_body.h"
 
 namespace touchdown {
 
+class GasFilm;
 class StateStream;
 
 struct CoupledStepOptions {
@@ -77,14 +75,13 @@ struct CoupledCost {
     long long jacobiansKept = 0;      // attitudes at which the film needed no linearisation
 };
 
-/// Film, body, contact and disk must last; contact and disk may be null. Allocates at construction alone.
+/// Film, body and contact must last; the contact may be null. Allocates at construction alone.
 class CoupledStepper {
 public:
-    CoupledStepper(GasFilm& film, const SliderBody& body, SliderContact* contact, DiskUnderFilm* disk,
-                   const CoupledStepOptions& options);
+    CoupledStepper(FilmInTime& film, const SliderBody& body, SliderContact* contact, const CoupledStepOptions& options);
 
-    /// Begins with these pressures (padded) at the motion's q and v; its acceleration is that of the forces.
-    void start(std::span<const double> p, const SliderMotion& motion, double time);
+    /// Begins at the motion's q and v; its acceleration is that of the forces.
+    void start(const SliderMotion& motion, double time);
     /// Tries a step of `dt` [s] from the last accepted state.
     CoupledStepResult step(double dt);
     /// Makes the last tried step the accepted state. It must have converged.
@@ -98,22 +95,10 @@ public:
     double time() const { return time_; }
     const SliderMotion& motion() const { return motion_; } // accepted
     const SliderMotion& tried() const { return tried_; }   // of the last step
-    std::span<const double> pressure() const { return stepper_.pressure(); }
     /// Force of the film with shear, and of the contact, in the last step.
     const Vector3& filmForce() const { return filmForce_; }
-    /// Torques of the film's shear, contained in filmForce().
-    Vector3 shearTorques() const { return {0.0, -body_.shearArm() * shear_[0], -body_.shearArm() * shear_[1]}; }
-    /// Heights of the disk under the film (padded) in the last step; empty where it is always flat [m].
-    std::span<const double> surface() const
-    {
-        return contact_ || (disk_ && !disk_->flat()) ? surface_ : std::span<const double>();
-    }
     const SliderContactForces& contactForces() const { return contactForces_; }
     bool contactInReach() const { return inReach_; }
-    /// Whether the last step was exact for oscillations at the fastest rate.
-    bool isFitted() const { return stepper_.isFitted(); }
-    /// How often a cell of the film has closed: the energy balance lacks the air in it.
-    long long closings() const { return stepper_.closings(); }
     const CoupledCost& cost() const { return cost_; }
     /// The largest angular frequency by the stiffness of film and contact; zero: unknown, as in `staggered` [rad/s].
     double fastestRate() const;
@@ -122,7 +107,7 @@ private:
     CoupledStepResult tryStep(double dt, bool fourth);
     void askContact(const Attitude& attitude, double time);
     void setSurface(double time);
-    Vector3 filmForceAt(std::span<const double> p);
+    void setFilmForce();
     /// By film and contact as last known, and the suspension at a motion.
     Vector3 forceOn(const SliderMotion& at) const;
     Vector3 accelerationBy(const Vector3& force) const;
@@ -130,7 +115,7 @@ private:
     Vector3 solveBody(const Vector3& right, double perSquare, double perTime, bool stiff) const;
     double stiffShare(double perSquare) const;
     Vector3 forecastAcceleration(double dt) const;
-    FilmStepResult stepFilm(double dt, const Attitude& attitude);
+    FilmStepResult stepFilm(double dt);
     /// Changes film and forces by their response; returns the possible error as FilmStepResult::error [-].
     double follow(const Vector3& change);
     void setRule(double dt, bool fourth);
@@ -138,13 +123,10 @@ private:
     void finishMotion(double dt, const Vector3& change);
     void setTimeError(double dt, CoupledStepResult& result);
 
-    GasFilm& film_;
-    FilmLoads loads_;
+    FilmInTime& film_;
     const SliderBody& body_;
     SliderContact* contact_;
-    DiskUnderFilm* disk_;
     CoupledStepOptions options_;
-    FilmStepper stepper_;
     SliderMotion motion_, tried_; // accepted, tried
     // a' at the accepted state, its mean over the last step, and as it separates u from v; and of the tried state.
     Vector3 jerk_ = Vector3::Zero(), slope_ = Vector3::Zero(), shiftJerk_ = Vector3::Zero();
@@ -158,12 +140,8 @@ private:
     bool fourth_ = false;
     double later_ = 0.25, shift_ = 0.0;
     Vector3 rate_ = Vector3::Zero(); // u1
-    FilmResponse response_;
-    std::vector<double> change_, surface_;
-    double surfaceTime_ = -1.0;               // of surface_ [s]
-    bool inReach_ = false, deformed_ = false; // contact, at the last attitude; surface_ by it
+    bool inReach_ = false;           // contact, at the last attitude
     Vector3 filmForce_ = Vector3::Zero();
-    std::array<double, 2> shear_{};
     SliderContactForces contactForces_;
     Matrix3 contactStiffness_ = Matrix3::Zero();
     double acceptedRate_ = 0.0; // fastestRate() at the accepted state, to which film and forecast are fitted [rad/s]

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/flight/film_energy_balance.h"
 
-#include <algorithm>
-
-#include "core/simulation/flight/coupled_step.h"
+#include "core/simulation/flight/film_in_time.h"
 
 namespace touchdown {
 
-void FilmEnergyBalance::begin(const CoupledStepper& stepper, FilmPoint& point)
+void FilmEnergyBalance::begin(FilmPoint& point)
 {
-    point.filmEnergy = energy_.at(stepper.pressure()).stored - rest_;
-    shear_ = stepper.shearTorques();
-    pressure_.assign(stepper.pressure().begin(), stepper.pressure().end());
-    surface_.assign(stepper.surface().begin(), stepper.surface().end());
+    point.filmEnergy = film_.energy().stored - rest_;
+    shear_ = film_.shearTorques();
 }
 
 double FilmEnergyBalance::power(const FilmPoint& point) const
@@ -25,13 +21,13 @@ double FilmEnergyBalance::power(const FilmPoint& point) const
 }
 
 /// Power is integrated along a parabola through three points, or a straight line just after a switch of the law.
-void FilmEnergyBalance::add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point)
+void FilmEnergyBalance::add(const FilmPoint& before, FilmPoint& point)
 {
     const double powerBefore = power(before), dt = point.time - before.time;
-    const FilmEnergyState air = energy_.at(stepper.pressure());
+    const FilmEnergyState air = film_.energy();
     point.filmEnergy = air.stored - rest_;
     flows_ = air.input - air.dissipation;
-    shear_ = stepper.shearTorques();
+    shear_ = film_.shearTorques();
     const double powerNow = power(point);
     double gained = 0.5 * dt * (powerBefore + powerNow) + point.contact.storedEnergy - before.contact.storedEnergy;
     if (lastDt_ > 0.0 && powerBefore == lastPower_) {
@@ -41,11 +37,7 @@ void FilmEnergyBalance::add(const CoupledStepper& stepper, const FilmPoint& befo
     earlierPower_ = powerBefore;
     lastPower_ = powerNow;
     lastDt_ = dt;
-    if (!surface_.empty()) {
-        gained += energy_.surfaceWork(pressure_, stepper.pressure(), surface_, stepper.surface());
-        std::ranges::copy(stepper.pressure(), pressure_.begin());
-        std::ranges::copy(stepper.surface(), surface_.begin());
-    }
+    gained += film_.surfaceWork();
     point.gained = before.gained + gained;
 }
 

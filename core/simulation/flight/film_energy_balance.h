@@ -12,41 +12,33 @@
 // steps that the cells' own pressure does not have (some 1e-3 of the air's exchange).
 #pragma once
 
-#include "core/physics/film/film_energy.h"
-#include "core/physics/film/gas_film.h"
 #include "core/simulation/flight/film_point.h"
 
 namespace touchdown {
 
-class CoupledStepper;
+class FilmInTime;
 
 class FilmEnergyBalance {
 public:
     /// Film and body must last. `restEnergy`: of the air, from which it is counted [J].
-    FilmEnergyBalance(const GasFilm& film, const SliderBody& body, double restEnergy)
-        : energy_(film), body_(body), cells_(film.pad().size()), rest_(restEnergy)
+    FilmEnergyBalance(FilmInTime& film, const SliderBody& body, double restEnergy)
+        : film_(film), body_(body), rest_(restEnergy)
     {}
 
     /// Sets the energy of the air.
-    void begin(const CoupledStepper& stepper, FilmPoint& point);
+    void begin(FilmPoint& point);
     /// Sets energy and gain after an accepted step from `before`.
-    void add(const CoupledStepper& stepper, const FilmPoint& before, FilmPoint& point);
+    void add(const FilmPoint& before, FilmPoint& point);
 
-    void pass(auto& stream)
-    {
-        stream(pressure_, surface_, flows_, shear_, lastPower_, earlierPower_, lastDt_);
-        stream.require(pressure_.size() == cells_ && (surface_.empty() || surface_.size() == cells_));
-    }
+    void pass(auto& stream) { stream(flows_, shear_, lastPower_, earlierPower_, lastDt_); }
 
 private:
     /// Of flows, contact, shear and dampers at a point, whose flows and shear are the last ones [W].
     double power(const FilmPoint& point) const;
 
-    FilmEnergy energy_;
+    FilmInTime& film_;
     const SliderBody& body_;
-    std::size_t cells_;                           // padded
     double rest_;                                 // [J]
-    std::vector<double> pressure_, surface_;      // at the last point, where the disk is not flat (padded) [Pa], [m]
     double flows_ = 0.0;                          // their power into the air there [W]
     Vector3 shear_ = Vector3::Zero();             // torques there [N m]
     double lastPower_ = 0.0, earlierPower_ = 0.0; // at the end and the beginning of the last step [W],

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "core/case/contact_law.h"
@@ -15,6 +16,7 @@
 #include "core/simulation/flight/damping_doubt.h"
 #include "core/simulation/flight/film_energy_balance.h"
 #include "core/simulation/flight/film_figures.h"
+#include "core/simulation/flight/film_on_cells.h"
 #include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/flight/film_scene.h"
 #include "core/simulation/flight/law_switch.h"
@@ -67,7 +69,7 @@ public:
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
         std::ranges::copy(scene_.warnings, std::back_inserter(summary.warnings));
-        if (stepper_) troubles_.closings = stepper_->closings();
+        if (film_) troubles_.closings = film_->closings();
         addStepWarnings(summary, troubles_, case_.film.coupling);
         if (scene_.level)
             std::ranges::move(doubtsOnDamping(case_, summary.peaks, resolvedFrequency(case_, scene_.level->gaps.grid),
@@ -107,13 +109,12 @@ private:
         case FilmScene::State::Ready: break;
         }
         makeStepper();
-        FilmLevel& level = *scene_.level;
         if (!goOn()) return stop();
         SliderMotion motion;
         motion.q = body_->coordinates(scene_.start);
         motion.v = {case_.initial.verticalVelocity, case_.initial.pitchVelocity,
                     body_->holdsRoll() ? 0.0 : case_.initial.rollVelocity};
-        stepper_->start(level.pressure, motion, 0.0);
+        stepper_->start(motion, 0.0);
         if (run_.stopped()) return stop();
         if (const std::string& problem = stepper_->contactForces().problem; !problem.empty())
             return fail(RunFailure::Other, "no contact state was found at the start: " + problem);
@@ -122,7 +123,7 @@ private:
                                            "(initial.nominal_trailing_edge_height) or on a smoother disk");
         makeRecorder();
         point_ = pointNow(0.0);
-        balance_->begin(*stepper_, point_);
+        balance_->begin(point_);
         recorder_->begin(point_);
         takeFields();
         lowestForCells_ = scene_.spacing.at(scene_.start).spacing;
@@ -169,13 +170,14 @@ private:
         FilmLevel& level = *scene_.level;
         CoupledStepOptions stepping = steppingOf(case_, level.film);
         stepping.goOn = [this] { return goOn(); };
-        stepper_.emplace(level.film, *body_, contact_, &*scene_.disk, stepping);
+        film_ =
+            std::make_unique<FilmOnCells>(level.film, *body_, contact_, &*scene_.disk, stepping.film, level.pressure);
+        stepper_.emplace(*film_, *body_, contact_, stepping);
     }
 
     void makeRecorder()
     {
-        FilmLevel& level = *scene_.level;
-        balance_.emplace(level.film, *body_, scene_.restEnergy);
+        balance_.emplace(*film_, *body_, scene_.restEnergy);
         recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance,
                           looksEach * finestPassage(case_.diskSurface, scene_.topography, scene_.disk->velocity()),
                           run_);
@@ -256,11 +258,11 @@ private:
     {
         stepper_->accept();
         ++steps_;
-        if (!stepper_->isFitted()) ++unfitted_.count, unfitted_.time += dt;
+        if (!film_->isFitted()) ++unfitted_.count, unfitted_.time += dt;
         worst_.add(tried_);
         const FilmPoint before = point_;
         point_ = pointNow(dt);
-        balance_->add(*stepper_, before, point_);
+        balance_->add(before, point_);
         recorder_->add(point_);
         takeFields();
         const Attitude attitude = body_->attitude(point_.motion.q);
@@ -361,7 +363,7 @@ private:
                      due = time + 1e-9 * interval;
         if (snapshots_ == count || due < snapshots_ * interval) return;
         while (snapshots_ < count && due >= snapshots_ * interval) ++snapshots_;
-        for (FieldSnapshot& snapshot : scene_.snapshots(time, body_->attitude(point_.motion.q), stepper_->pressure()))
+        for (FieldSnapshot& snapshot : scene_.snapshots(time, body_->attitude(point_.motion.q), film_->pressure()))
             run_.addFields(std::move(snapshot));
     }
 
@@ -410,6 +412,7 @@ private:
     FilmScene scene_;
     const SliderBody* body_ = nullptr;
     SliderContact* contact_ = nullptr;
+    std::unique_ptr<FilmOnCells> film_;
     std::optional<CoupledStepper> stepper_;
     std::optional<FilmRecorder> recorder_;
     std::optional<FilmEnergyBalance> balance_;

@@ -47,6 +47,8 @@ public:
 
     /// Force of the suspension: load, springs, dampers.
     Vector3 suspension(const Vector3& q, const Vector3& v) const;
+    double length() const { return length_; } // [m]
+    double width() const { return width_; }   // [m]
     const Vector3& inertia() const { return inertia_; }
     const Vector3& springs() const { return springs_; }
     const Vector3& dampers() const { return dampers_; }

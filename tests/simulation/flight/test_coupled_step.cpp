@@ -180,7 +180,7 @@ private slots:
             QVERIFY2(result.forceBalance < 1e-6, qPrintable(QString::number(result.forceBalance)));
             QVERIFY(result.positionLeft <= options.tolerance);
             slider.level.film.setAttitude(slider.body.attitude(slider.q()));
-            const double load = slider.level.loads.load(slider.stepper.pressure())[0];
+            const double load = slider.level.loads.load(slider.film.pressure())[0];
             const SliderMotion& m = slider.stepper.motion();
             const double missing = load + slider.body.suspension(m.q, m.v)[0] - slider.body.inertia()[0] * m.a[0];
             QVERIFY2(std::abs(missing) < 1e-6 * pico().suspension.preload, qPrintable(QString::number(missing)));

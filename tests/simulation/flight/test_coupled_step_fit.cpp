@@ -53,17 +53,17 @@ private slots:
         int unfitted = 0;
         for (int n = 0; n < 12; ++n) {
             QVERIFY(slider.take(2e-7).converged());
-            unfitted += !slider.stepper.isFitted();
-            QCOMPARE(slider.stepper.isFitted(), n >= unfitted);
+            unfitted += !slider.film.isFitted();
+            QCOMPARE(slider.film.isFitted(), n >= unfitted);
         }
         QVERIFY2(unfitted >= 2 && unfitted <= 5, qPrintable(QString::number(unfitted)));
         QVERIFY(slider.take(0.7e-7).converged());
-        QVERIFY(!slider.stepper.isFitted());
+        QVERIFY(!slider.film.isFitted());
         for (int n = 0; n < 4; ++n) QVERIFY(slider.take(0.7e-7).converged());
-        QVERIFY(slider.stepper.isFitted());
+        QVERIFY(slider.film.isFitted());
         const double rate = slider.stepper.fastestRate();
         for (int n = 0; n < 5; ++n) QVERIFY(slider.take(1.35 / rate).converged());
-        QVERIFY(!slider.stepper.isFitted());
+        QVERIFY(!slider.film.isFitted());
     }
     void notStaggered()
     {
@@ -71,7 +71,7 @@ private slots:
         options.coupling = FilmCoupling::Staggered;
         FlyingSlider slider(pico(), picoAtRest(), options, {1e-10, 0.0, 0.0});
         QVERIFY(slider.takeAll(2e-6, 20));
-        QVERIFY(!slider.stepper.isFitted());
+        QVERIFY(!slider.film.isFitted());
     }
     /// On a spring that stays as it is, and where a stiffer one is met in between.
     void onSprings()
@@ -80,12 +80,12 @@ private slots:
         for (TwoSprings* springs : {&soft, &stiff}) {
             FlyingSlider slider(pico(), picoAtRest(), {}, {1e-9, 0.0, 0.0}, springs);
             QVERIFY(slider.takeAll(4e-7, 8));
-            QVERIFY(slider.stepper.isFitted());
+            QVERIFY(slider.film.isFitted());
             int sinceMet = -1;
             for (int n = 0; n < 200 && sinceMet < 3; ++n) {
                 QVERIFY(slider.take(5e-8).converged());
                 if (sinceMet >= 0 || slider.q()[0] < restingCentre() - 0.1e-9) ++sinceMet;
-                QVERIFY(slider.stepper.isFitted());
+                QVERIFY(slider.film.isFitted());
             }
             QCOMPARE(sinceMet, 3);
         }
