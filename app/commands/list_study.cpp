@@ -15,6 +15,7 @@
 #include "core/studies/engine/engine.h"
 #include "core/studies/study/study_file_reader.h"
 #include "core/studies/study_plan.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -141,6 +142,8 @@ StudyReport ListStudy::perform(const StudyPlan& plan, const CommandArguments& ar
         return performByEngine(plan, task, callback, [](const std::string& text) { complain(text); });
     }
     options_.jobs = arguments.jobs > 0 ? arguments.jobs : cores;
+    // Beside a part, other parts may run on the same machine.
+    if (!arguments.part.empty()) setThreadShare(options_.jobs, options_.jobs);
     options_.kept = &kept_;
     options_.taken = &taken_;
     return plan.performList(options_, callback);

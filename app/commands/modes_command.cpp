@@ -11,7 +11,9 @@
 #include "app/terminal/refusal.h"
 #include "app/terminal/report_text.h"
 #include "core/case_files/case_file.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_quantities.h"
+#include "core/work/large_pages.h"
 
 namespace touchdown {
 
@@ -111,6 +113,7 @@ int modesCommand(const CommandArguments& arguments)
     const CaseDocument document = openFilmCase(arguments);
     if (!document.valid()) return refuse(document.problems, arguments.json);
     ProgressLine line(arguments.progress);
+    preferLargePages(filmBytes(document.value));
     const ModesResult result =
         modes(document.value, [&](const SteadyProgress& update) { return line.show(progressOf(update)); });
     line.end();

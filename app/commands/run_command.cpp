@@ -23,6 +23,8 @@
 #include "core/results/run_output.h"
 #include "core/simulation/contact/pad_way.h"
 #include "core/simulation/run.h"
+#include "core/simulation/static_state/film_setup.h"
+#include "core/work/large_pages.h"
 
 namespace touchdown {
 
@@ -340,6 +342,7 @@ int runCommand(const CommandArguments& arguments)
     RunOptions options;
     if (!source.out.empty()) options.checkpointEach = arguments.checkpointEach.value_or(1.0);
     if (const auto& from = source.continued.from) options.from = {from, &from->at};
+    preferLargePages(filmBytes(document.value));
     if (!fitsInMemory([&] { summary = run(document.value, receive, options); })) {
         summary.status = RunStatus::Failed;
         summary.message = outOfMemory(document.name);

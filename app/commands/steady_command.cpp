@@ -24,6 +24,7 @@
 #include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_quantities.h"
+#include "core/work/large_pages.h"
 
 namespace touchdown {
 
@@ -344,6 +345,7 @@ int steadyCommand(CommandArguments arguments)
 
     const std::vector<SteadySeriesPoint> series = seriesOf(c);
     std::vector<SteadyState> states;
+    preferLargePages(filmBytes(c));
     for (const SteadySeriesPoint& point : series) {
         SteadyResult result = steadyWithContact(caseAt(c, point), [&](const SteadyProgress& update) {
             Progress progress = progressOf(update);

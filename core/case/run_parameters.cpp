@@ -11,6 +11,7 @@ namespace {
 
 constexpr double longestRun = 100.0; // [s]
 constexpr int mostSnapshots = 10000;
+constexpr int mostThreads = 32;
 
 bool withPitch(const Case& c) { return withBearing(c) || withSliderPad(c); }
 bool withOffsets(const Case& c) { return withFilm(c) && c.initial.state == InitialState::Static; }
@@ -115,6 +116,10 @@ std::vector<Parameter> runParameters()
                 at(&Case::run, &RunCase::fieldSnapshots), withSnapshots,
                 "Number of snapshots of the fields of the film and of the contact patch, evenly spaced over the run; 0 "
                 "= none. For a pad, the fields at the closest approach are always among them.",
+                "ours"),
+        integer("run.threads", "threads", notNegative(mostThreads), at(&Case::run, &RunCase::threads), withFilm,
+                "Threads on which a film is computed; 0 = as many as are worth it, up to the number of cores, or to "
+                "the part of them that a study leaves to each of its items. Results do not depend on it.",
                 "ours"),
         choice("spectrum.window", "window", {"rectangular", "hann", "hamming", "blackman", "flat-top"},
                at(&Case::spectrum, &SpectrumCase::window), withBearing, "Window on each segment of the signal.",

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/numerics/vector_clones.h"
+#include "core/work/block_sums.h"
 
 namespace touchdown {
 
@@ -67,10 +68,12 @@ public:
         while (true) {
             const std::span<T> v0 = basis(0);
             if (first)
-                std::copy(b.begin(), b.end(), v0.begin());
+                inBlocks(n, [&](std::size_t k, std::size_t count) { std::copy_n(&b[k], count, &v0[k]); });
             else {
                 apply(std::span<const T>(x.data(), n), v0);
-                for (std::size_t i = 0; i < n; ++i) v0[i] = b[i] - v0[i];
+                inBlocks(n, [&](std::size_t k, std::size_t count) {
+                    for (std::size_t i = k; i < k + count; ++i) v0[i] = b[i] - v0[i];
+                });
             }
             first = false;
             const double start = norm(v0);
@@ -82,7 +85,7 @@ public:
             const int cyclesLeft = (options.maximumIterations - result.iterations + restart_ - 1) / restart_;
             if (isWholeCycle && start * std::pow(start / last, cyclesLeft) > options.tolerance * scale) return result;
             last = start;
-            for (T& value : v0) value *= 1.0 / start;
+            scaleBy(v0, 1.0 / start);
             const std::size_t used = expand(apply, precondition, start, scale, options, result, stopped);
             combine(used, x);
             isWholeCycle = used == static_cast<std::size_t>(restart_);
@@ -93,18 +96,29 @@ public:
 private:
     std::span<T> basis(std::size_t k)
     {
+        const auto clear = [this](T* v) {
+            inBlocks(size_, [v](std::size_t first, std::size_t count) { std::fill_n(v + first, count, T{}); });
+        };
         for (; cleared_ <= k; ++cleared_) {
-            std::fill_n(basis_[cleared_].get(), size_, T{});
-            if (cleared_ < preconditioned_.size()) std::fill_n(preconditioned_[cleared_].get(), size_, T{});
+            clear(basis_[cleared_].get());
+            if (cleared_ < preconditioned_.size()) clear(preconditioned_[cleared_].get());
         }
         return {basis_[k].get(), size_};
     }
 
+    static void scaleBy(std::span<T> v, double factor)
+    {
+        inBlocks(v.size(), [&](std::size_t first, std::size_t count) {
+            for (T& value : v.subspan(first, count)) value *= factor;
+        });
+    }
     static double norm(std::span<const T> v) { return std::sqrt(std::abs(product(v, v))); }
     /// Scalar product of the conjugate of a with b.
     static T product(std::span<const T> a, std::span<const T> b)
     {
-        return sumInLanes(a.size(), [&](std::size_t i) { return conjugate(a[i]) * b[i]; });
+        return sumOfBlocks(a.size(), [&](std::size_t first, std::size_t count) {
+            return sumInLanes(count, [&](std::size_t i) { return conjugate(a[first + i]) * b[first + i]; });
+        });
     }
     static T conjugate(const T& value)
     {
@@ -132,7 +146,9 @@ private:
             for (std::size_t j = 0; j <= k; ++j) {
                 const T part = h(j) = product(basis(j), next);
                 const T* old = basis_[j].get();
-                for (std::size_t i = 0; i < next.size(); ++i) next[i] -= part * old[i];
+                inBlocks(next.size(), [&](std::size_t first, std::size_t count) {
+                    for (std::size_t i = first; i < first + count; ++i) next[i] -= part * old[i];
+                });
             }
             const double length = norm(next);
             h(k + 1) = length;
@@ -149,7 +165,7 @@ private:
             ++k;
             if (std::abs(right_[k]) <= options.tolerance * scale || length == 0.0) break;
             stopped = options.goOn && !options.goOn();
-            for (T& value : next) value *= 1.0 / length;
+            scaleBy(next, 1.0 / length);
         }
         return k;
     }
@@ -173,7 +189,9 @@ private:
         for (std::size_t k = 0; k < used; ++k) {
             const T part = right_[k];
             const T* direction = preconditioned_[k].get();
-            for (std::size_t i = 0; i < size_; ++i) x[i] += part * direction[i];
+            inBlocks(size_, [&](std::size_t first, std::size_t count) {
+                for (std::size_t i = first; i < first + count; ++i) x[i] += part * direction[i];
+            });
         }
     }
 

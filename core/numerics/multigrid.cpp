@@ -7,182 +7,34 @@
 #include <complex>
 #include <type_traits>
 
-#include "core/numerics/vector_clones.h"
+#include "core/numerics/multigrid_rows.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
+using namespace multigrid_rows;
+
 namespace {
 
-constexpr std::size_t together = 4; // lines solved at once: each waits for its last result, others fill the time
-
-/// b less what comes from the rows beside.
-template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setRest(std::size_t count, std::size_t up, const Real* south, const Real* north,
-                                     const Number* b, const Number* v, Number* rest)
-{
-    const Number *below = v - up, *above = v + up;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) rest[k] = b[k] - south[k] * below[k] - north[k] * above[k];
-}
-
-/// The same where the rows beside count with three cells each.
-template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setNineRest(std::size_t count, std::size_t up, const std::array<const Real*, 8> beside,
-                                         const Number* b, const Number* v, Number* rest)
-{
-    const Real *c0 = beside[0], *c1 = beside[1], *c2 = beside[2], *c5 = beside[5], *c6 = beside[6], *c7 = beside[7];
-    const Number *below = v - up, *above = v + up;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k)
-        rest[k] = b[k] - (c0[k] * below[k - 1] + c1[k] * below[k] + c2[k] * below[k + 1]) -
-                  (c5[k] * above[k - 1] + c6[k] * above[k] + c7[k] * above[k + 1]);
-}
-
-/// Solves lines along x, `apart` from each other, their right-hand sides in rows a stride apart.
-template <std::size_t lines, typename Beside, typename Number>
-void solveLines(std::size_t count, std::size_t apart, std::size_t stride, const Beside* west, const Beside* east,
-                const Number* pivot, const Number* right, Number* v)
-{
-    std::array<Number, lines> last{};
-    for (std::size_t i = 0; i < count; ++i)
-        for (std::size_t k = 0; k < lines; ++k) {
-            const std::size_t at = k * apart + i;
-            v[at] = last[k] = right[k * stride + i] * pivot[at] - (west[at] * pivot[at]) * last[k];
-        }
-    for (std::size_t i = count - 1; i-- > 0;)
-        for (std::size_t k = 0; k < lines; ++k) {
-            const std::size_t at = k * apart + i;
-            v[at] = last[k] = v[at] - (east[at] * pivot[at]) * last[k];
-        }
-}
-
-/// Calls solve<lines>(first one) for every second line, a few together.
-template <typename Solve>
-void forEverySecond(int first, int count, const Solve& solve)
-{
-    int j = first;
-    for (; j + 6 < count; j += 8) solve.template operator()<together>(j);
-    for (; j < count; j += 2) solve.template operator()<1>(j);
-}
-
-/// v = value(i) in every second column: real numbers in all columns at once, where vectors keep what the others have.
-template <typename Number, typename Value>
-inline void updateEverySecond(int count, int colour, Number* v, const Value& value)
-{
-    if constexpr (std::is_floating_point_v<Number>) {
-#pragma GCC ivdep
-        for (int i = 0; i < count; ++i) {
-            const Number old = v[i], next = value(i);
-            v[i] = (i & 1) == colour ? next : old;
-        }
-    } else
-        for (int i = colour; i < count; i += 2) v[i] = value(i);
-}
-
-/// Rows of the lines along y, from the first to the last: v = (b - west and east - south) pivot in every second column.
-template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void forwardRow(int count, int colour, std::size_t up, const Real* west, const Real* east,
-                                        const Real* south, const Number* pivot, const Number* b, Number* v)
-{
-    const Number *before = v - 1, *after = v + 1, *below = v - up;
-    updateEverySecond(count, colour, v, [=](int i) {
-        return (b[i] - west[i] * before[i] - east[i] * after[i] - south[i] * below[i]) * pivot[i];
-    });
-}
-template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void forwardNineRow(int count, int colour, std::size_t up,
-                                            const std::array<const Real*, 8> beside, const Number* pivot,
-                                            const Number* b, Number* v)
-{
-    const Real *c0 = beside[0], *c1 = beside[1], *c2 = beside[2], *c3 = beside[3], *c4 = beside[4], *c5 = beside[5],
-               *c7 = beside[7];
-    const Number *below = v - up, *above = v + up;
-    updateEverySecond(count, colour, v, [=](int i) {
-        return (b[i] - (c0[i] * below[i - 1] + c1[i] * below[i] + c2[i] * below[i + 1]) -
-                (c3[i] * v[i - 1] + c4[i] * v[i + 1]) - (c5[i] * above[i - 1] + c7[i] * above[i + 1])) *
-               pivot[i];
-    });
-}
-template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void backwardRow(int count, int colour, std::size_t up, const Real* north, const Number* pivot,
-                                         Number* v)
-{
-    const Number* above = v + up;
-    updateEverySecond(count, colour, v, [=](int i) { return v[i] - north[i] * pivot[i] * above[i]; });
-}
+constexpr int leastCells = 2048; // of a block that is worth a thread
+/// Lines of that many cells together.
+int leastLines(int length) { return std::max(4, leastCells / std::max(1, length)); }
 
 /// Every second line along y: `forward` from each row's first cell on, where below the first row the ring holds zero,
-/// then back.
+/// then back. Blocks of columns each begin and end with such a line: the columns between them are written by none.
 template <typename Real, typename Number, typename Forward>
 void solveRows(const PaddedGrid& pad, int colour, const Real* north, const Number* pivot, Number* v,
                const Forward& forward)
 {
-    for (int j = 0; j < pad.ny; ++j) forward(pad.at(0, j));
-    for (int j = pad.ny - 2; j >= 0; --j) {
-        const std::size_t at = pad.at(0, j);
-        backwardRow(pad.nx, colour, pad.stride(), north + at, pivot + at, v + at);
-    }
-}
-
-/// Rows of the lines along y of a factored operator.
-template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void forwardRowAlone(std::size_t count, std::size_t up, const Number* centre,
-                                             const Number* south, Number* v)
-{
-    const Number* below = v - up;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) v[k] = centre[k] * v[k] - south[k] * below[k];
-}
-template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void backwardRowAlone(std::size_t count, std::size_t up, const Number* north, Number* v)
-{
-    const Number* above = v + up;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) v[k] -= north[k] * above[k];
-}
-
-/// The residual of b in a row, by itself or added to what is there.
-template <bool add, typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void setResidual(std::size_t count, std::size_t up, const Real* west, const Real* east,
-                                         const Real* south, const Real* north, const Number* centre, const Number* b,
-                                         const Number* v, Number* out)
-{
-    const Number *before = v - 1, *after = v + 1, *below = v - up, *above = v + up;
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        const Number left = (b[k] - centre[k] * v[k]) - (west[k] * before[k] + east[k] * after[k]) -
-                            (south[k] * below[k] + north[k] * above[k]);
-        out[k] = add ? out[k] + left : left;
-    }
-}
-
-template <typename Number>
-TOUCHDOWN_VECTOR_CLONES void addPairs(std::size_t count, const Number* in, Number* out)
-{
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) out[k] = in[2 * k] + in[2 * k + 1];
-}
-
-/// A fine cell takes nine, three, three and one sixteenths of the four coarse cells around its centre.
-template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void addBilinear(std::size_t count, const Number* own, const Number* next, Number* row,
-                                         Number* v)
-{
-    const Real near = Real(0.1875), far = Real(0.0625), three = Real(3);
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count + 2; ++k) row[k] = near * own[k] + far * next[k];
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) {
-        v[2 * k] += three * row[k + 1] + row[k];
-        v[2 * k + 1] += three * row[k + 1] + row[k + 2];
-    }
-}
-
-template <typename From, typename To>
-TOUCHDOWN_VECTOR_CLONES void convert(std::size_t count, double scale, const From* in, To* out)
-{
-#pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) out[k] = static_cast<To>(scale * in[k]);
+    const int lines = (pad.nx - colour + 1) / 2;
+    Team::mine().items(lines, leastLines(pad.ny), 8, [&](int firstLine, int endLine, int) {
+        const int first = colour + 2 * firstLine, count = 2 * (endLine - firstLine) - 1;
+        for (int j = 0; j < pad.ny; ++j) forward(pad.at(first, j), count);
+        for (int j = pad.ny - 2; j >= 0; --j) {
+            const std::size_t at = pad.at(first, j);
+            onVectors<Number, backwardRow<Real, Number>>(count, 0, pad.stride(), north + at, pivot + at, v + at);
+        }
+    });
 }
 
 } // namespace
@@ -207,13 +59,37 @@ Multigrid<T>::Multigrid(const PaddedGrid& pad)
         next = {(next.nx + 1) / 2, (next.ny + 1) / 2};
     }
     noMass_.assign(pad.size(), T{});
-    rows_.assign(together * pad.stride(), Number{});
+    threads_ = Team::mine().size();
+    rows_.assign(static_cast<std::size_t>(threads_) * together * pad.stride(), Number{});
+}
+
+template <typename T>
+typename Multigrid<T>::Number* Multigrid<T>::rowsOf(int thread)
+{
+    return &rows_[static_cast<std::size_t>(thread) * together * levels_.front().pad.stride()];
+}
+
+template <typename T>
+int Multigrid<T>::least(int count, int lines) const
+{
+    return Team::mine().size() > threads_ ? count : lines;
 }
 
 template <typename T>
 void Multigrid<T>::take(std::span<const T> b)
 {
-    convert(b.size(), scale_, b.data(), levels_.front().right.data());
+    Number* right = levels_.front().right.data();
+    Team::mine().items(static_cast<int>(b.size()), 4 * leastCells, 64, [&](int first, int end, int) {
+        convert(static_cast<std::size_t>(end - first), scale_, b.data() + first, right + first);
+    });
+}
+
+template <typename T>
+void Multigrid<T>::give(std::span<T> v) const
+{
+    const Number* value = levels_.front().value.data();
+    Team::mine().items(static_cast<int>(v.size()), 4 * leastCells, 64,
+                       [&](int first, int end, int) { std::copy(value + first, value + end, v.data() + first); });
 }
 
 template <typename T>
@@ -223,6 +99,32 @@ void Multigrid<T>::solveByFactors()
     Level& level = levels_.front();
     const PaddedGrid& pad = level.pad;
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
+    Team& team = Team::mine();
+    if (team.blocksOf(pad.ny, leastLines(pad.nx)) > 1) {
+        team.items(pad.ny, leastLines(pad.nx), 4, [&](int begin, int end, int) {
+            const auto lines = [&]<std::size_t count>(int j) {
+                const std::size_t from = pad.at(0, j);
+                solveLines<count>(n, up, up, &level.west[from], &level.east[from], &factors_.pivot[0][from],
+                                  &level.right[from], &level.value[from]);
+            };
+            int j = begin;
+            for (; j + 3 < end; j += 4) lines.template operator()<4>(j);
+            for (; j < end; ++j) lines.template operator()<1>(j);
+        });
+        team.items(pad.nx, leastLines(pad.ny), 16, [&](int begin, int end, int) {
+            const std::size_t count = static_cast<std::size_t>(end - begin);
+            for (int j = 0; j < pad.ny; ++j) {
+                const std::size_t at = pad.at(begin, j);
+                onVectors<Number, forwardRowAlone<Number>>(count, up, &factors_.centre[at], &factors_.south[at],
+                                                           &level.value[at]);
+            }
+            for (int j = pad.ny - 2; j >= 0; --j) {
+                const std::size_t at = pad.at(begin, j);
+                onVectors<Number, backwardRowAlone<Number>>(count, up, &factors_.north[at], &level.value[at]);
+            }
+        });
+        return;
+    }
     // A few lines along x, and at once these rows of the lines along y, while they are at hand.
     const auto solve = [&]<std::size_t lines>(int first) {
         const std::size_t from = pad.at(0, first);
@@ -230,7 +132,8 @@ void Multigrid<T>::solveByFactors()
                           &level.value[from]);
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = from + k * up; // below the first row the ring holds zero
-            forwardRowAlone(n, up, &factors_.centre[at], &factors_.south[at], &level.value[at]);
+            onVectors<Number, forwardRowAlone<Number>>(n, up, &factors_.centre[at], &factors_.south[at],
+                                                       &level.value[at]);
         }
     };
     int first = 0;
@@ -238,7 +141,7 @@ void Multigrid<T>::solveByFactors()
     for (; first < pad.ny; ++first) solve.template operator()<1>(first);
     for (int j = pad.ny - 2; j >= 0; --j) {
         const std::size_t at = pad.at(0, j);
-        backwardRowAlone(n, up, &factors_.north[at], &level.value[at]);
+        onVectors<Number, backwardRowAlone<Number>>(n, up, &factors_.north[at], &level.value[at]);
     }
 }
 
@@ -247,26 +150,40 @@ void Multigrid<T>::sweepX(Level& level, int colour)
 {
     const PaddedGrid& pad = level.pad;
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
-    const auto solve = [&]<std::size_t lines>(int j) {
+    const auto solve = [&]<std::size_t lines>(int j, Number* rows) {
         const std::size_t first = pad.at(0, j);
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = first + 2 * k * up;
-            setRest(n, up, &level.south[at], &level.north[at], &level.right[at], &level.value[at], &rows_[k * up]);
+            setRest(n, up, &level.south[at], &level.north[at], &level.right[at], &level.value[at], rows + k * up);
         }
-        solveLines<lines>(n, 2 * up, up, &level.west[first], &level.east[first], &level.pivot[0][first], rows_.data(),
+        solveLines<lines>(n, 2 * up, up, &level.west[first], &level.east[first], &level.pivot[0][first], rows,
                           &level.value[first]);
     };
-    forEverySecond(colour, pad.ny, solve);
+    forLines(pad, colour, solve);
+}
+
+/// solve<lines>(first one, work space) for the lines along x of a colour.
+template <typename T>
+template <typename Solve>
+void Multigrid<T>::forLines(const PaddedGrid& pad, int colour, const Solve& solve)
+{
+    const int count = (pad.ny - colour + 1) / 2;
+    Team::mine().items(count, least(count, leastLines(pad.nx)), 4, [&](int first, int end, int thread) {
+        forEverySecond(colour + 2 * first, colour + 2 * end - 1,
+                       [&]<std::size_t lines>(int j) { solve.template operator()<lines>(j, rowsOf(thread)); });
+    });
 }
 
 template <typename T>
 void Multigrid<T>::sweepY(Level& level, int colour)
 {
     const PaddedGrid& pad = level.pad;
-    solveRows(pad, colour, level.north.data(), level.pivot[1].data(), level.value.data(), [&](std::size_t at) {
-        forwardRow(pad.nx, colour, pad.stride(), &level.west[at], &level.east[at], &level.south[at],
-                   &level.pivot[1][at], &level.right[at], &level.value[at]);
-    });
+    solveRows(pad, colour, level.north.data(), level.pivot[1].data(), level.value.data(),
+              [&](std::size_t at, int count) {
+                  onVectors<Number, forwardRow<Real, Number>>(count, 0, pad.stride(), &level.west[at], &level.east[at],
+                                                              &level.south[at], &level.pivot[1][at], &level.right[at],
+                                                              &level.value[at]);
+              });
 }
 
 template <typename T>
@@ -282,16 +199,17 @@ void Multigrid<T>::sweepNineX(int colour)
     Level& level = levels_.front();
     const PaddedGrid& pad = level.pad;
     const std::size_t up = pad.stride(), n = static_cast<std::size_t>(pad.nx);
-    const auto solve = [&]<std::size_t lines>(int j) {
+    const auto solve = [&]<std::size_t lines>(int j, Number* rows) {
         const std::size_t first = pad.at(0, j);
         for (std::size_t k = 0; k < lines; ++k) {
             const std::size_t at = first + 2 * k * up;
-            setNineRest<Number>(n, up, besideAt(at), &level.right[at], &level.value[at], &rows_[k * up]);
+            onVectors<Number, setNineRest<Number, Number>>(n, up, besideAt(at), &level.right[at], &level.value[at],
+                                                           rows + k * up);
         }
-        solveLines<lines>(n, 2 * up, up, &nine_.beside[3][first], &nine_.beside[4][first], &nine_.pivot[0][first],
-                          rows_.data(), &level.value[first]);
+        solveLines<lines>(n, 2 * up, up, &nine_.beside[3][first], &nine_.beside[4][first], &nine_.pivot[0][first], rows,
+                          &level.value[first]);
     };
-    forEverySecond(colour, pad.ny, solve);
+    forLines(pad, colour, solve);
 }
 
 template <typename T>
@@ -299,10 +217,11 @@ void Multigrid<T>::sweepNineY(int colour)
 {
     Level& level = levels_.front();
     const PaddedGrid& pad = level.pad;
-    solveRows(pad, colour, nine_.beside[6].data(), nine_.pivot[1].data(), level.value.data(), [&](std::size_t at) {
-        forwardNineRow<Number>(pad.nx, colour, pad.stride(), besideAt(at), &nine_.pivot[1][at], &level.right[at],
-                               &level.value[at]);
-    });
+    solveRows(pad, colour, nine_.beside[6].data(), nine_.pivot[1].data(), level.value.data(),
+              [&](std::size_t at, int count) {
+                  onVectors<Number, forwardNineRow<Number, Number>>(
+                      count, 0, pad.stride(), besideAt(at), &nine_.pivot[1][at], &level.right[at], &level.value[at]);
+              });
 }
 
 template <typename T>
@@ -317,36 +236,46 @@ template <typename T>
 void Multigrid<T>::restrictResidual(const Level& fine, Level& coarse)
 {
     const std::size_t up = fine.pad.stride(), n = static_cast<std::size_t>(fine.pad.nx);
-    Number* row = rows_.data();
-    row[n] = Number{}; // beside the last column of an odd number
-    const auto leave = [&]<bool add>(int j) {
+    const auto leave = [&]<bool add>(int j, Number* row) {
         const std::size_t at = fine.pad.at(0, j);
-        setResidual<add>(n, up, &fine.west[at], &fine.east[at], &fine.south[at], &fine.north[at], &fine.centre[at],
-                         &fine.right[at], &fine.value[at], row);
+        onVectors<Number, setResidual<add, Real, Number>>(n, up, &fine.west[at], &fine.east[at], &fine.south[at],
+                                                          &fine.north[at], &fine.centre[at], &fine.right[at],
+                                                          &fine.value[at], row);
     };
-    for (int j = 0; j < coarse.pad.ny; ++j) {
-        leave.template operator()<false>(2 * j);
-        if (2 * j + 1 < fine.pad.ny) leave.template operator()<true>(2 * j + 1);
-        addPairs(static_cast<std::size_t>(coarse.pad.nx), row, &coarse.right[coarse.pad.at(0, j)]);
-    }
+    Team::mine().items(
+        coarse.pad.ny, least(coarse.pad.ny, leastLines(fine.pad.nx)), 1, [&](int begin, int end, int thread) {
+            Number* row = rowsOf(thread);
+            row[n] = Number{}; // beside the last column of an odd number
+            for (int j = begin; j < end; ++j) {
+                leave.template operator()<false>(2 * j, row);
+                if (2 * j + 1 < fine.pad.ny) leave.template operator()<true>(2 * j + 1, row);
+                addPairs(static_cast<std::size_t>(coarse.pad.nx), row, &coarse.right[coarse.pad.at(0, j)]);
+            }
+        });
 }
 
 template <typename T>
 void Multigrid<T>::prolong(const Level& coarse, Level& fine)
 {
-    for (int j = 0; j < fine.pad.ny; ++j) {
+    const auto add = [&](int j, Number* row) {
         const int beside = j % 2 == 0 ? j / 2 - 1 : j / 2 + 1;
         addBilinear<Real>(static_cast<std::size_t>(coarse.pad.nx), &coarse.value[coarse.pad.at(-1, j / 2)],
-                          &coarse.value[coarse.pad.at(-1, beside)], rows_.data(), &fine.value[fine.pad.at(0, j)]);
+                          &coarse.value[coarse.pad.at(-1, beside)], row, &fine.value[fine.pad.at(0, j)]);
         fine.value[fine.pad.at(fine.pad.nx, j)] = Number{}; // of an odd number of columns, written above
-    }
+    };
+    Team::mine().items(fine.pad.ny, least(fine.pad.ny, 2 * leastLines(fine.pad.nx)), 1,
+                       [&](int first, int end, int thread) {
+                           for (int j = first; j < end; ++j) add(j, rowsOf(thread));
+                       });
 }
 
 template <typename T>
 void Multigrid<T>::cycle(std::size_t l)
 {
     Level& level = levels_[l];
-    std::fill(level.value.begin(), level.value.end(), Number{});
+    Team::mine().items(static_cast<int>(level.value.size()), 4 * leastCells, 64, [&](int first, int end, int) {
+        std::fill(level.value.begin() + first, level.value.begin() + end, Number{});
+    });
     const bool endsWithNine = l == 0 && hasNine_;
     if (l + 1 == levels_.size()) {
         for (int k = 0; k < 6; ++k) sweep(level);
@@ -370,7 +299,7 @@ void Multigrid<T>::precondition(std::span<const T> b, std::span<T> v)
 {
     take(b);
     cycle(0);
-    std::ranges::copy(levels_.front().value, v.begin());
+    give(v);
 }
 
 template <typename T>
@@ -378,7 +307,7 @@ void Multigrid<T>::solveFactors(std::span<const T> b, std::span<T> v)
 {
     take(b);
     solveByFactors();
-    std::ranges::copy(levels_.front().value, v.begin());
+    give(v);
 }
 
 template <typename T>
@@ -391,7 +320,7 @@ void Multigrid<T>::halfCycle(std::span<const T> b, std::span<T> v)
         cycle(1);
         prolong(levels_[1], levels_[0]);
     }
-    std::ranges::copy(levels_.front().value, v.begin());
+    give(v);
 }
 
 template class Multigrid<double>;

@@ -116,6 +116,13 @@ private:
     static void coarsen(const PaddedGrid& from, const Source& fine, const PaddedGrid& to, CoarseSource& coarse);
     /// b, scaled as the operator, into the finest level.
     void take(std::span<const T> b);
+    void give(std::span<T> v) const;
+    /// Work space of a thread.
+    Number* rowsOf(int thread);
+    /// Least number of lines of a block; all of them where there is not as much work space as threads.
+    int least(int count, int lines) const;
+    template <typename Solve>
+    void forLines(const PaddedGrid& pad, int colour, const Solve& solve);
     void solveByFactors();
     void sweepX(Level& level, int colour);
     void sweepY(Level& level, int colour);
@@ -143,13 +150,14 @@ private:
         std::array<std::vector<Number>, 8> beside;
         std::vector<Number> centre;
         std::array<std::vector<Number>, 2> pivot; // 1/pivot of the lines along x, along y
-        std::array<std::vector<double>, 2> own;   // of a row, of both operators
+        std::array<std::vector<double>, 2> own;   // of a row, of both operators, by thread
     };
     Nine nine_;
     bool hasNine_ = false, hasFactors_ = false;
     double scale_ = 1.0; // of the operator
     std::vector<T> noMass_;
-    std::vector<Number> rows_; // work space: a few rows with rings
+    int threads_ = 1;
+    std::vector<Number> rows_; // work space: a few rows with rings, by thread
 };
 
 } // namespace touchdown

@@ -9,10 +9,14 @@
 #include "core/numerics/convection.h"
 #include "core/numerics/multigrid.h"
 #include "core/numerics/vector_clones.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr int leastOfBlock = 2048; // of a block that is worth a thread
+int leastRowsOf(int length) { return std::max(4, leastOfBlock / std::max(1, length)); }
 
 constexpr double leastPivot = 1e-12;  // of the centre
 constexpr double leastCentre = 1e-30; // of the largest; a cell below that, as one without an open face, keeps its value
@@ -26,6 +30,20 @@ TOUCHDOWN_VECTOR_CLONES double largest(std::span<const T> x)
     for (std::size_t i = 0; i < whole; i += 8)
         for (std::size_t k = 0; k < 8; ++k) most[k] = std::max(most[k], std::abs(x[i + k]));
     for (std::size_t i = whole; i < x.size(); ++i) most[0] = std::max(most[0], std::abs(x[i]));
+    return *std::max_element(most.begin(), most.end());
+}
+
+template <typename T>
+double largestOfAll(std::span<const T> x)
+{
+    Team& team = Team::mine();
+    std::array<double, 64> most{};
+    const int count = static_cast<int>(x.size()), blocks = std::min(64, team.blocksOf(count, 4 * leastOfBlock));
+    team.run(blocks, [&](int b, int) {
+        const Block own = Team::block(count, b, blocks, 64);
+        most[static_cast<std::size_t>(b)] =
+            largest<T>(x.subspan(static_cast<std::size_t>(own.first), static_cast<std::size_t>(own.end - own.first)));
+    });
     return *std::max_element(most.begin(), most.end());
 }
 
@@ -113,8 +131,8 @@ void factorLines(std::size_t first, std::size_t apart, std::size_t n, const Real
 
 /// Of lines along y, a row; below the first one the ring holds zero.
 template <typename T, typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void factorRow(std::size_t count, std::size_t up, const Real* south, const Real* north,
-                                       const Number* centre, Number* pivot)
+void factorRow(std::size_t count, std::size_t up, const Real* south, const Real* north, const Number* centre,
+               Number* pivot)
 {
     const Real* northBelow = north - up;
     const Number* below = pivot - up;
@@ -159,7 +177,7 @@ TOUCHDOWN_VECTOR_CLONES void setCentreRow(std::size_t count, double scale, const
 }
 
 template <typename Real, typename Number>
-TOUCHDOWN_VECTOR_CLONES void multiplyRow(std::size_t count, const Number* pivot, const Real* factor, Number* out)
+void multiplyRow(std::size_t count, const Number* pivot, const Real* factor, Number* out)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) out[k] = factor[k] * pivot[k];
@@ -170,8 +188,8 @@ TOUCHDOWN_VECTOR_CLONES void multiplyRow(std::size_t count, const Number* pivot,
 template <typename T>
 void Multigrid<T>::setOperator(const std::array<FaceOperator, 2>& faces, std::span<const T> diagonal)
 {
-    const double most =
-        std::max({largest<double>(faces[0].effective), largest<double>(faces[1].effective), largest<T>(diagonal)});
+    const double most = std::max({largestOfAll<double>(faces[0].effective), largestOfAll<double>(faces[1].effective),
+                                  largestOfAll<T>(diagonal)});
     scale_ = most > 0.0 ? std::ldexp(1.0, -std::ilogb(most)) : 1.0;
     hasNine_ = hasFactors_ = false;
     Source source{faces, diagonal.empty() ? std::span<const T>(noMass_) : diagonal};
@@ -198,22 +216,28 @@ void Multigrid<T>::setFactors(const std::array<FaceOperator, 2>& faces, const st
     const Level& level = levels_.front();
     Factors& f = factors_;
     reserveFactors();
-    for (int j = 0; j < pad.ny; ++j) {
+    const auto setRow = [&](int j) {
         const std::size_t at = pad.at(0, j);
         const auto row = [&](const std::array<FaceOperator, 2>& of) {
             return FaceRow{&of[0].effective[at], &of[0].convection[at], &of[1].effective[at], &of[1].convection[at]};
         };
         setFactorRow<T>(n, up, scale_, row(faces), row(flows), &diagonal[at], &f.centre[at], &f.pivot[0][at],
                         &f.pivot[1][at]);
-    }
+    };
+    Team::mine().items(pad.ny, leastRowsOf(pad.nx), 1, [&](int first, int end, int) {
+        for (int j = first; j < end; ++j) setRow(j);
+    });
     factor(pad, level.west, level.east, level.south, level.north, {f.pivot[0], f.pivot[1]}, f.pivot);
-    for (int j = 0; j < pad.ny; ++j) {
+    const auto multiply = [&](int j) {
         const std::size_t at = pad.at(0, j);
         const Number* pivot = &f.pivot[1][at];
-        multiplyRow(n, pivot, &f.centre[at], &f.centre[at]);
-        multiplyRow(n, pivot, &level.south[at], &f.south[at]);
-        multiplyRow(n, pivot, &level.north[at], &f.north[at]);
-    }
+        onVectors<Number, multiplyRow<Number, Number>>(n, pivot, &f.centre[at], &f.centre[at]);
+        onVectors<Number, multiplyRow<Real, Number>>(n, pivot, &level.south[at], &f.south[at]);
+        onVectors<Number, multiplyRow<Real, Number>>(n, pivot, &level.north[at], &f.north[at]);
+    };
+    Team::mine().items(pad.ny, leastRowsOf(pad.nx), 1, [&](int first, int end, int) {
+        for (int j = first; j < end; ++j) multiply(j);
+    });
 }
 
 template <typename T>
@@ -229,7 +253,7 @@ void Multigrid<T>::reserveNine()
 {
     const PaddedGrid& pad = levels_.front().pad;
     for (auto& field : nine_.beside) field.resize(pad.size());
-    for (auto& row : nine_.own) row.resize(static_cast<std::size_t>(pad.nx));
+    for (auto& row : nine_.own) row.resize(static_cast<std::size_t>(threads_) * pad.stride());
     for (auto* field : {&nine_.centre, &nine_.pivot[0], &nine_.pivot[1]}) field->resize(pad.size());
 }
 
@@ -246,8 +270,8 @@ void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagon
     std::ranges::fill(nine_.own[1], 0.0);
     hasNine_ = true;
     const std::span<const T> mass = diagonal.empty() ? std::span<const T>(noMass_) : diagonal;
-    for (int j = 0; j < pad.ny; ++j) {
-        const std::size_t at = pad.at(0, j);
+    const auto setRow = [&](int j, int thread) {
+        const std::size_t at = pad.at(0, j), work = static_cast<std::size_t>(thread) * pad.stride();
         const auto own = [&](const NinePoints& from, double* out) {
             std::array<const float*, 8> beside;
             for (std::size_t k = 0; k < 8; ++k) beside[k] = &from.beside[k][at];
@@ -260,10 +284,13 @@ void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagon
             scaleRow(n, scale_, points.beside[from].data() + first, &nine_.beside[k][at]);
             if (stores) addScaledRow(n, scale_ * rate, stored.beside[from].data() + first, &nine_.beside[k][at]);
         }
-        own(points, nine_.own[0].data());
-        if (stores) own(stored, nine_.own[1].data());
-        setCentreRow(n, scale_, nine_.own[0].data(), &mass[at], rate, nine_.own[1].data(), &nine_.centre[at]);
-    }
+        own(points, &nine_.own[0][work]);
+        if (stores) own(stored, &nine_.own[1][work]);
+        setCentreRow(n, scale_, &nine_.own[0][work], &mass[at], rate, &nine_.own[1][work], &nine_.centre[at]);
+    };
+    Team::mine().items(pad.ny, least(pad.ny, leastRowsOf(pad.nx)), 1, [&](int first, int end, int thread) {
+        for (int j = first; j < end; ++j) setRow(j, thread);
+    });
     factor(pad, nine_.beside[3], nine_.beside[4], nine_.beside[1], nine_.beside[6], {nine_.centre, nine_.centre},
            nine_.pivot);
 }
@@ -271,15 +298,18 @@ void Multigrid<T>::setFinest(const NinePoints& points, std::span<const T> diagon
 template <typename T>
 void Multigrid<T>::setStencil(Level& level, const Source& source)
 {
-    const auto& [x, y] = source.faces;
-    for (int j = 0; j < level.pad.ny; ++j) {
+    const FaceOperator &x = source.faces[0], &y = source.faces[1];
+    const auto setRow = [&](int j) {
         const std::size_t at = level.pad.at(0, j);
         setStencilRow<T>(static_cast<std::size_t>(level.pad.nx), level.pad.stride(), scale_,
                          FaceRow{&x.effective[at], &x.convection[at], &y.effective[at], &y.convection[at]},
                          &source.mass[at],
                          StencilRow<Real, Number>{&level.west[at], &level.east[at], &level.south[at], &level.north[at],
                                                   &level.centre[at]});
-    }
+    };
+    Team::mine().items(level.pad.ny, leastRowsOf(level.pad.nx), 1, [&](int first, int end, int) {
+        for (int j = first; j < end; ++j) setRow(j);
+    });
     // The rings hold zero: what multiplies them is never needed.
 }
 
@@ -293,13 +323,18 @@ void Multigrid<T>::factor(const PaddedGrid& pad, const std::vector<Beside>& west
     const auto factor = [&]<int lines>(int j) {
         factorLines<T, lines>(pad.at(0, j), up, n, west.data(), east.data(), centre[0].data(), pivot[0].data());
     };
-    int first = 0;
-    for (; first + 3 < pad.ny; first += 4) factor.template operator()<4>(first);
-    for (; first < pad.ny; ++first) factor.template operator()<1>(first);
-    for (int j = 0; j < pad.ny; ++j) {
-        const std::size_t at = pad.at(0, j);
-        factorRow<T>(n, up, &south[at], &north[at], &centre[1][at], &pivot[1][at]);
-    }
+    Team& team = Team::mine();
+    team.items(pad.ny, leastRowsOf(pad.nx), 4, [&](int first, int end, int) {
+        for (; first + 3 < end; first += 4) factor.template operator()<4>(first);
+        for (; first < end; ++first) factor.template operator()<1>(first);
+    });
+    team.items(pad.nx, leastRowsOf(pad.ny), 16, [&](int first, int end, int) {
+        for (int j = 0; j < pad.ny; ++j) {
+            const std::size_t at = pad.at(first, j);
+            onVectors<Number, factorRow<T, Beside, Number>>(static_cast<std::size_t>(end - first), up, &south[at],
+                                                            &north[at], &centre[1][at], &pivot[1][at]);
+        }
+    });
 }
 
 template <typename T>
@@ -309,7 +344,7 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
         const std::size_t step = from.step(static_cast<int>(axis)), across = from.step(axis == 0 ? 1 : 0);
         const int n = axis == 0 ? from.nx : from.ny, nAcross = axis == 0 ? from.ny : from.nx;
         const std::span<const double> K = fine.faces[axis].diffusion;
-        for (int j = 0; j < to.ny + (axis == 1); ++j)
+        const auto setRow = [&](int j) {
             for (int i = 0; i < to.nx + (axis == 0); ++i) {
                 const int line = axis == 0 ? i : j, side = axis == 0 ? j : i;
                 const int fineLine = std::min(2 * line, n);
@@ -334,6 +369,10 @@ void Multigrid<T>::coarsen(const PaddedGrid& from, const Source& fine, const Pad
                 coarse.effective[axis][at] =
                     effectiveConductance<ConvectionScheme::Exponential>(diffusion, convection).value;
             }
+        };
+        Team::mine().items(to.ny + (axis == 1), std::max(4, leastRowsOf(to.nx) / 4), 1, [&](int first, int end, int) {
+            for (int j = first; j < end; ++j) setRow(j);
+        });
     }
     for (int j = 0; j < to.ny; ++j)
         for (int i = 0; i < to.nx; ++i) {
@@ -349,6 +388,7 @@ template void Multigrid<std::complex<double>>::setFinest(const NinePoints&, std:
                                                          const NinePoints&, std::complex<double>);
 template void Multigrid<double>::reserveNine();
 template void Multigrid<double>::reserveFactors();
+template void Multigrid<std::complex<double>>::reserveFactors();
 template void Multigrid<double>::setFactors(const std::array<FaceOperator, 2>&, const std::array<FaceOperator, 2>&,
                                             std::span<const double>);
 template void Multigrid<double>::setOperator(const std::array<FaceOperator, 2>&, std::span<const double>);

@@ -5,6 +5,7 @@
 #include <complex>
 
 #include "core/numerics/vector_clones.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -69,11 +70,13 @@ RowSpread::RowSpread(const PaddedGrid& grid, std::span<const double> lines, std:
 
 void RowSpread::weigh(std::span<const double> volume, std::span<const double> density)
 {
-    for (int j = 0; j < grid_.ny; ++j) {
-        const std::size_t first = grid_.at(0, j);
-        weighRow(static_cast<std::size_t>(grid_.nx), perWidth_.data(), &volume[first], &density[first],
-                 &evenShare_[first], &share_[first]);
-    }
+    Team::mine().items(grid_.ny, 24, 1, [&](int begin, int end, int) {
+        for (int j = begin; j < end; ++j) {
+            const std::size_t first = grid_.at(0, j);
+            weighRow(static_cast<std::size_t>(grid_.nx), perWidth_.data(), &volume[first], &density[first],
+                     &evenShare_[first], &share_[first]);
+        }
+    });
 }
 
 template <typename T>

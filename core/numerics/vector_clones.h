@@ -7,15 +7,40 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__OPTIMIZE__) &&                        \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TOUCHDOWN_VECTOR_CLONES __attribute__((flatten, target_clones("avx512f", "avx2", "default")))
+#define TOUCHDOWN_COMPLEX_CLONES __attribute__((flatten, target_clones("avx2", "default")))
 #else
 #define TOUCHDOWN_VECTOR_CLONES
+#define TOUCHDOWN_COMPLEX_CLONES
 #endif
 
 namespace touchdown {
+
+/// A loop over rows of Number. Where a processor has fused multiply-adds, which comes with avx512f, GCC 12 takes them
+/// for products of complex numbers in the vectors of a loop, but not in what is left at its end: such loops get no
+/// clone for it, or their numbers would depend on the processor and on where the row ends.
+template <auto loop, typename... Arguments>
+TOUCHDOWN_VECTOR_CLONES void onRealVectors(Arguments... arguments)
+{
+    loop(arguments...);
+}
+template <auto loop, typename... Arguments>
+TOUCHDOWN_COMPLEX_CLONES void onComplexVectors(Arguments... arguments)
+{
+    loop(arguments...);
+}
+template <typename Number, auto loop, typename... Arguments>
+void onVectors(Arguments... arguments)
+{
+    if constexpr (std::is_floating_point_v<Number>)
+        onRealVectors<loop>(arguments...);
+    else
+        onComplexVectors<loop>(arguments...);
+}
 
 /// Sum of term(k), k < count. Eight sums side by side: a single one would wait for itself at each number, and the order
 /// would depend on the width of vectors.

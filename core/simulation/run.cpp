@@ -15,7 +15,9 @@
 #include "core/simulation/flight/film_run.h"
 #include "core/simulation/springs/spring_model.h"
 #include "core/simulation/springs/spring_run.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/work/state_stream.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -92,6 +94,12 @@ void addModulation(const Case& c, Summary& summary)
                                height->std});
 }
 
+Summary runFilmOnTeam(const Case& c, const RunCallback& callback, const RunOptions& options)
+{
+    const TeamScope team(filmThreads(c));
+    return runFilm(c, callback, options);
+}
+
 } // namespace
 
 Summary run(const Case& c, const RunCallback& callback, const RunOptions& options)
@@ -114,7 +122,7 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
             summary.integrator = "quasi-static";
             break;
         case ModelKind::Film:
-            summary = runFilm(c, callback, options);
+            summary = runFilmOnTeam(c, callback, options);
             summary.integrator = toText(c, *findParameter("film.coupling"));
             break;
         }

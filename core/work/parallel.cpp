@@ -12,6 +12,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/work/team.h"
+
 namespace touchdown {
 
 bool runParallel(std::size_t count, int jobs, const std::function<void(std::size_t, const GoOn& goOn)>& task,
@@ -23,7 +25,10 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     std::atomic<bool> stopped = false;
     std::exception_ptr failure; // the first one
     const GoOn goOn = [&] { return !stopped; };
+    const std::size_t side = std::clamp<std::size_t>(count, 1, static_cast<std::size_t>(std::max(jobs, 1)));
+    const int share = std::max(1, threadShare() / static_cast<int>(side)); // of a task
     const auto work = [&] {
+        setThreadShare(share, share);
         std::unique_lock lock(mutex);
         while (next < count && !stopped) {
             const std::size_t mine = next++;
@@ -45,7 +50,7 @@ bool runParallel(std::size_t count, int jobs, const std::function<void(std::size
     };
 
     std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(std::max(jobs, 1))); ++i) {
+    for (std::size_t i = 0; i < std::min(count, side); ++i) {
         try {
             threads.emplace_back(work);
         } catch (const std::system_error&) { // no memory for one more

@@ -300,6 +300,7 @@ private slots:
         ofFilm("duration of a film case", "run.duration", "", true);
         ofFilm("samples of a film case", "run.sample_interval", "", true);
         ofFilm("snapshots of a film case", "run.field_snapshots", "", true);
+        ofFilm("threads of a film case", "run.threads", "", true);
         ofFilm("spectrum of a film case", "spectrum.window", "", true);
         ofFilm("vertical velocity of a film case", "initial.vertical_velocity", "", true);
         ofFilm("roll velocity of a film case", "initial.roll_velocity", "", true);
@@ -426,7 +427,7 @@ private slots:
         for (const char* key :
              {"pad.shape", "approach.start", "elastic.modulus", "adhesion.kind", "asperity.radius",
               "meniscus.surface_tension", "disk.surface.motion", "run.field_snapshots", "film.coupling", "run.steps",
-              "run.step_error", "initial.state", "initial.roll_velocity"})
+              "run.threads", "run.step_error", "initial.state", "initial.roll_velocity"})
             QTest::addRow("%s of springs", key) << key << "model=springs" << false;
         for (const char* key : {"abs.crown", "air.slip", "disk.speed", "film.nodes", "steady.radii", "slider.length",
                                 "suspension.preload", "initial.roll", "initial.nominal_trailing_edge_height"})

@@ -11,6 +11,7 @@
 
 #include <QTest>
 
+#include "core/work/team.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -105,6 +106,36 @@ private slots:
         const std::vector<std::size_t> order = scatteredOrder(100);
         for (std::size_t i = 0; i < 20; ++i) ++fifths[order[i] / 20];
         for (const int count : fifths) QVERIFY(count >= 3 && count <= 5);
+    }
+
+    /// What a task computes may use its part of the cores, and no more where it asks for more.
+    void tasksShareTheCores_data()
+    {
+        QTest::addColumn<int>("count");
+        QTest::addColumn<int>("jobs");
+        QTest::addColumn<int>("share");
+        QTest::newRow("one at a time") << 3 << 1 << 8;
+        QTest::newRow("three at a time") << 6 << 3 << 2;
+        QTest::newRow("fewer tasks than jobs") << 2 << 8 << 4;
+        QTest::newRow("more jobs than cores") << 40 << 20 << 1;
+    }
+    void tasksShareTheCores()
+    {
+        QFETCH(int, count);
+        QFETCH(int, jobs);
+        QFETCH(int, share);
+        std::atomic<bool> same = true;
+        std::thread([&] {
+            setThreadShare(8);
+            runParallel(
+                static_cast<std::size_t>(count), jobs,
+                [&](std::size_t, const GoOn&) {
+                    if (threadShare() != share || threadLimit() != share) same = false;
+                },
+                [](std::size_t) { return true; });
+            if (threadShare() != 8) same = false;
+        }).join();
+        QVERIFY(same);
     }
 };
 

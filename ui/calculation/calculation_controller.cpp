@@ -6,6 +6,8 @@
 #include <QCoreApplication>
 #include <QEvent>
 
+#include "core/work/team.h"
+
 namespace touchdown {
 
 namespace {
@@ -30,7 +32,11 @@ int CalculationController::begin(Work work)
     setState(State::Running);
     sinceDelivery_.invalidate();
     rung_ = false;
-    thread_ = std::jthread([work = std::move(work)](const std::stop_token& stop) { work(stop); });
+    thread_ = std::jthread([work = std::move(work)](const std::stop_token& stop) {
+        // One core is left to the window.
+        if (const int cores = threadShare(); cores > 2) setThreadShare(cores - 1);
+        work(stop);
+    });
     return number_;
 }
 

@@ -113,14 +113,20 @@ TOUCHDOWN_VECTOR_CLONES void finish(const ForceLanes<Number> path, const RowLane
 
 template <typename Number>
 void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
-                      const FlowTable& table, double viscosity, Work& work, std::vector<CutForces<Number>>& out) const
+                      const FlowTable& table, double viscosity, std::span<Work> works,
+                      std::vector<CutForces<Number>>& out) const
 {
     constexpr bool plain = derivatives<Number> == 0;
     using Sum = std::conditional_t<plain, double, ByEnd>;
     const std::vector<CutPlace>& cut = gaps_->faces[axis_].cut;
     const std::size_t step = gaps_->pad.step(static_cast<int>(axis_));
-    out.assign(cut.size(), {});
-    for (const Group& group : groups_) {
+    constexpr std::size_t parts = Lanes<Sum>::parts;
+    std::vector<double>& paths = works[0].path_;
+    if (paths.size() < 6 * parts * face_.size()) paths.resize(6 * parts * face_.size());
+    const auto lanes = [&](const Group& group) {
+        return ForceLanes<Sum>(paths.data() + 6 * parts * group.row, group.rows);
+    };
+    forGroups(works, [&](const Group& group, Work& work) {
         const std::size_t rows = group.rows;
         setMobilities(group, p, attitude, surface, table, work);
         if constexpr (!plain)
@@ -132,8 +138,8 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
             work.before_[k] = p[against ? at : at - step];
             work.beyond_[k] = p[against ? at - step : at];
         }
-        const ForceLanes<Sum> path(work.path_.data(), rows);
-        std::fill_n(work.path_.begin(), 6 * path.a.parts * rows, 0.0);
+        const ForceLanes<Sum> path = lanes(group);
+        std::fill_n(path.a.part[0], 6 * parts * rows, 0.0);
         std::fill_n(path.a.part[0], rows, 1.0);
         for (std::size_t n = group.depth; n-- > 0;) {
             const std::size_t in = n * rows, from = group.piece + in;
@@ -153,33 +159,33 @@ void CutPaths::forces(bool layers, std::span<const double> p, const Attitude& at
             finish<true, Sum>(path, row, work.open_.data(), rows);
         else
             finish<false, Sum>(path, row, work.open_.data(), rows);
-        for (std::size_t k = 0; k < rows; ++k) {
-            CutForces<Number>& force = out[face_[group.row + k]];
-            const Sum excess = path.byEnd.get(k), drag = path.R.get(k);
-            if constexpr (plain) {
-                force.excess += excess;
-                force.drag += drag;
-            } else {
-                // The mean pressure is half of either.
-                const bool against = direction_[group.row + k] < 0.0;
-                const double upstream = path.a.part[0][k], downstream = path.b.part[0][k];
-                const double perDrop = direction_[group.row + k] * path.weighted.part[0][k];
-                const auto add = [&](ByAll& to, const Sum& from, double below, double above) {
-                    to.value += from.value;
-                    to.by[0] += 0.5 * from.by[0] + below;
-                    to.by[1] += 0.5 * from.by[0] + above;
-                    for (std::size_t m = 0; m < 3; ++m) to.by[m + 2] += from.by[m + 1];
-                };
-                if (layers) add(force.excess, excess, against ? downstream : upstream, against ? upstream : downstream);
-                add(force.drag, drag, perDrop, -perDrop);
-            }
+    });
+    sumByFace(out, [&](CutForces<Number>& force, const Group& group, std::size_t k, std::size_t row) {
+        const ForceLanes<Sum> path = lanes(group);
+        const Sum excess = path.byEnd.get(k), drag = path.R.get(k);
+        if constexpr (plain) {
+            force.excess += excess;
+            force.drag += drag;
+        } else {
+            // The mean pressure is half of either.
+            const bool against = direction_[row] < 0.0;
+            const double upstream = path.a.part[0][k], downstream = path.b.part[0][k];
+            const double perDrop = direction_[row] * path.weighted.part[0][k];
+            const auto add = [&](ByAll& to, const Sum& from, double below, double above) {
+                to.value += from.value;
+                to.by[0] += 0.5 * from.by[0] + below;
+                to.by[1] += 0.5 * from.by[0] + above;
+                for (std::size_t m = 0; m < 3; ++m) to.by[m + 2] += from.by[m + 1];
+            };
+            if (layers) add(force.excess, excess, against ? downstream : upstream, against ? upstream : downstream);
+            add(force.drag, drag, perDrop, -perDrop);
         }
-    }
+    });
 }
 
 template void CutPaths::forces(bool, std::span<const double>, const Attitude&, std::span<const double>,
-                               const FlowTable&, double, Work&, std::vector<CutForces<double>>&) const;
+                               const FlowTable&, double, std::span<Work>, std::vector<CutForces<double>>&) const;
 template void CutPaths::forces(bool, std::span<const double>, const Attitude&, std::span<const double>,
-                               const FlowTable&, double, Work&, std::vector<CutForces<Dual<5>>>&) const;
+                               const FlowTable&, double, std::span<Work>, std::vector<CutForces<Dual<5>>>&) const;
 
 } // namespace touchdown

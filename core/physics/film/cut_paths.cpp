@@ -115,7 +115,6 @@ CutPaths::Work::Work(const FilmGaps& gaps)
 {
     for (auto* column : {&gap_, &product_, &mobility_, &mobilityBy_, &byGap_}) column->resize(mostPieces(gaps));
     for (auto* column : {&mean_, &open_, &lift_, &before_, &beyond_}) column->resize(pieces);
-    path_.resize(6 * Lanes<Dual<4>>::parts * pieces);
 }
 
 CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, std::span<const double> cross,
@@ -135,6 +134,7 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
         const std::size_t depth = rows[first].depth,
                           most = std::max<std::size_t>(1, Work::pieces / std::max<std::size_t>(1, depth));
         while (end < rows.size() && rows[end].depth == depth && end - first < most) ++end;
+        groupOf_.resize(end, static_cast<std::uint32_t>(groups_.size()));
         groups_.push_back({recess_.size(), first, end - first, depth});
         for (std::size_t n = 0; n < depth; ++n)
             for (std::size_t k = first; k < end; ++k) {
@@ -166,6 +166,12 @@ CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const doubl
         upstream_.push_back(speed[place.at] < 0.0 ? above : below);
         downstream_.push_back(speed[place.at] < 0.0 ? below : above);
     }
+    firstRow_.assign(cut.size() + 1, 0);
+    for (const std::uint32_t face : face_) ++firstRow_[face + 1];
+    for (std::size_t face = 0; face < cut.size(); ++face) firstRow_[face + 1] += firstRow_[face];
+    std::vector<std::uint32_t> next(firstRow_.begin(), firstRow_.end() - 1);
+    faceRows_.resize(face_.size());
+    for (std::uint32_t row = 0; row < face_.size(); ++row) faceRows_[next[face_[row]]++] = row;
 }
 
 void CutPaths::setMobilities(const Group& group, std::span<const double> p, const Attitude& attitude,
@@ -190,11 +196,16 @@ void CutPaths::setMobilities(const Group& group, std::span<const double> p, cons
 
 template <typename Number>
 void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::span<const double> surface,
-                     const FlowTable& table, double viscosity, Work& work, std::vector<PathFlow<Number>>& out) const
+                     const FlowTable& table, double viscosity, std::span<Work> works,
+                     std::vector<PathFlow<Number>>& out) const
 {
     constexpr std::size_t parts = Lanes<Number>::parts;
-    out.assign(gaps_->faces[axis_].cut.size(), {});
-    for (const Group& group : groups_) {
+    std::vector<double>& paths = works[0].path_;
+    if (paths.size() < 5 * parts * face_.size()) paths.resize(5 * parts * face_.size());
+    const auto lanes = [&](const Group& group) {
+        return PathLanes<Number>(paths.data() + 5 * parts * group.row, group.rows);
+    };
+    forGroups(works, [&](const Group& group, Work& work) {
         const std::size_t rows = group.rows;
         setMobilities(group, p, attitude, surface, table, work);
         for (std::size_t n = 0; n < group.depth; ++n)
@@ -205,8 +216,8 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
                     work.mobilityBy_[in] =
                         work.mobilityBy_[in] * work.mean_[k] + table.gapDerivative(work.product_[in], work.gap_[in]);
             }
-        const PathLanes<Number> path(work.path_.data(), rows);
-        std::fill_n(work.path_.begin(), 5 * parts * rows, 0.0);
+        const PathLanes<Number> path = lanes(group);
+        std::fill_n(path.I.part[0], 5 * parts * rows, 0.0);
         std::fill_n(path.decay.part[0], rows, 1.0);
         for (std::size_t n = 0; n < group.depth; ++n) {
             const std::size_t in = n * rows, from = group.piece + in;
@@ -217,22 +228,22 @@ void CutPaths::flows(std::span<const double> p, const Attitude& attitude, std::s
                               work.open_.data(), rows, viscosity);
         }
         finish<Number>(path, work.open_.data(), &width_[group.row], &share_[group.row], &direction_[group.row], rows);
-        for (std::size_t k = 0; k < rows; ++k) {
-            PathFlow<Number>& flow = out[face_[group.row + k]];
-            flow.A = flow.A + path.I.get(k);
-            flow.B = flow.B + path.R.get(k);
-            flow.K = flow.K + path.decay.get(k);
-            flow.below = flow.below + path.before.get(k);
-            flow.above = flow.above + path.after.get(k);
-        }
-    }
+    });
+    sumByFace(out, [&](PathFlow<Number>& flow, const Group& group, std::size_t k, std::size_t) {
+        const PathLanes<Number> path = lanes(group);
+        flow.A = flow.A + path.I.get(k);
+        flow.B = flow.B + path.R.get(k);
+        flow.K = flow.K + path.decay.get(k);
+        flow.below = flow.below + path.before.get(k);
+        flow.above = flow.above + path.after.get(k);
+    });
 }
 
 template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&,
-                              double, Work&, std::vector<PathFlow<double>>&) const;
+                              double, std::span<Work>, std::vector<PathFlow<double>>&) const;
 template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&,
-                              double, Work&, std::vector<PathFlow<Dual<1>>>&) const;
+                              double, std::span<Work>, std::vector<PathFlow<Dual<1>>>&) const;
 template void CutPaths::flows(std::span<const double>, const Attitude&, std::span<const double>, const FlowTable&,
-                              double, Work&, std::vector<PathFlow<Dual<3>>>&) const;
+                              double, std::span<Work>, std::vector<PathFlow<Dual<3>>>&) const;
 
 } // namespace touchdown

@@ -7,6 +7,7 @@
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -100,22 +101,36 @@ FilmEnergyState FilmEnergy::at(std::span<const double> p)
     FilmEnergyState state;
     double brought = 0.0; // by flows
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
+    Team& team = Team::mine();
+    const std::size_t rows = static_cast<std::size_t>(pad.ny) + 1;
+    rowSums_.resize(2 * rows);
+    double *one = rowSums_.data(), *other = one + rows;
+    team.items(pad.ny, 24, 1, [&](int begin, int end, int) {
+        for (int j = begin; j < end; ++j) {
+            const std::size_t first = pad.at(0, j);
+            setLogs(nx, &p[first], ambient, &log_[first], &inverse_[first]);
+            one[j] = storedEnergy(nx, &p[first], &log_[first], &volume[first], ambient);
+            if (perTime != 0.0)
+                other[j] = storedPower(nx, &p[first], &log_[first], &volume[first], &history[first], perTime);
+        }
+    });
     for (int j = 0; j < pad.ny; ++j) {
-        const std::size_t first = pad.at(0, j);
-        setLogs(nx, &p[first], ambient, &log_[first], &inverse_[first]);
-        state.stored += storedEnergy(nx, &p[first], &log_[first], &volume[first], ambient);
-        if (perTime != 0.0)
-            brought += storedPower(nx, &p[first], &log_[first], &volume[first], &history[first], perTime);
+        state.stored += one[j];
+        if (perTime != 0.0) brought += other[j];
     }
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const FilmFaces& faces = film_.faces()[axis];
         const std::span<const double> speed = film_.axes()[axis].speed;
-        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
-            const std::size_t first = pad.at(0, j);
-            state.dissipation +=
-                dissipation(nx + (axis == 0), pad.step(static_cast<int>(axis)), &faces.flow[first],
-                            &faces.inflow[first], &speed[first], &p[first], &log_[first], &inverse_[first], ambient);
-        }
+        const int lines = pad.ny + (axis == 1);
+        team.items(lines, 24, 1, [&](int begin, int end, int) {
+            for (int j = begin; j < end; ++j) {
+                const std::size_t first = pad.at(0, j);
+                one[j] = dissipation(nx + (axis == 0), pad.step(static_cast<int>(axis)), &faces.flow[first],
+                                     &faces.inflow[first], &speed[first], &p[first], &log_[first], &inverse_[first],
+                                     ambient);
+            }
+        });
+        for (int j = 0; j < lines; ++j) state.dissipation += one[j];
     }
     state.input = brought + state.dissipation;
     return state;

@@ -47,6 +47,7 @@ public:
 private:
     const GasFilm& film_;
     std::vector<double> log_, inverse_; // ln(p/p0) [-], p0/p [-]; padded
+    std::vector<double> rowSums_;       // two by row
 };
 
 } // namespace touchdown

@@ -8,6 +8,7 @@
 #include "core/numerics/vector_clones.h"
 #include "core/physics/disk/disk_velocity.h"
 #include "core/physics/film/path_flow.h"
+#include "core/work/block_sums.h"
 
 namespace touchdown {
 
@@ -69,7 +70,9 @@ FilmGeometry::FilmGeometry(std::shared_ptr<const FilmGaps> gaps, const DiskMotio
     const double square = v.x * v.x + v.y * v.y;
     if (square > 0.0) motionShare_ = {v.x * v.x / square, v.y * v.y / square};
     speed_ = std::hypot(v.x, v.y);
-    for (auto* row : {&rowRecess_, &rowRise_, &rowLength_}) row->assign(pad.stride(), 0.0);
+    rowWork_.resize(static_cast<std::size_t>(Team::mine().size()));
+    for (RowWork& work : rowWork_)
+        for (auto* row : {&work.recess, &work.rise, &work.length}) row->assign(pad.stride(), 0.0);
     volume_.assign(pad.size(), 0.0);
     area_.assign(pad.size(), 0.0);
     for (int j = 0; j < pad.ny; ++j)
@@ -78,15 +81,15 @@ FilmGeometry::FilmGeometry(std::shared_ptr<const FilmGaps> gaps, const DiskMotio
     setAttitude({});
 }
 
-void FilmGeometry::setRowOverSurface(std::size_t axis, int j)
+void FilmGeometry::setRowOverSurface(std::size_t axis, int j, RowWork& work)
 {
     const PaddedGrid& pad = gaps_->pad;
     const FilmGaps::Faces& faces = gaps_->faces[axis];
     const std::size_t first = pad.at(0, j), nx = static_cast<std::size_t>(pad.nx),
                       step = pad.step(static_cast<int>(axis));
     const auto set = [&](std::size_t k, double below, double above) {
-        rowRecess_[k] = faces.recess[first + k] - 0.5 * (below + above);
-        rowRise_[k] = faces.rise[first + k] - (above - below);
+        work.recess[k] = faces.recess[first + k] - 0.5 * (below + above);
+        work.rise[k] = faces.rise[first + k] - (above - below);
     };
     const bool lowest = axis == 1 && j == 0, highest = axis == 1 && j == pad.ny;
     const double *above = surface_.data() + (highest ? first - step : first),
@@ -118,6 +121,16 @@ void FilmGeometry::setAttitude(const Attitude& attitude)
     setVolumes();
 }
 
+template <typename Set>
+void FilmGeometry::forRows(int count, const Set& set)
+{
+    Team& team = Team::mine();
+    const bool alone = rowWork_.size() < static_cast<std::size_t>(team.size());
+    team.items(count, alone ? count : 48, 1, [&](int first, int end, int thread) {
+        for (int j = first; j < end; ++j) set(j, rowWork_[static_cast<std::size_t>(thread)]);
+    });
+}
+
 void FilmGeometry::setFaceGaps(std::size_t axis)
 {
     const PaddedGrid& pad = gaps_->pad;
@@ -125,18 +138,19 @@ void FilmGeometry::setFaceGaps(std::size_t axis)
     const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
     const FilmGaps::Faces& faces = gaps_->faces[axis];
     Axis& a = axes_[axis];
-    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+    const auto setRow = [&](int j, RowWork& work) {
         const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
         const double y = axis == 0 ? gaps_->grid.centreY(j) : faces.pathMid[line];
-        if (axis == 1) std::fill(rowLength_.begin(), rowLength_.end(), faces.pathLength[line]);
-        if (!surface_.empty()) setRowOverSurface(axis, j);
+        if (axis == 1) std::fill(work.length.begin(), work.length.end(), faces.pathLength[line]);
+        if (!surface_.empty()) setRowOverSurface(axis, j, work);
         setGaps(base - attitude_.roll * y, attitude_.pitch, leastGap_, count,
                 axis == 0 ? faces.pathMid.data() : centreX_.data(),
-                surface_.empty() ? &faces.recess[at] : rowRecess_.data(), &a.gap[at]);
+                surface_.empty() ? &faces.recess[at] : work.recess.data(), &a.gap[at]);
         setTilts(axis == 0 ? attitude_.pitch : attitude_.roll, std::max(leastGap_, closedGap), count,
-                 axis == 0 ? faces.pathLength.data() : rowLength_.data(),
-                 surface_.empty() ? &faces.rise[at] : rowRise_.data(), &a.gap[at], &a.tilt[at]);
-    }
+                 axis == 0 ? faces.pathLength.data() : work.length.data(),
+                 surface_.empty() ? &faces.rise[at] : work.rise.data(), &a.gap[at], &a.tilt[at]);
+    };
+    forRows(pad.ny + (axis == 1), setRow);
     for (const CutPlace& place : faces.cut) a.gap[place.at] = 0.0;
     setCutSurface(axis);
 }
@@ -146,18 +160,20 @@ void FilmGeometry::setVolumes()
     const PaddedGrid& pad = gaps_->pad;
     const double base = gaps_->lift(attitude_, 0.0, 0.0);
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
-    for (int j = 0; j < pad.ny; ++j) {
+    forRows(pad.ny, [&](int j, RowWork& work) {
         const std::size_t at = pad.at(0, j);
         const double* recess = &gaps_->centreRecess[at];
         if (!surface_.empty()) {
-            for (std::size_t k = 0; k < nx; ++k) rowRecess_[k] = recess[k] - surface_[at + k];
-            recess = rowRecess_.data();
+            for (std::size_t k = 0; k < nx; ++k) work.recess[k] = recess[k] - surface_[at + k];
+            recess = work.recess.data();
         }
         setGaps(base - attitude_.roll * gaps_->grid.centreY(j), attitude_.pitch, 0.0, nx, centreX_.data(), recess,
                 &volume_[at]);
         for (std::size_t k = at; k < at + nx; ++k) volume_[k] *= area_[k];
-    }
-    totalVolume_ = sumInLanes(volume_.size(), [&](std::size_t at) { return volume_[at]; });
+    });
+    totalVolume_ = sumOfBlocks(volume_.size(), [&](std::size_t first, std::size_t count) {
+        return sumInLanes(count, [&](std::size_t k) { return volume_[first + k]; });
+    });
 }
 
 void FilmGeometry::setVolumeSlopes(std::size_t k, double scale, std::span<const double> factor,

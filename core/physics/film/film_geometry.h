@@ -74,7 +74,13 @@ public:
 
 private:
     /// Subtracts the disk's height and rise from those of a row of faces; on the outline, those of the cell inside.
-    void setRowOverSurface(std::size_t axis, int j);
+    struct RowWork {
+        std::vector<double> recess, rise, length; // of a row [m]
+    };
+    void setRowOverSurface(std::size_t axis, int j, RowWork& work);
+    /// set(row, work space)
+    template <typename Set>
+    void forRows(int count, const Set& set);
     void setCutSurface(std::size_t axis);
     void setFaceGaps(std::size_t axis);
     void setVolumes();
@@ -87,7 +93,7 @@ private:
     std::array<double, 2> motionShare_{};
     std::array<Axis, 2> axes_;
     std::vector<double> volume_, area_, centreX_;
-    std::vector<double> rowRecess_, rowRise_, rowLength_; // of a row [m]
+    std::vector<RowWork> rowWork_; // by thread
 };
 
 } // namespace touchdown

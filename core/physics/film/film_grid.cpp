@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/numerics/graded_axis.h"
+#include "core/physics/film/graded_axis.h"
 
 namespace touchdown {
 

@@ -5,6 +5,7 @@
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -74,11 +75,16 @@ TOUCHDOWN_VECTOR_CLONES void setGapsOfVolumes(std::size_t count, const double* v
 
 } // namespace
 
-FilmLoads::FilmLoads(const GasFilm& film) : film_(film), cutWork_(film.gaps())
+FilmLoads::FilmLoads(const GasFilm& film) : film_(film)
 {
+    for (int k = 0; k < Team::mine().size(); ++k) {
+        cutWork_.emplace_back(film.gaps());
+        rowGap_.emplace_back(film.pad().stride(), 0.0);
+        rowWidth_.emplace_back(film.pad().stride(), 0.0);
+    }
+    rowForces_.resize(static_cast<std::size_t>(film.pad().ny) + 1);
     for (auto* field : {&gap_, &pressure_, &byGap_, &byPressure_})
         field->assign(std::max(film.pad().stride(), groupSize), 0.0);
-    rowWidth_.assign(film.pad().stride(), 0.0);
     setCouetteWeights();
     setCutArms();
 }
@@ -135,10 +141,41 @@ double FilmLoads::slipLength() const
 
 void FilmLoads::setCellRow(int j, std::span<const double> p)
 {
-    const std::size_t first = film_.gaps().pad.at(0, j), count = static_cast<std::size_t>(film_.gaps().pad.nx);
-    setGapsOfVolumes(count, &film_.volumes()[first], film_.axes()[0].perWidth.data(),
-                     film_.axes()[1].perWidth[static_cast<std::size_t>(j)], gap_.data());
-    std::copy_n(&p[first], count, pressure_.begin());
+    setRowGaps(j, gap_.data());
+    std::copy_n(&p[film_.gaps().pad.at(0, j)], film_.gaps().pad.nx, pressure_.begin());
+}
+
+void FilmLoads::setRowGaps(int j, double* gap) const
+{
+    setGapsOfVolumes(static_cast<std::size_t>(film_.gaps().pad.nx), &film_.volumes()[film_.gaps().pad.at(0, j)],
+                     film_.axes()[0].perWidth.data(), film_.axes()[1].perWidth[static_cast<std::size_t>(j)], gap);
+}
+
+void FilmLoads::setRowForces(bool loads, bool shears, std::span<const double> p)
+{
+    const PaddedGrid& pad = film_.gaps().pad;
+    const std::size_t nx = static_cast<std::size_t>(pad.nx), up = pad.stride();
+    const double slip = slipLength();
+    const auto set = [&](int j, std::vector<double>& gap, std::vector<double>& width) {
+        RowForces& row = rowForces_[static_cast<std::size_t>(j)];
+        const std::size_t at = pad.at(0, j);
+        if (shears)
+            row.drop[1] = rowDrop(nx, &p[at - up], &p[at], &film_.axes()[1].gap[at], film_.axes()[1].width.data());
+        if (j == pad.ny) return;
+        if (loads)
+            row.load = rowLoad(nx, &p[at], film_.ambient(), film_.axes()[1].width.data(), film_.centresX().data());
+        if (!shears) return;
+        setRowGaps(j, gap.data());
+        row.couette = couette(nx, gap.data(), &p[at], &couette_[0][at], &couette_[1][at], slip);
+        std::fill(width.begin(), width.end(), film_.axes()[0].width[static_cast<std::size_t>(j)]);
+        row.drop[0] = rowDrop(nx + 1, &p[at - 1], &p[at], &film_.axes()[0].gap[at], width.data());
+    };
+    Team& team = Team::mine();
+    const bool alone = rowGap_.size() < static_cast<std::size_t>(team.size());
+    team.items(pad.ny + 1, alone ? pad.ny + 1 : 24, 1, [&](int first, int end, int thread) {
+        const std::size_t k = static_cast<std::size_t>(thread);
+        for (int j = first; j < end; ++j) set(j, rowGap_[k], rowWidth_[k]);
+    });
 }
 
 std::size_t FilmLoads::setCutPieces(std::size_t first, std::span<const double> p)
@@ -154,12 +191,10 @@ std::size_t FilmLoads::setCutPieces(std::size_t first, std::span<const double> p
     return count;
 }
 
-void FilmLoads::addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const
+void FilmLoads::addCellLoads(std::array<double, 5>& sum) const
 {
     for (int j = 0; j < film_.gaps().pad.ny; ++j) {
-        const std::array<double, 2> row =
-            rowLoad(static_cast<std::size_t>(film_.gaps().pad.nx), &p[film_.gaps().pad.at(0, j)], film_.ambient(),
-                    film_.axes()[1].width.data(), film_.centresX().data());
+        const std::array<double, 2>& row = rowForces_[static_cast<std::size_t>(j)].load;
         const double width = film_.gaps().grid.widthY(j), force = width * row[0];
         sum[0] += force;
         sum[1] += 0.5 * film_.gaps().length * force - width * row[1];
@@ -194,36 +229,26 @@ void FilmLoads::addShear(std::span<const double> p, std::array<double, 5>& sum)
 {
     const PaddedGrid& pad = film_.gaps().pad;
     const double slip = slipLength();
-    const auto addCouette = [&](const std::array<std::vector<double>, 2>& weights, std::size_t first,
-                                std::size_t count) {
-        const std::array<double, 2> drag =
-            couette(count, gap_.data(), pressure_.data(), &weights[0][first], &weights[1][first], slip);
+    const auto add = [&](const std::array<double, 2>& drag) {
         sum[3] += drag[0];
         sum[4] += drag[1];
     };
-    for (int j = 0; j < pad.ny; ++j) {
-        setCellRow(j, p);
-        addCouette(couette_, pad.at(0, j), static_cast<std::size_t>(pad.nx));
+    for (int j = 0; j < pad.ny; ++j) add(rowForces_[static_cast<std::size_t>(j)].couette);
+    for (std::size_t first = 0; first < cutPieces_.at.size(); first += groupSize) {
+        const std::size_t count = setCutPieces(first, p);
+        add(couette(count, gap_.data(), pressure_.data(), &cutPieces_.couette[0][first], &cutPieces_.couette[1][first],
+                    slip));
     }
-    for (std::size_t first = 0; first < cutPieces_.at.size(); first += groupSize)
-        addCouette(cutPieces_.couette, first, setCutPieces(first, p));
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        const std::size_t step = pad.step(static_cast<int>(axis)),
-                          count = static_cast<std::size_t>(pad.nx + (axis == 0));
-        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
-            const std::size_t first = pad.at(0, j);
-            if (axis == 0)
-                std::fill(rowWidth_.begin(), rowWidth_.end(), film_.axes()[0].width[static_cast<std::size_t>(j)]);
-            const double* width = axis == 0 ? rowWidth_.data() : film_.axes()[1].width.data();
-            sum[3 + axis] -= 0.5 * rowDrop(count, &p[first - step], &p[first], &film_.axes()[axis].gap[first], width);
-        }
-    }
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        for (int j = 0; j < pad.ny + (axis == 1); ++j)
+            sum[3 + axis] -= 0.5 * rowForces_[static_cast<std::size_t>(j)].drop[axis];
 }
 
 std::array<double, 3> FilmLoads::load(std::span<const double> p)
 {
     std::array<double, 5> sum{};
-    addCellLoads(p, sum);
+    setRowForces(true, false, p);
+    addCellLoads(sum);
     addCutForces(true, false, p, sum);
     return {sum[0], sum[1], sum[2]};
 }
@@ -231,6 +256,7 @@ std::array<double, 3> FilmLoads::load(std::span<const double> p)
 std::array<double, 2> FilmLoads::shear(std::span<const double> p)
 {
     std::array<double, 5> sum{};
+    setRowForces(false, true, p);
     addShear(p, sum);
     addCutForces(false, true, p, sum);
     return {sum[3], sum[4]};
@@ -239,7 +265,8 @@ std::array<double, 2> FilmLoads::shear(std::span<const double> p)
 std::array<double, 5> FilmLoads::loadAndShear(std::span<const double> p)
 {
     std::array<double, 5> sum{};
-    addCellLoads(p, sum);
+    setRowForces(true, true, p);
+    addCellLoads(sum);
     addShear(p, sum);
     addCutForces(true, true, p, sum);
     return sum;

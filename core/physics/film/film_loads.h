@@ -54,12 +54,15 @@ private:
     void setCutArms();
     /// 2 a lambda p [Pa m].
     double slipLength() const;
-    void addCellLoads(std::span<const double> p, std::array<double, 5>& sum) const;
+    void addCellLoads(std::array<double, 5>& sum) const;
+    /// What the rows of cells and of faces add, each for itself.
+    void setRowForces(bool loads, bool shears, std::span<const double> p);
     /// Layers at cut faces, and the shear of the pressure gradient there.
     void addCutForces(bool layers, bool drags, std::span<const double> p, std::array<double, 5>& sum);
     void addShear(std::span<const double> p, std::array<double, 5>& sum);
     /// Copies gaps and pressures of a row of cells into the work space.
     void setCellRow(int j, std::span<const double> p);
+    void setRowGaps(int j, double* gap) const;
     /// The same for the pieces of cut cells from `first` on; returns their number.
     std::size_t setCutPieces(std::size_t first, std::span<const double> p);
     void addCouetteSlopes(std::span<const double> p, Derivatives& out);
@@ -73,8 +76,12 @@ private:
 
     // Work space.
     std::vector<double> gap_, pressure_, byGap_, byPressure_; // of a row of cells or a group of pieces
-    std::vector<double> rowWidth_;                            // [m]
-    CutPaths::Work cutWork_;
+    struct RowForces {
+        std::array<double, 2> load{}, couette{}, drop{}; // see rowLoad(), couette(), rowDrop()
+    };
+    std::vector<RowForces> rowForces_;                   // by row, and the faces beyond the last
+    std::vector<std::vector<double>> rowGap_, rowWidth_; // by thread [m]
+    std::vector<CutPaths::Work> cutWork_;                // by thread
     std::vector<CutForces<double>> cutForces_;
     std::vector<CutForces<ByAll>> cutForcesByAll_;
 };

@@ -5,20 +5,18 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/numerics/vector_clones.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/block_sums.h"
 
 namespace touchdown {
 
 double residualNorm(const GasFilm& film, std::span<const double> residual)
 {
-    double sum = 0.0;
-    for (const double r : residual) sum += std::abs(r);
+    const double sum = sumOfBlocks(residual.size(), [&](std::size_t first, std::size_t count) {
+        return sumInLanes(count, [&](std::size_t k) { return std::abs(residual[first + k]); });
+    });
     return sum / film.flowScale();
-}
-
-void addBounded(std::span<double> p, std::span<const double> step)
-{
-    for (std::size_t at = 0; at < p.size(); ++at) p[at] = std::clamp(p[at] + step[at], p[at] / 3.0, 3.0 * p[at]);
 }
 
 FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
@@ -36,8 +34,10 @@ FilmLinearSolver::FilmLinearSolver(const GasFilm& film)
 void FilmLinearSolver::prepare(double shift)
 {
     shift_ = shift;
-    for (std::size_t at = 0; at < diagonal_.size(); ++at)
-        diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
+    inBlocks(diagonal_.size(), [&](std::size_t first, std::size_t count) {
+        for (std::size_t at = first; at < first + count; ++at)
+            diagonal_[at] = (shift + film_.storagePerTime()) * film_.volumes()[at];
+    });
     const auto& faces = film_.faces();
     film_.setStencil(stencil_);
     hasNine_ = false;
@@ -89,7 +89,9 @@ void FilmLinearSolver::apply(std::span<const double> v, std::span<double> out)
 void FilmLinearSolver::addShift(std::span<const double> v, std::span<double> out) const
 {
     if (shift_ == 0.0) return;
-    for (std::size_t at = 0; at < v.size(); ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
+    inBlocks(v.size(), [&](std::size_t first, std::size_t count) {
+        for (std::size_t at = first; at < first + count; ++at) out[at] += shift_ * film_.volumes()[at] * v[at];
+    });
 }
 
 GmresResult FilmLinearSolver::solve(std::span<const double> b, std::span<double> x, const GmresOptions& options)

@@ -6,10 +6,13 @@
 
 #include "core/numerics/row_spread.h"
 #include "core/numerics/vector_clones.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr int leastStencilRows = 24; // of a block
 
 /// Of a row, from its first cell.
 struct StencilRow {
@@ -88,9 +91,11 @@ FilmStencil::FilmStencil(const PaddedGrid& grid) : pad(grid)
     for (auto* pair : {&storedBelow, &storedAbove})
         for (auto& field : *pair) field.assign(pad.size(), 0.0f);
     for (auto* field : {&crossBelow, &crossAbove}) field->assign(pad.size(), 0.0f);
-    rows.assign(12 * pad.stride(), 0.0);
-    width.assign(pad.stride(), 0.0);
-    stored.assign(5 * pad.stride(), 0.0);
+    threads = Team::mine().size();
+    const std::size_t count = static_cast<std::size_t>(threads);
+    rows.assign(count * 12 * pad.stride(), 0.0);
+    width.assign(count * pad.stride(), 0.0);
+    stored.assign(count * 5 * pad.stride(), 0.0);
 }
 
 NinePoints FilmStencil::points() const
@@ -111,17 +116,30 @@ NinePoints FilmStencil::storagePoints() const
 
 void FilmStencil::apply(std::span<const double> v, double rate, std::span<const double> volume, std::span<double> out)
 {
+    Team& team = Team::mine();
+    team.items(pad.ny, team.size() > threads ? pad.ny : leastStencilRows, 1, [&](int first, int end, int thread) {
+        applyRows(v, rate, volume, out, {first, end}, thread);
+    });
+}
+
+void FilmStencil::applyRows(std::span<const double> v, double rate, std::span<const double> volume,
+                            std::span<double> out, Block block, int thread)
+{
     const std::size_t nx = static_cast<std::size_t>(pad.nx), up = pad.stride();
-    const auto row = [&](int j) { return &stored[static_cast<std::size_t>((j + 3) % 3) * up + PaddedGrid::rings]; };
-    double* crossed = &stored[3 * up + PaddedGrid::rings];
-    std::fill_n(row(-1), nx, 0.0);
+    double* own = &stored[static_cast<std::size_t>(thread) * 5 * up];
+    const auto row = [&](int j) { return own + static_cast<std::size_t>((j + 3) % 3) * up + PaddedGrid::rings; };
+    double* crossed = own + 3 * up + PaddedGrid::rings;
     const auto store = [&](int j) {
         const std::size_t at = pad.at(0, j);
         multiplyRow(nx, &volume[at], &v[at], row(j)); // zero in the ring
-        if (spread != nullptr && j < pad.ny) spread->spread(j, row(j), &stored[4 * up]);
+        if (spread != nullptr && j < pad.ny) spread->spread(j, row(j), own + 4 * up);
     };
-    store(0);
-    for (int j = 0; j < pad.ny; ++j) {
+    if (block.first == 0)
+        std::fill_n(row(-1), nx, 0.0);
+    else
+        store(block.first - 1);
+    store(block.first);
+    for (int j = block.first; j < block.end; ++j) {
         const std::size_t at = pad.at(0, j);
         StencilRow coefficients{
             {}, &sum[at], {&storedBelow[0][at], &storedBelow[1][at]}, {&storedAbove[0][at], &storedAbove[1][at]}};
@@ -147,7 +165,7 @@ void FilmStencil::setStorage(std::span<const double> volume)
     const auto here = [&](std::size_t at) { return volume[at] * (1.0 + crossBelow[at + up] - crossAbove[at]); };
     const auto south = [&](std::size_t at) { return -volume[at - up] * crossBelow[at]; };
     const auto north = [&](std::size_t at) { return volume[at + up] * crossAbove[at + up]; };
-    for (int j = 0; j < pad.ny; ++j)
+    const auto setRow = [&](int j) {
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j), e = at + 1, w = at - 1, t = at + up;
             const std::array<std::vector<float>, 2>&b = storedBelow, &a = storedAbove;
@@ -160,17 +178,23 @@ void FilmStencil::setStorage(std::span<const double> volume)
             for (std::size_t k = 0; k < 8; ++k) storedBeside[k][at] = static_cast<float>(c[k < 4 ? k : k + 1]);
             storedSum[at] = static_cast<float>(std::accumulate(c.begin(), c.end(), 0.0));
         }
+    };
+    Team::mine().items(pad.ny, leastStencilRows, 1, [&](int first, int end, int) {
+        for (int j = first; j < end; ++j) setRow(j);
+    });
 }
 
 void FilmStencil::addStored(std::size_t axis, double rate, std::span<const double> volume, const Own& own,
                             std::span<double> effective, std::span<double> convection) const
 {
-    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
-        const std::size_t at = pad.at(0, j);
-        addStoredRow(static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)), rate,
-                     &volume[at], &storedBelow[axis][at], &storedAbove[axis][at], &own.effective[at],
-                     &own.convection[at], &effective[at], &convection[at]);
-    }
+    Team::mine().items(pad.ny + (axis == 1), leastStencilRows, 1, [&](int first, int end, int) {
+        for (int j = first; j < end; ++j) {
+            const std::size_t at = pad.at(0, j);
+            addStoredRow(static_cast<std::size_t>(pad.nx + (axis == 0)), pad.step(static_cast<int>(axis)), rate,
+                         &volume[at], &storedBelow[axis][at], &storedAbove[axis][at], &own.effective[at],
+                         &own.convection[at], &effective[at], &convection[at]);
+        }
+    });
 }
 
 } // namespace touchdown

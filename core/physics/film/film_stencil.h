@@ -19,6 +19,7 @@
 
 #include "core/numerics/multigrid.h"
 #include "core/numerics/padded_grid.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -57,11 +58,16 @@ struct FilmStencil {
     std::array<std::vector<float>, 8> storedBeside; // nine points of the storage, as `beside` and `sum` [m^3]
     std::vector<float> storedSum;
 
-    // Work space of GasFilm::setStencil.
+    int threads = 1; // with work space
+    // Work space of GasFilm::setStencil, by thread.
     std::vector<double> rows;  // slopes of four rows, by three cells each [m^2/s]
     std::vector<double> width; // of a row [1/m]
     // Of apply: V v of three rows, of one with what faces across y pass on, and flows of a row that spread it [Pa m^3].
     std::vector<double> stored;
+
+private:
+    void applyRows(std::span<const double> v, double rate, std::span<const double> volume, std::span<double> out,
+                   Block block, int thread);
 };
 
 /// Flows through the faces across x and across y, with the slopes and the storage of each cell: padded work space.

@@ -6,6 +6,7 @@
 
 #include "core/physics/film/film_step_vectors.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -24,6 +25,7 @@ FilmStepper::FilmStepper(GasFilm& film, const FilmStepOptions& options) : film_(
 {
     const std::size_t size = film.pad().size();
     linear_.reserve();
+    rowLoads_.resize(static_cast<std::size_t>(film.pad().ny));
     at_.surface.reserve(size);
     for (auto* field : {&p_, &residual_, &right_, &change_, &rest_, &history_, &foreseen_, &linearisedVolume_,
                         &at_.pressure, &at_.history, &at_.spread})
@@ -63,7 +65,8 @@ std::array<double, 3> FilmStepper::timeErrorLoad() const
     const PaddedGrid& pad = film_.pad();
     const FilmGaps& gaps = film_.gaps();
     std::array<double, 3> load{};
-    for (int j = 0; j < pad.ny && extrapolated_; ++j) {
+    if (!extrapolated_) return load;
+    const auto setRow = [&](int j) {
         double force = 0.0, torque = 0.0;
         for (int i = 0; i < pad.nx; ++i) {
             const std::size_t at = pad.at(i, j);
@@ -72,6 +75,13 @@ std::array<double, 3> FilmStepper::timeErrorLoad() const
             force += cell;
             torque += cell * (0.5 * gaps.length - gaps.grid.centreX(i));
         }
+        rowLoads_[static_cast<std::size_t>(j)] = {force, torque};
+    };
+    Team::mine().items(pad.ny, 24, 1, [&](int first, int end, int) {
+        for (int j = first; j < end; ++j) setRow(j);
+    });
+    for (int j = 0; j < pad.ny; ++j) {
+        const auto [force, torque] = rowLoads_[static_cast<std::size_t>(j)];
         load[0] += force;
         load[1] += torque;
         load[2] -= force * (gaps.grid.centreY(j) - 0.5 * gaps.width);
@@ -143,11 +153,11 @@ void FilmStepper::linearise(FilmStepResult& result)
 {
     film_.linearise(p_, residual_);
     linear_.prepare();
-    std::copy(film_.volumes().begin(), film_.volumes().end(), linearisedVolume_.begin());
+    copyAll(film_.volumes(), linearisedVolume_);
     at_.attitude = film_.attitude();
-    std::ranges::copy(p_, at_.pressure.begin());
-    std::ranges::copy(history_, at_.history.begin());
-    std::ranges::copy(past_[0].pressure, at_.spread.begin());
+    copyAll(p_, at_.pressure);
+    copyAll(history_, at_.history);
+    copyAll(past_[0].pressure, at_.spread);
     at_.surface.assign(film_.surface().begin(), film_.surface().end());
     linearisedPerTime_ = perTime_;
     age_ = repeats_ = 0;
@@ -192,7 +202,7 @@ std::optional<double> FilmStepper::iterate(FilmStepResult& result)
     const double first = size(change_);
     if (first == 0.0) return 0.0;
     linear_.apply(change_, right_);
-    for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at] - right_[at];
+    setLeft(residual_, right_);
     approximate(rest_);
     double now = size(rest_), contraction = std::max(contraction_, now / first);
     // The rest is the next change, but for what is not yet in it.
@@ -204,7 +214,7 @@ std::optional<double> FilmStepper::iterate(FilmStepResult& result)
     for (std::size_t k = 0; k < mostDirections; ++k) {
         if (now == 0.0) return 0.0;
         std::vector<double>&d = directions_[k], &q = images_[k];
-        std::copy(rest_.begin(), rest_.end(), d.begin());
+        copyAll(rest_, d);
         linear_.apply(d, right_);
         approximate(q);
         for (std::size_t n = 0; n < k; ++n) {
@@ -234,8 +244,8 @@ std::optional<double> FilmStepper::iterate(FilmStepResult& result)
 double FilmStepper::solveLinear(FilmStepResult& result)
 {
     while (true) {
-        std::fill(change_.begin(), change_.end(), 0.0);
-        for (std::size_t at = 0; at < right_.size(); ++at) right_[at] = -residual_[at];
+        clearAll(change_);
+        setNegative(residual_, right_);
         if (solver_ == Solver::Krylov) break;
         if (const std::optional<double> rest = iterate(result)) return *rest;
         solver_ = solver_ == Solver::Factors ? Solver::Cycles : Solver::Krylov;

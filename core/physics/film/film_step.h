@@ -131,7 +131,8 @@ private:
     FilmLinearSolver linear_;
     std::array<Past, 4> past_; // from the last accepted one back
     std::vector<double> p_, residual_, right_, change_, rest_, history_;
-    std::vector<double> foreseen_; // contents by a parabola [Pa m^3]
+    mutable std::vector<std::array<double, 2>> rowLoads_; // force, torque [N], [N m]
+    std::vector<double> foreseen_;                        // contents by a parabola [Pa m^3]
     Linearised at_;
     std::vector<double> linearisedVolume_; // of the cells at the last linearisation [m^3]
     static constexpr std::size_t mostDirections = 8;

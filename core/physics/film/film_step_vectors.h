@@ -30,6 +30,14 @@ long long setContents(std::size_t count, const double* volume, const double* p, 
                       double* content);
 /// change *= sqrt(volume at the linearisation/volume now), within a factor of two.
 void scaleToVolumes(std::size_t count, const double* before, const double* now, double* change);
+/// change = -(sum of responses times dq); zero; to = from.
+void setChange(const std::array<const double*, 3>& responses, const std::array<double, 3>& dq,
+               std::span<double> change);
+void clearAll(std::span<double> v);
+void copyAll(std::span<const double> from, std::span<double> to);
+/// out = -v; image = -residual - image.
+void setNegative(std::span<const double> v, std::span<double> out);
+void setLeft(std::span<const double> residual, std::span<double> image);
 /// out -= part v
 void subtract(double part, const std::vector<double>& v, std::vector<double>& out);
 

@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "core/numerics/vector_clones.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
 namespace {
 
+constexpr int leastFaceRows = 16;     // of a block
 constexpr double tinySquare = 1e-200; // keeps ratios of closed faces finite [(Pa m^3/s)^2]
 
 /// Storage of a row of cells.
@@ -69,12 +71,23 @@ FaceWork::FaceWork(const FilmGaps& gaps) : cut(gaps)
         row->assign(gaps.pad.stride(), 0.0);
 }
 
+GasFilm::RowWork::RowWork(const FilmGaps& gaps) : stride(gaps.pad.stride()), face(gaps)
+{
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        for (FaceMoments& m : moments[axis])
+            for (auto* row : {&m.below, &m.above, &m.belowByMean, &m.aboveByMean, &m.inflowByLower, &m.inflowByUpper})
+                row->assign(stride, 0.0);
+        for (auto* rows : {&flow[axis], &slope[axis]}) rows->assign(4 * stride, 0.0);
+    }
+    for (auto* rows : {&stored, &source, &crossing}) rows->assign(4 * stride, 0.0);
+    spread.assign(stride, 0.0);
+}
+
 GasFilm::GasFilm(std::shared_ptr<const FilmGaps> shared, const FilmSetting& setting)
     : FilmGeometry(std::move(shared), setting.disk, setting.leastGap),
       setting_(setting),
       table_(setting.slip, setting.air),
-      spread_(pad(), sharedGaps()->grid.x, facesThatSpreadNothing(*sharedGaps())),
-      row_(*sharedGaps())
+      spread_(pad(), sharedGaps()->grid.x, facesThatSpreadNothing(*sharedGaps()))
 {
     const FilmGaps& gaps = *sharedGaps();
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -82,16 +95,15 @@ GasFilm::GasFilm(std::shared_ptr<const FilmGaps> shared, const FilmSetting& sett
         for (auto* field : {&f.flow, &f.inflow, &f.lower, &f.upper, &f.share, &f.inflowShare, &f.below, &f.above,
                             &f.ownLower, &f.ownUpper, &f.diffusion, &f.effective, &f.convection, &slope_[axis]})
             field->assign(pad().size(), 0.0);
-        for (FaceMoments& m : rows_.moments[axis])
-            for (auto* row : {&m.below, &m.above, &m.belowByMean, &m.aboveByMean, &m.inflowByLower, &m.inflowByUpper})
-                row->assign(pad().stride(), 0.0);
-        for (auto* rows : {&rows_.flow[axis], &rows_.slope[axis]}) rows->assign(2 * pad().stride(), 0.0);
         cutFlows_[axis].resize(gaps.faces[axis].cut.size());
         cutFlowsByPressure_[axis].resize(gaps.faces[axis].cut.size());
     }
-    rows_.stored.assign(3 * pad().stride(), 0.0);
-    for (auto* rows : {&rows_.source, &rows_.crossing}) rows->assign(2 * pad().stride(), 0.0);
-    for (auto* row : {&noStorage_, &rows_.spread}) row->assign(pad().stride(), 0.0);
+    const Team& team = Team::mine();
+    const std::size_t blocks = static_cast<std::size_t>(team.largestBlocksOf(pad().ny, leastFaceRows, 2));
+    for (std::size_t b = 0; b < blocks; ++b) rows_.emplace_back(gaps);
+    for (int k = 0; k < team.size(); ++k) cutWork_.emplace_back(gaps);
+    inflow_.assign(static_cast<std::size_t>(pad().ny), 0.0);
+    noStorage_.assign(pad().stride(), 0.0);
     for (int j = 0; j <= pad().ny + 1; ++j) {
         const std::size_t row = pad().at(-PaddedGrid::rings, j);
         const std::vector<std::size_t>& stepped = gaps.steppedCells;
@@ -120,80 +132,137 @@ void GasFilm::setStorage(double perTime, std::span<const double> history)
     history_ = history;
 }
 
+template <typename Number>
+double* GasFilm::slopeRow(std::size_t axis, int j, RowWork& work)
+{
+    constexpr bool derived = !std::is_same_v<Number, double>;
+    return derived ? slope_[axis].data() + pad().at(0, j) : work.row(work.slope[axis], j);
+}
+
+template <typename Number>
+void GasFilm::finishRow(std::size_t axis, int j, const double* before, RowWork& work)
+{
+    constexpr bool derived = !std::is_same_v<Number, double>;
+    const std::size_t first = pad().at(0, j), count = static_cast<std::size_t>(pad().nx + (axis == 0));
+    double* flow = work.row(work.flow[axis], j);
+    if (isComplete())
+        limitRow<derived>(first, count, work.moments[axis][work.slot(j)], before, slopeRow<Number>(axis, j, work),
+                          faces_[axis], flow);
+    else
+        std::copy_n(&faces_[axis].flow[first], count, flow);
+}
+
 /// The residual, with its linearisation where Number has derivatives, row by row for the cache: the faces above a row
-/// of cells give its slopes, its slopes complete the faces below it, and these the sum of the row below.
+/// of cells give its slopes, its slopes complete the faces below it, and these the sum of the row below. Blocks of rows
+/// each begin with the faces below them; what needs the slopes on both sides of a border comes last.
 template <typename Number>
 void GasFilm::evaluate(std::span<const double> p, std::span<double> out)
 {
-    constexpr bool derived = !std::is_same_v<Number, double>;
+    setCutFlows<Number>(p);
+    Team& team = Team::mine();
+    const int ny = pad().ny, blocks = std::min(team.blocksOf(ny, leastFaceRows, 2), static_cast<int>(rows_.size()));
+    for (int b = 0; b < blocks; ++b) {
+        const Block rows = Team::block(ny, b, blocks);
+        rows_[static_cast<std::size_t>(b)].first = rows.first;
+        rows_[static_cast<std::size_t>(b)].end = rows.end;
+    }
+    team.run(blocks, [&](int b, int) {
+        RowWork& work = rows_[static_cast<std::size_t>(b)];
+        setFaceRow<Number>(1, work.first, p, work);
+    });
+    team.run(blocks, [&](int b, int) { evaluateRows<Number>(p, out, static_cast<std::size_t>(b)); });
+    team.run(blocks - 1, [&](int b, int) { finishBorder<Number>(out, static_cast<std::size_t>(b + 1)); });
+    const auto across = [&](RowWork& work, int j, double sign) {
+        const double* flow = work.row(work.flow[1], j);
+        for (int k = 0; k < pad().nx; ++k) massFlow_ += std::max(0.0, sign * flow[k]);
+    };
+    massFlow_ = 0.0;
+    for (int j = 0; j < ny; ++j) {
+        massFlow_ += inflow_[static_cast<std::size_t>(j)];
+        if (j == 0) across(rows_.front(), 0, 1.0);
+    }
+    across(rows_[static_cast<std::size_t>(blocks - 1)], ny, -1.0);
+}
+
+template <typename Number>
+void GasFilm::evaluateRows(std::span<const double> p, std::span<double> out, std::size_t block)
+{
+    RowWork& work = rows_[block];
     const PaddedGrid& pad = gaps().pad;
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
-    const auto row = [&](std::vector<double>& rows, int j) {
-        return rows.data() + static_cast<std::size_t>((j + 2) % 2) * pad.stride() + PaddedGrid::rings;
-    };
+    const int first = work.first, end = work.end;
+    const bool highest = end == pad.ny;
     const bool stores = storagePerTime_ != 0.0;
-    const auto slope = [&](std::size_t axis, int j) {
-        return derived ? slope_[axis].data() + pad.at(0, j) : row(rows_.slope[axis], j);
-    };
     const auto stored = [&](int j) {
-        return stores ? &rows_.stored[static_cast<std::size_t>(j % 3) * pad.stride()] : noStorage_.data();
+        return stores ? &work.stored[static_cast<std::size_t>(j == first ? 3 : (j + 3) % 3) * pad.stride()]
+                      : noStorage_.data();
     };
     const auto store = [&](int j) {
         if (!stores) return;
         if (j < pad.ny) {
-            const std::size_t first = pad.at(0, j);
-            setStored(nx, storagePerTime_, &volumes()[first], &p[first], &history_[first], stored(j));
-            if (isComplete()) spread_.spread(j, stored(j), rows_.spread.data());
+            const std::size_t at = pad.at(0, j);
+            setStored(nx, storagePerTime_, &volumes()[at], &p[at], &history_[at], stored(j));
+            if (isComplete()) spread_.spread(j, stored(j), work.spread.data());
         }
-        if (isComplete()) setSource(j, stored(j), row(rows_.source, j));
+        if (isComplete()) setSource(j, stored(j), work.row(work.source, j));
     };
     // Flows along y through the faces before row j, with what they pass on of the storage.
     const auto cross = [&](int j) {
         const double* flow = &faces_[1].flow[pad.at(0, j)];
         if (!stores || !isComplete()) return flow;
-        const FaceMoments& m = rows_.moments[1][static_cast<std::size_t>(j % 2)];
-        double* crossing = row(rows_.crossing, j);
-        addPassed(m.below.data(), m.above.data(), row(rows_.source, j - 1), row(rows_.source, j), flow, crossing);
+        const RowWork& of = j == end && !highest ? rows_[block + 1] : work;
+        const FaceMoments& m = of.moments[1][of.slot(j)];
+        double* crossing = work.row(work.crossing, j);
+        addPassed(m.below.data(), m.above.data(), work.row(work.source, j - 1), work.row(work.source, j), flow,
+                  crossing);
         return static_cast<const double*>(crossing);
     };
-    const auto finish = [&](std::size_t axis, int j) {
-        const std::size_t first = pad.at(0, j), count = nx + (axis == 0);
-        double* flow = row(rows_.flow[axis], j);
-        if (isComplete())
-            limitRow<derived>(first, count, rows_.moments[axis][static_cast<std::size_t>(j % 2)],
-                              axis == 0 ? slope(0, j) - 1 : slope(1, j - 1), slope(axis, j), faces_[axis], flow);
-        else
-            std::copy_n(&faces_[axis].flow[first], count, flow);
+    const auto diverge = [&](int j) {
+        divergence<double>(j, work.row(work.flow[0], j), work.row(work.flow[1], j), work.row(work.flow[1], j + 1),
+                           stored(j), out);
     };
-    massFlow_ = 0.0;
-    setCutFlows<Number>(p);
-    setFaceRow<Number>(1, 0, p);
-    std::fill_n(slope(1, -1), nx, 0.0);
-    std::fill_n(row(rows_.source, -1), nx, 0.0);
-    store(0);
-    const double* below = cross(0);
-    for (int j = 0; j <= pad.ny; ++j) {
-        const std::size_t first = pad.at(0, j);
-        if (j < pad.ny) {
-            setFaceRow<Number>(0, j, p);
-            setFaceRow<Number>(1, j + 1, p);
-            store(j + 1);
-            const double* above = cross(j + 1);
-            if (isComplete()) setSlopes(j, &faces_[0].flow[first], below, above, stored(j), slope(0, j), slope(1, j));
-            below = above;
-            finish(0, j);
-            massFlow_ += std::max(0.0, row(rows_.flow[0], j)[0]) + std::max(0.0, -row(rows_.flow[0], j)[nx]);
-        } else {
-            std::fill_n(slope(1, j), nx, 0.0);
-        }
-        finish(1, j);
-        if (j > 0)
-            divergence<double>(j - 1, row(rows_.flow[0], j - 1), row(rows_.flow[1], j - 1), row(rows_.flow[1], j),
-                               stored(j - 1), out);
-        if (j > 0 && j < pad.ny) continue;
-        for (std::size_t k = 0; k < nx; ++k)
-            massFlow_ += std::max(0.0, (j == 0 ? 1.0 : -1.0) * row(rows_.flow[1], j)[k]);
+    if (first == 0) {
+        std::fill_n(slopeRow<Number>(1, -1, work), nx, 0.0);
+        std::fill_n(work.row(work.source, -1), nx, 0.0);
+    } else
+        store(first - 1);
+    store(first);
+    const double* below = cross(first);
+    for (int j = first; j < end; ++j) {
+        const std::size_t at = pad.at(0, j);
+        setFaceRow<Number>(0, j, p, work);
+        if (j + 1 < end || highest) setFaceRow<Number>(1, j + 1, p, work);
+        store(j + 1);
+        const double* above = cross(j + 1);
+        double *slopeX = slopeRow<Number>(0, j, work), *slopeY = slopeRow<Number>(1, j, work);
+        if (isComplete()) setSlopes(j, &faces_[0].flow[at], below, above, stored(j), slopeX, slopeY);
+        below = above;
+        finishRow<Number>(0, j, slopeX - 1, work);
+        const double* flow = work.row(work.flow[0], j);
+        inflow_[static_cast<std::size_t>(j)] = std::max(0.0, flow[0]) + std::max(0.0, -flow[nx]);
+        if (j == first && first > 0) continue;
+        finishRow<Number>(1, j, slopeRow<Number>(1, j - 1, work), work);
+        if (j > first && (j - 1 > first || first == 0)) diverge(j - 1);
     }
+    if (!highest) return;
+    std::fill_n(slopeRow<Number>(1, end, work), nx, 0.0);
+    finishRow<Number>(1, end, slopeRow<Number>(1, end - 1, work), work);
+    diverge(end - 1);
+}
+
+template <typename Number>
+void GasFilm::finishBorder(std::span<double> out, std::size_t block)
+{
+    RowWork &work = rows_[block], &lower = rows_[block - 1];
+    const int j = work.first;
+    const auto stored = [&](RowWork& of, std::size_t slot) {
+        return storagePerTime_ != 0.0 ? &of.stored[slot * of.stride] : noStorage_.data();
+    };
+    finishRow<Number>(1, j, slopeRow<Number>(1, j - 1, lower), work);
+    const double* border = work.row(work.flow[1], j);
+    divergence<double>(j, work.row(work.flow[0], j), border, work.row(work.flow[1], j + 1), stored(work, 3), out);
+    divergence<double>(j - 1, lower.row(lower.flow[0], j - 1), lower.row(lower.flow[1], j - 1), border,
+                       stored(lower, static_cast<std::size_t>((j + 2) % 3)), out);
 }
 
 void GasFilm::residual(std::span<const double> p, std::span<double> out) { evaluate<double>(p, out); }
@@ -218,7 +287,7 @@ void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<d
     const FilmGaps::Faces& paths = gaps().faces[axis];
     const double* x = axis == 0 ? paths.pathMid.data() : centresX().data();
     const std::size_t count = static_cast<std::size_t>(pad.nx + (axis == 0));
-    for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+    const auto addRow = [&](int j) {
         const std::size_t line = static_cast<std::size_t>(j), first = pad.at(0, j);
         const double y = axis == 0 ? gaps().grid.centreY(j) : paths.pathMid[line];
         const double lift = k == 0 ? 1.0 : 0.5 * gaps().width - y; // of height, of roll
@@ -232,7 +301,8 @@ void GasFilm::addByAttitude(std::size_t axis, std::size_t k, const std::vector<d
             for (std::size_t i = 0; i < count; ++i) to[i] -= paths.pathLength[i] * rise[i];
         if (k == 2 && axis == 1)
             for (std::size_t i = 0; i < count; ++i) to[i] -= paths.pathLength[line] * rise[i];
-    }
+    };
+    forEachRow(pad.ny + (axis == 1), addRow);
 }
 
 void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<double>, 3>& out,
@@ -242,7 +312,7 @@ void GasFilm::attitudeColumns(std::span<const double> p, std::array<std::vector<
     auto& [row, slopes, flows, cutFlows] = work;
     setGapSlopes(p, work);
     for (std::size_t axis = 0; axis < 2; ++axis)
-        axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, row.cut,
+        axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, {&row.cut, 1},
                                     cutFlows[axis]);
     for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t axis = 0; axis < 2; ++axis) {

@@ -32,6 +32,7 @@
 #include "core/physics/film/film_geometry.h"
 #include "core/physics/film/film_stencil.h"
 #include "core/physics/film/flow_table.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -107,15 +108,29 @@ private:
     struct FaceRow;
     /// A row of faces, with the mobilities of smooth ones.
     FaceRow smoothRow(std::size_t axis, int j, std::span<const double> p, FaceWork& work) const;
+    struct RowWork;
     /// Flows through a row of faces; those through cut faces are known already.
     template <ConvectionScheme scheme, typename Number>
-    void setFaceRow(std::size_t axis, int j, std::span<const double> p);
+    void setFaceRow(std::size_t axis, int j, std::span<const double> p, RowWork& work);
     template <typename Number>
-    void setFaceRow(std::size_t axis, int j, std::span<const double> p);
+    void setFaceRow(std::size_t axis, int j, std::span<const double> p, RowWork& work);
     template <typename Number>
     void setCutFlows(std::span<const double> p);
     template <typename Number>
     void evaluate(std::span<const double> p, std::span<double> out);
+    /// Of a block of rows, the faces below it done; those across y on its border are finished by finishBorder().
+    template <typename Number>
+    void evaluateRows(std::span<const double> p, std::span<double> out, std::size_t block);
+    template <typename Number>
+    void finishBorder(std::span<double> out, std::size_t block);
+    void setStencilRows(FilmStencil& out, Block block, std::size_t thread) const;
+    template <typename T>
+    void applyRows(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime, Block block,
+                   std::size_t thread) const;
+    template <typename Number>
+    double* slopeRow(std::size_t axis, int j, RowWork& work);
+    template <typename Number>
+    void finishRow(std::size_t axis, int j, const double* before, RowWork& work);
     template <ConvectionScheme scheme>
     void setGapSlopes(std::size_t axis, std::span<const double> p, AttitudeWork& work) const;
     void setGapSlopes(std::span<const double> p, AttitudeWork& work) const;
@@ -167,18 +182,33 @@ private:
     double massFlow_ = 0.0;
 
     // Work space of residual and linearisation.
-    FaceWork row_;
+    std::vector<CutPaths::Work> cutWork_; // by thread
     std::array<std::vector<PathFlow<double>>, 2> cutFlows_;
     std::array<std::vector<PathFlow<ByPressure>>, 2> cutFlowsByPressure_;
-    /// Of the last two rows, each between rings.
+    /// Of a block of rows: of its first two and of the last two, each between rings.
     struct RowWork {
-        std::array<std::array<FaceMoments, 2>, 2> moments; // by axis
+        explicit RowWork(const FilmGaps& gaps);
+        /// Where a row lies among the four.
+        std::size_t slot(int j) const
+        {
+            return static_cast<std::size_t>(j == first || j == first + 1 ? 2 + j - first : (j + 2) % 2);
+        }
+        double* row(std::vector<double>& rows, int j) const
+        {
+            return rows.data() + slot(j) * stride + PaddedGrid::rings;
+        }
+
+        int first = 0, end = 0; // rows of cells
+        std::size_t stride;
+        FaceWork face;
+        std::array<std::array<FaceMoments, 4>, 2> moments; // by axis
         std::array<std::vector<double>, 2> flow, slope;    // complete flows
-        std::vector<double> stored;                        // of three rows, without rings
+        std::vector<double> stored;                        // of the first row and the last three, without rings
         std::vector<double> source, crossing;              // see setSource, addPassed
         std::vector<double> spread;                        // flows of a row, see RowSpread
     };
-    RowWork rows_;
+    std::vector<RowWork> rows_;  // by block
+    std::vector<double> inflow_; // into the film through the ends of each row of cells, by row [Pa m^3/s]
 };
 
 } // namespace touchdown

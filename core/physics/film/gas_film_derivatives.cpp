@@ -6,6 +6,7 @@
 
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -159,12 +160,12 @@ void GasFilm::completeChanges(FaceFlows<double>& flows) const
     const PaddedGrid& pad = gaps().pad;
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const FilmFaces& f = faces_[axis];
-        for (int j = 0; j < pad.ny + (axis == 1); ++j) {
+        forEachRow(pad.ny + (axis == 1), [&](int j) {
             const std::size_t at = pad.at(0, j);
             const double* slope = &flows.slope[axis][at];
             completeRow(static_cast<std::size_t>(pad.nx + (axis == 0)), &f.share[at], &f.below[at], &f.above[at],
                         slope - pad.step(static_cast<int>(axis)), slope, &flows.flow[axis][at]);
-        }
+        });
     }
 }
 
@@ -177,11 +178,11 @@ void GasFilm::divergence(int j, const T* flowX, const T* flowY, const T* flowYAb
 
 void GasFilm::divergence(const FaceFlows<double>& flows, std::span<double> out) const
 {
-    for (int j = 0; j < gaps().pad.ny; ++j) {
+    forEachRow(gaps().pad.ny, [&](int j) {
         const std::size_t at = gaps().pad.at(0, j);
         const double* flowY = &flows.flow[1][at];
         divergence(j, &flows.flow[0][at], flowY, flowY + gaps().pad.stride(), storedRow(flows, j), out);
-    }
+    });
 }
 
 template void GasFilm::setSlopes(int, const double*, const double*, const double*, const double*, double*,
@@ -197,18 +198,32 @@ template void GasFilm::divergence(int, const double*, const double*, const doubl
 template <typename T>
 void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime) const
 {
+    Team& team = Team::mine();
+    const std::size_t up = gaps().pad.stride(), threads = static_cast<std::size_t>(team.size());
+    const bool fits = work.slope[0].size() >= 3 * threads * up;
+    work.stored.resize(3 * threads * up);
+    work.passing.resize(7 * threads * up);
+    const int ny = gaps().pad.ny;
+    team.items(ny, fits ? 24 : ny, 1, [&](int first, int end, int thread) {
+        applyRows<T>(v, out, work, perTime, {first, end}, static_cast<std::size_t>(thread));
+    });
+}
+
+template <typename T>
+void GasFilm::applyRows(std::span<const T> v, std::span<T> out, FaceFlows<T>& work, T perTime, Block block,
+                        std::size_t thread) const
+{
     const PaddedGrid& pad = gaps().pad;
     const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx), ring = PaddedGrid::rings;
-    // The work space holds the last three rows.
+    // The work space holds the last three rows, by thread.
     const auto row = [&](std::vector<T>& field, int j) {
-        return field.data() + static_cast<std::size_t>((j + 3) % 3) * up + ring;
+        return field.data() + (3 * thread + static_cast<std::size_t>((j + 3) % 3)) * up + ring;
     };
-    work.stored.resize(3 * up);
-    work.passing.resize(7 * up);
-    const auto source = [&](int j) { return row(work.passing, j); };
-    const auto crossing = [&](int j) { return row(work.passing, j) + 3 * up; };
+    T* passing = &work.passing[7 * thread * up];
+    const auto source = [&](int j) { return passing + static_cast<std::size_t>((j + 3) % 3) * up + ring; };
+    const auto crossing = [&](int j) { return source(j) + 3 * up; };
     for (std::vector<T>* slope : {&work.slope[0], &work.slope[1]})
-        std::fill_n(slope->begin(), 3 * up, T{}); // the rings'
+        std::fill_n(slope->data() + 3 * thread * up, 3 * up, T{}); // the rings'
     const auto start = [&](std::size_t axis, int j) {
         const FilmFaces& f = faces_[axis];
         const std::size_t at = pad.at(0, j), step = pad.step(static_cast<int>(axis));
@@ -226,17 +241,31 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
     const auto store = [&](int j) {
         if (j < pad.ny) setStoredRow(nx, perTime, &volumes()[pad.at(0, j)], &v[pad.at(0, j)], row(work.stored, j));
         if (!isComplete()) return;
-        if (j < pad.ny && perTime != T{}) spread_.spread(j, row(work.stored, j), &work.passing[6 * up]);
+        if (j < pad.ny && perTime != T{}) spread_.spread(j, row(work.stored, j), passing + 6 * up);
         const FilmFaces& f = faces_[1];
         const std::size_t at = pad.at(0, j);
         setSource(j, row(work.stored, j), source(j));
         addPassed(&f.below[at], &f.above[at], source(j - 1), source(j), row(work.flow[1], j), crossing(j));
     };
-    std::fill_n(source(-1), nx, T{});
-    start(1, 0);
-    store(0);
-    for (int j = 0; j <= pad.ny; ++j) {
-        if (j < pad.ny) {
+    // Beyond the block, the slopes along y alone.
+    const auto slopesBeyond = [&](int j) {
+        if (!isComplete()) return;
+        start(0, j);
+        const T* flow = row(work.flow[0], j);
+        setSlopes(j, flow, flow, flow, row(work.stored, j), row(work.slope[0], j), row(work.slope[1], j));
+    };
+    if (block.first == 0)
+        std::fill_n(source(-1), nx, T{});
+    else {
+        for (int j : {block.first - 2, block.first - 1}) std::fill_n(source(j), nx, T{});
+        std::fill_n(row(work.flow[1], block.first - 1), nx, T{});
+        store(block.first - 1);
+        slopesBeyond(block.first - 1);
+    }
+    start(1, block.first);
+    store(block.first);
+    for (int j = block.first; j <= block.end; ++j) {
+        if (j < block.end) {
             start(0, j);
             start(1, j + 1);
             store(j + 1);
@@ -244,11 +273,13 @@ void GasFilm::applyJacobian(std::span<const T> v, std::span<T> out, FaceFlows<T>
                 setSlopes(j, row(work.flow[0], j), crossing(j), crossing(j + 1), row(work.stored, j),
                           row(work.slope[0], j), row(work.slope[1], j));
             finish(0, j);
+        } else if (j < pad.ny) {
+            slopesBeyond(j);
         } else {
             std::fill_n(row(work.slope[1], j), nx, T{});
         }
         finish(1, j);
-        if (j > 0)
+        if (j > block.first)
             divergence<T>(j - 1, row(work.flow[0], j - 1), row(work.flow[1], j - 1), row(work.flow[1], j),
                           row(work.stored, j - 1), out);
     }

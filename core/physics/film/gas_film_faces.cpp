@@ -159,7 +159,7 @@ void GasFilm::setCutFlows(std::span<const double> p)
 {
     const auto set = [&](auto& flows) {
         for (std::size_t axis = 0; axis < 2; ++axis)
-            axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, row_.cut,
+            axes()[axis].cutPaths.flows(p, attitude(), axes()[axis].cutSurface, table_, air().viscosity, cutWork_,
                                         flows[axis]);
     };
     if constexpr (std::is_same_v<Number, double>)
@@ -169,10 +169,10 @@ void GasFilm::setCutFlows(std::span<const double> p)
 }
 
 template <ConvectionScheme scheme, typename Number>
-void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
+void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p, RowWork& work)
 {
-    FaceMoments& moments = rows_.moments[axis][static_cast<std::size_t>(j % 2)];
-    const FaceRow row = smoothRow(axis, j, p, row_);
+    FaceMoments& moments = work.moments[axis][work.slot(j)];
+    const FaceRow row = smoothRow(axis, j, p, work.face);
     setSmoothFaces<scheme, Number>(faces_[axis], moments, row);
     const std::vector<std::size_t>& rows = cutRows_[axis];
     const auto setCut = [&](const auto& flows) {
@@ -188,22 +188,22 @@ void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
 }
 
 template <typename Number>
-void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p)
+void GasFilm::setFaceRow(std::size_t axis, int j, std::span<const double> p, RowWork& work)
 {
     switch (setting_.scheme) {
         using enum ConvectionScheme;
-    case Upwind: return setFaceRow<Upwind, Number>(axis, j, p);
-    case Hybrid: return setFaceRow<Hybrid, Number>(axis, j, p);
-    case PowerLaw: return setFaceRow<PowerLaw, Number>(axis, j, p);
-    case Exponential: return setFaceRow<Exponential, Number>(axis, j, p);
-    case CompleteFlux: return setFaceRow<CompleteFlux, Number>(axis, j, p);
+    case Upwind: return setFaceRow<Upwind, Number>(axis, j, p, work);
+    case Hybrid: return setFaceRow<Hybrid, Number>(axis, j, p, work);
+    case PowerLaw: return setFaceRow<PowerLaw, Number>(axis, j, p, work);
+    case Exponential: return setFaceRow<Exponential, Number>(axis, j, p, work);
+    case CompleteFlux: return setFaceRow<CompleteFlux, Number>(axis, j, p, work);
     }
 }
 
 template void GasFilm::setCutFlows<double>(std::span<const double>);
 template void GasFilm::setCutFlows<Dual<1>>(std::span<const double>);
-template void GasFilm::setFaceRow<double>(std::size_t, int, std::span<const double>);
-template void GasFilm::setFaceRow<Dual<1>>(std::size_t, int, std::span<const double>);
+template void GasFilm::setFaceRow<double>(std::size_t, int, std::span<const double>, RowWork&);
+template void GasFilm::setFaceRow<Dual<1>>(std::size_t, int, std::span<const double>, RowWork&);
 
 template <ConvectionScheme scheme>
 void GasFilm::setGapSlopes(std::size_t axis, std::span<const double> p, AttitudeWork& work) const

@@ -7,6 +7,7 @@
 #include "core/numerics/vector_clones.h"
 #include "core/physics/film/film_stencil.h"
 #include "core/physics/film/gas_film.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -95,10 +96,22 @@ TOUCHDOWN_VECTOR_CLONES void setPassed(std::size_t count, std::size_t step, cons
 
 void GasFilm::setStencil(FilmStencil& out) const
 {
+    out.spread = isComplete() ? &spread_ : nullptr;
+    std::fill(out.rows.begin(), out.rows.end(), 0.0); // below the first row and beside all of them
+    Team& team = Team::mine();
+    const int ny = gaps().pad.ny;
+    team.items(ny, team.size() > out.threads ? ny : 24, 1, [&](int first, int end, int thread) {
+        setStencilRows(out, {first, end}, static_cast<std::size_t>(thread));
+    });
+}
+
+void GasFilm::setStencilRows(FilmStencil& out, Block block, std::size_t thread) const
+{
     const PaddedGrid& pad = gaps().pad;
     const std::size_t up = pad.stride(), nx = static_cast<std::size_t>(pad.nx);
+    double* width = out.width.data() + thread * up;
     const auto rows = [&](std::size_t place) {
-        double* first = out.rows.data() + 3 * place * up + PaddedGrid::rings;
+        double* first = out.rows.data() + (12 * thread + 3 * place) * up + PaddedGrid::rings;
         return SlopeRow{first, first + up, first + 2 * up};
     };
     const auto along = [&](std::size_t axis, int j) {
@@ -107,32 +120,35 @@ void GasFilm::setStencil(FilmStencil& out) const
     const auto setSlopes = [&](std::size_t axis, int j) {
         const SlopeRow row = along(axis, j);
         const std::size_t at = pad.at(0, j), line = static_cast<std::size_t>(j);
-        if (j == pad.ny) {
+        if (j < 0 || j == pad.ny) {
             for (double* part : {row.before, row.here, row.after}) std::fill_n(part, nx, 0.0);
             return;
         }
+        const bool own = j >= block.first && j < block.end; // others write what is passed there
         const FilmFaces &f = faces_[axis], &across = faces_[1 - axis];
-        if (axis == 1) std::fill(out.width.begin(), out.width.end(), axes()[1].perWidth[line]);
-        const double* perWidth = axis == 0 ? axes()[0].perWidth.data() : out.width.data();
+        if (axis == 1) std::fill_n(width, up, axes()[1].perWidth[line]);
+        const double* perWidth = axis == 0 ? axes()[0].perWidth.data() : width;
         const std::size_t step = pad.step(static_cast<int>(axis));
         setSlopeRow(nx, pad.step(axis == 0 ? 1 : 0), &across.lower[at], &across.upper[at], perWidth, row);
-        setPassed<true>(nx, step, perWidth, &f.share[at], &f.below[at], &f.above[at], &out.storedBelow[axis][at],
-                        &out.storedAbove[axis][at]);
-        if (axis == 1)
-            setPassed<false>(nx, step, perWidth, nullptr, &f.below[at], &f.above[at], &out.crossBelow[at],
-                             &out.crossAbove[at]);
+        if (own) {
+            setPassed<true>(nx, step, perWidth, &f.share[at], &f.below[at], &f.above[at], &out.storedBelow[axis][at],
+                            &out.storedAbove[axis][at]);
+            if (axis == 1)
+                setPassed<false>(nx, step, perWidth, nullptr, &f.below[at], &f.above[at], &out.crossBelow[at],
+                                 &out.crossAbove[at]);
+        }
         // These have no slopes.
         for (std::size_t n = steppedRows_[line]; n < steppedRows_[line + 1]; ++n) {
             const std::size_t cell = gaps().steppedCells[n];
             for (double* part : {row.before, row.here, row.after}) part[cell - at] = 0.0;
+            if (!own) continue;
             out.storedAbove[axis][cell] = out.storedBelow[axis][cell + step] = 0.0f;
             if (axis == 1) out.crossAbove[cell] = out.crossBelow[cell + step] = 0.0f;
         }
     };
-    out.spread = isComplete() ? &spread_ : nullptr;
-    std::fill(out.rows.begin(), out.rows.end(), 0.0); // below the first row and beside all of them
-    setSlopes(1, 0);
-    for (int j = 0; j < pad.ny; ++j) {
+    setSlopes(1, block.first - 1);
+    setSlopes(1, block.first);
+    for (int j = block.first; j < block.end; ++j) {
         const std::size_t at = pad.at(0, j);
         setSlopes(0, j);
         setSlopes(1, j + 1);

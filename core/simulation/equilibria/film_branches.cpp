@@ -9,7 +9,9 @@
 
 #include "core/simulation/equilibria/branch_trace.h"
 #include "core/simulation/equilibria/parametric_balance.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/touching_places.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -89,6 +91,8 @@ public:
 EquilibriumBranches traceFilmBranches(const CaseAt& caseAt, double from, double to, int looks,
                                       const std::function<bool(double)>& goOn)
 {
+    const std::optional<Case> first = caseAt(from);
+    const TeamScope team(first ? filmThreads(*first) : 1);
     double share = 0.0;
     bool stopped = false;
     const std::function<bool()> ask = [&] { return !(stopped = stopped || (goOn && !goOn(share))); };

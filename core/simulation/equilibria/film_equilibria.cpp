@@ -13,6 +13,7 @@
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/touching_places.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -62,6 +63,7 @@ std::string reasonForNoFilmEquilibria(const Case& c)
 
 FilmEquilibria filmEquilibria(const Case& c, const std::function<bool()>& goOn)
 {
+    const TeamScope team(filmThreads(c));
     FilmEquilibria result;
     const SteadyResult rest = staticStateOf(c, goOn);
     result.stopped = rest.status == SteadyStatus::Cancelled;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/physics/film/film_newton.h"
+#include "core/physics/film/film_step_vectors.h"
 #include "core/physics/film/gas_film.h"
 #include "core/simulation/contact/slider_contact.h"
 
@@ -74,11 +75,8 @@ int FilmResponse::renew(std::span<const double> p, FilmLinearSolver& linear, con
 
 double FilmResponse::follow(const Vector3& dq, std::span<double> change) const
 {
-    double squares = 0.0;
-    for (std::size_t at = 0; at < change.size(); ++at) {
-        change[at] = -(responses_[0][at] * dq[0] + responses_[1][at] * dq[1] + responses_[2][at] * dq[2]);
-        squares += change[at] * change[at];
-    }
+    setChange({responses_[0].data(), responses_[1].data(), responses_[2].data()}, {dq[0], dq[1], dq[2]}, change);
+    const double squares = product(change, change);
     return tolerance * std::sqrt(squares / static_cast<double>(film_.pad().cells())) / film_.ambient();
 }
 

@@ -10,6 +10,7 @@
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -137,6 +138,7 @@ bool LinearMotion::unstable() const
 
 LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionParts parts)
 {
+    const TeamScope team(filmThreads(c));
     LinearMotion motion;
     motion.halfLength = 0.5 * c.slider.length;
     motion.steady = steady(attitudeCase(c), callback);

@@ -10,7 +10,9 @@
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/film_balance.h"
+#include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady.h"
+#include "core/work/team.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -60,6 +62,7 @@ std::string doubtfulModes(const ModesResult& result)
 
 ModesResult modes(const Case& c, const SteadyCallback& callback)
 {
+    const TeamScope team(filmThreads(c));
     ModesResult result;
     result.steady = steadyWithContact(c, callback);
     result.status = result.steady.status;

@@ -16,6 +16,7 @@
 #include "core/simulation/static_state/sensitivity.h"
 #include "core/simulation/static_state/static_check.h"
 #include "core/simulation/static_state/touching_places.h"
+#include "core/work/team.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -354,6 +355,7 @@ bool actsInFlight(const Case& c, const SteadyResult& state, const std::function<
 
 std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback)
 {
+    const TeamScope team(filmThreads(c));
     SteadyResult result = from;
     Case near = c;
     near.steady.stiffness = near.steady.sensitivities = false;
@@ -365,6 +367,7 @@ std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from
 SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
+    const TeamScope team(filmThreads(c));
     SteadyResult result = steady(c, callback);
     if (c.contact == noContact || c.steady.fixedAttitude) return result;
     result.contact = notFound("not known");

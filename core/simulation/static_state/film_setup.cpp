@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/simulation/static_state/steady_result.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -40,6 +41,22 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
     }
     std::reverse(levels.begin(), levels.end());
     return levels;
+}
+
+int filmThreads(const Case& c)
+{
+    constexpr int cellsOfThread = 65 * 65; // below, a thread does not gain
+    if (c.run.threads > 0) return std::min(c.run.threads, threadLimit());
+    const std::array<int, 2> finest = filmLevels(c.film).back();
+    return std::clamp(finest[0] * finest[1] / cellsOfThread, 1, threadShare());
+}
+
+std::size_t filmBytes(const Case& c)
+{
+    constexpr std::size_t perCell = 200 * sizeof(double); // measured: 1.6 kB
+    if (c.model != ModelKind::Film) return 0;
+    const std::array<int, 2> finest = filmLevels(c.film).back();
+    return perCell * static_cast<std::size_t>(finest[0]) * static_cast<std::size_t>(finest[1]);
 }
 
 CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells)

@@ -25,6 +25,13 @@ FilmSetting filmSetting(const Case& c);
 /// for an accuracy, the finest that is tried.
 std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 
+/// Threads for the film of a case that the calling thread is about to compute: run.threads, or as many as the size of
+/// its grid is worth; not more than the thread may use (core/work/team.h).
+int filmThreads(const Case& c);
+
+/// About what the film of a case takes on its finest grid, with its solvers [B]; 0 without a film.
+std::size_t filmBytes(const Case& c);
+
 /// The grid that is known before any solution: uniform, or graded towards the rails' edges.
 CellGrid unadaptedGrid(const Case& c, const std::array<int, 2>& cells);
 

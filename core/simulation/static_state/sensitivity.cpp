@@ -17,6 +17,7 @@
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/steady_near.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
@@ -223,6 +224,7 @@ std::optional<Sensitivity> edgeInfluence(const Case& c, const SteadyResult& stat
 std::vector<PartInfluence> shapeInfluence(const Case& c, const SteadyResult& state, const PartSelection& parts,
                                           const InfluenceCallback& callback)
 {
+    const TeamScope team(filmThreads(c));
     constexpr double recessStep = 1e-12, smallShift = 0.5e-6; // [m]
     std::unique_ptr<FilmBalance> balance;
     std::optional<AttitudeSensitivity> attitude;

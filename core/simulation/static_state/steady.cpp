@@ -17,6 +17,7 @@
 #include "core/simulation/static_state/ridge_error.h"
 #include "core/simulation/static_state/sensitivity.h"
 #include "core/simulation/static_state/static_check.h"
+#include "core/work/team.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -349,6 +350,7 @@ long long staticSolutions() { return solutionsAskedFor; }
 SteadyResult steady(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
+    const TeamScope team(filmThreads(c));
     ++solutionsAskedFor;
     Case held = c;
     if (const std::optional<Attitude> rest = unloadedRest(c); rest && !c.steady.fixedAttitude) {

@@ -8,6 +8,7 @@
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/static_check.h"
+#include "core/work/team.h"
 #include "core/work/wall_clock.h"
 
 namespace touchdown {
@@ -99,6 +100,7 @@ std::optional<std::vector<double>> movedLines(const std::vector<double>& lines, 
 SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& from, const SteadyCallback& callback)
 {
     const double start = wallClock();
+    const TeamScope team(filmThreads(c));
     std::optional<SteadyResult> result;
     const bool asLarge = c.slider.length == before.slider.length && c.slider.width == before.slider.width;
     if (from.status == SteadyStatus::Converged && !from.pressure.empty() && !c.steady.fixedAttitude && asLarge)

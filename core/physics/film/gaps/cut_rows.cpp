@@ -54,6 +54,23 @@ void CutRowArranger::add(std::size_t at, const FacePath& path)
         {at, path, first, static_cast<std::uint32_t>(rows_.size()), sampler_.lowest(), sampler_.highest()});
 }
 
+void CutRowArranger::append(const CutRowArranger& next)
+{
+    const std::uint32_t first = static_cast<std::uint32_t>(rows_.size()),
+                        piece = static_cast<std::uint32_t>(pieces_.size());
+    for (SampledRow row : next.rows_) {
+        row.pieces += piece;
+        row.pieceEnd += piece;
+        rows_.push_back(row);
+    }
+    pieces_.insert(pieces_.end(), next.pieces_.begin(), next.pieces_.end());
+    for (SampledFace face : next.faces_) {
+        face.rows += first;
+        face.rowEnd += first;
+        faces_.push_back(face);
+    }
+}
+
 bool CutRowArranger::isOutermost(const SampledFace& face) const
 {
     const int line = axis_ == 0 ? gaps_.pad.column(face.at) : gaps_.pad.row(face.at);

@@ -43,6 +43,8 @@ public:
     FacePath pathOf(std::size_t at) const;
     /// A face as the sampler has just divided it; faces come in ascending order.
     void add(std::size_t at, const FacePath& path);
+    /// Adds the faces of another one of the same axis, which follow.
+    void append(const CutRowArranger& next);
     /// Adds cut faces, their rows and pieces to the gaps.
     void finish();
 

@@ -2,16 +2,21 @@
 #include "core/physics/film/gaps/film_gaps.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "core/physics/film/gaps/cut_rows.h"
 #include "core/physics/film/gaps/gap_sampler.h"
 #include "core/physics/slider/recess.h"
+#include "core/work/team.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr int leastSampledRows = 8; // sampled by a thread
 
 /// Paths between cell centres; the outermost end at the outline.
 void setPaths(FilmGaps::Faces& faces, const std::vector<double>& lines)
@@ -28,55 +33,62 @@ void setPaths(FilmGaps::Faces& faces, const std::vector<double>& lines)
     }
 }
 
+/// The faces of some rows across one axis, sampled.
+struct SampledRows {
+    GapSampler sampler;
+    CutRowArranger arranger;
+    std::vector<std::size_t> stepped; // cells, padded indices
+
+    SampledRows(FilmGaps& gaps, const Recess& recess, std::size_t axis) : sampler(recess), arranger(gaps, sampler, axis)
+    {}
+};
+
 } // namespace
 
 FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<bool()>& goOn)
     : grid(std::move(cells)), pad{grid.nx(), grid.ny()}, length(recess.length()), width(recess.width())
 {
-    const auto goesOn = [&] { return !goOn || goOn(); };
-    GapSampler sampler(recess);
+    Team& team = Team::mine();
+    std::atomic<bool> stopped = false;
+    // Asked on the calling thread alone.
+    const auto goesOn = [&](int thread) {
+        if (thread == 0 && !stopped && goOn && !goOn()) stopped = true;
+        return !stopped;
+    };
     setPaths(faces[0], grid.x);
     setPaths(faces[1], grid.y);
     // In the rings, at the outline beside them.
     centreRecess.assign(pad.size(), 0.0);
-    for (int j = -1; j <= pad.ny && goesOn(); ++j)
-        for (int i = -1; i <= pad.nx; ++i) {
-            const auto place = [](const std::vector<double>& lines, int k, int count) {
-                const std::size_t line = static_cast<std::size_t>(std::clamp(k, 0, count));
-                return k < 0 || k == count ? lines[line] : 0.5 * (lines[line] + lines[line + 1]);
-            };
-            centreRecess[pad.at(i, j)] = recess.at(place(grid.x, i, pad.nx), place(grid.y, j, pad.ny));
-        }
+    const auto place = [](const std::vector<double>& lines, int k, int count) {
+        const std::size_t line = static_cast<std::size_t>(std::clamp(k, 0, count));
+        return k < 0 || k == count ? lines[line] : 0.5 * (lines[line] + lines[line + 1]);
+    };
+    team.items(pad.ny + 2, leastSampledRows, 1, [&](int first, int end, int thread) {
+        for (int j = first - 1; j < end - 1 && goesOn(thread); ++j)
+            for (int i = -1; i <= pad.nx; ++i)
+                centreRecess[pad.at(i, j)] = recess.at(place(grid.x, i, pad.nx), place(grid.y, j, pad.ny));
+    });
     meanRecess = centreRecess;
     std::vector<bool> stepped(pad.size(), false);
     for (int axis = 0; axis < 2; ++axis) {
         Faces& f = faces[static_cast<std::size_t>(axis)];
         f.recess.assign(pad.size(), 0.0);
         f.rise.assign(pad.size(), 0.0);
-        CutRowArranger arranger(*this, sampler, static_cast<std::size_t>(axis));
-        for (int j = 0; j < pad.ny + (axis == 1) && goesOn(); ++j)
-            for (int i = 0; i < pad.nx + (axis == 0); ++i) {
-                const std::size_t at = pad.at(i, j), before = at - pad.step(axis);
-                const FacePath path = arranger.pathOf(at);
-                const auto& [_, start, end, face, low, high] = path;
-                const bool smooth =
-                    axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
-                if (!smooth && sampler.divide(path)) {
-                    arranger.add(at, path);
-                    if (sampler.stepsBelow()) stepped[before] = true;
-                    if (sampler.stepsAbove()) stepped[at] = true;
-                    continue;
-                }
-                const double middle = 0.5 * (low + high);
-                f.recess[at] = sampler.at(axis, 0.5 * (start + end), middle);
-                f.rise[at] = centreRecess[at] - centreRecess[before];
-                if (GapSampler::isStep(std::min(centreRecess[at], centreRecess[before]),
-                                       std::max(centreRecess[at], centreRecess[before]))) {
-                    // A ramp, or an edge at the very end of the path, which is beside it.
-                    const double inset = 1e-6 * (end - start);
-                    f.rise[at] = sampler.at(axis, end - inset, middle) - sampler.at(axis, start + inset, middle);
-                }
-            }
+        const int count = pad.ny + (axis == 1), blocks = team.blocksOf(count, leastSampledRows, 2);
+        std::vector<std::unique_ptr<SampledRows>> sampled;
+        for (int b = 0; b < blocks; ++b)
+            sampled.push_back(std::make_unique<SampledRows>(*this, recess, static_cast<std::size_t>(axis)));
+        team.run(blocks, [&](int b, int thread) {
+            const Block rowsOfBlock = Team::block(count, b, blocks);
+            SampledRows& out = *sampled[static_cast<std::size_t>(b)];
+            for (int j = rowsOfBlock.first; j < rowsOfBlock.end && goesOn(thread); ++j)
+                sampleRow(recess, axis, j, out.sampler, out.arranger, out.stepped);
+        });
+        CutRowArranger& arranger = sampled.front()->arranger;
+        for (const auto& block : sampled) {
+            if (block != sampled.front()) arranger.append(block->arranger);
+            for (const std::size_t at : block->stepped) stepped[at] = true;
+        }
         arranger.finish();
         if (axis == 0) setCutCells(arranger);
     }
@@ -84,6 +96,33 @@ FilmGaps::FilmGaps(const Recess& recess, CellGrid cells, const std::function<boo
         for (int i = 0; i < pad.nx; ++i)
             if (stepped[pad.at(i, j)]) steppedCells.push_back(pad.at(i, j));
     setCrossFeed();
+}
+
+void FilmGaps::sampleRow(const Recess& recess, int axis, int j, GapSampler& sampler, CutRowArranger& arranger,
+                         std::vector<std::size_t>& stepped)
+{
+    Faces& f = faces[static_cast<std::size_t>(axis)];
+    for (int i = 0; i < pad.nx + (axis == 0); ++i) {
+        const std::size_t at = pad.at(i, j), before = at - pad.step(axis);
+        const FacePath path = arranger.pathOf(at);
+        const auto& [_, start, end, face, low, high] = path;
+        const bool smooth = axis == 0 ? recess.isSmooth(start, end, low, high) : recess.isSmooth(low, high, start, end);
+        if (!smooth && sampler.divide(path)) {
+            arranger.add(at, path);
+            if (sampler.stepsBelow()) stepped.push_back(before);
+            if (sampler.stepsAbove()) stepped.push_back(at);
+            continue;
+        }
+        const double middle = 0.5 * (low + high);
+        f.recess[at] = sampler.at(axis, 0.5 * (start + end), middle);
+        f.rise[at] = centreRecess[at] - centreRecess[before];
+        if (GapSampler::isStep(std::min(centreRecess[at], centreRecess[before]),
+                               std::max(centreRecess[at], centreRecess[before]))) {
+            // A ramp, or an edge at the very end of the path, which is beside it.
+            const double inset = 1e-6 * (end - start);
+            f.rise[at] = sampler.at(axis, end - inset, middle) - sampler.at(axis, start + inset, middle);
+        }
+    }
 }
 
 /// A cell is the upper half of the path below it and the lower half of the one above.

@@ -19,6 +19,7 @@
 namespace touchdown {
 
 class CutRowArranger;
+class GapSampler;
 class Recess;
 
 /// Gaps of flying sliders are some ten nanometres above the recess [m].
@@ -82,6 +83,9 @@ struct FilmGaps {
     }
 
 private:
+    /// A row of faces; cells in which a step stands are added to `stepped`.
+    void sampleRow(const Recess& recess, int axis, int j, GapSampler& sampler, CutRowArranger& arranger,
+                   std::vector<std::size_t>& stepped);
     void setCutCells(const CutRowArranger& sampled);
     /// Sets lead and feed of the pieces of paths (cross_feed.cpp).
     void setCrossFeed();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/numerics/graded_axis.h"
+#include "core/physics/film/graded_axis.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether several threads finish loops earlier than one, found by trials now and then: for some milliseconds all loops
+// run on one thread, then for as long on all threads, and the mean times of the same loops are compared. On cores that
+// other programs keep busy threads wait for each other, and one may be faster. Results do not depend on it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace touchdown {
+
+class TeamGain {
+public:
+    /// [s] of a steady clock.
+    static double now();
+    explicit TeamGain(double now) : next_(now + firstWait) {}
+
+    /// Whether loops are shared at present.
+    bool together() const { return phase_ == Phase::Together || (phase_ == Phase::Use && together_); }
+    /// Whether each loop's time is wanted.
+    bool measures() const { return phase_ != Phase::Use; }
+    /// Time of a loop [s]; `loop`: any number but 0 that is the same for loops of the same kind.
+    void note(std::uintptr_t loop, double seconds);
+    /// To be called often. Begins and ends trials.
+    void look(double now);
+    /// Time on one thread over that on all, of the last trials; 0: not measured yet.
+    double gain() const { return gain_; }
+
+private:
+    static constexpr double firstWait = 0.05, longestWait = 1.0; // between trials [s]
+    static constexpr double trial = 0.008;                       // of each half [s]
+
+    enum class Phase : std::uint8_t { Use, Alone, Together };
+    struct Loop {
+        std::uintptr_t key = 0;
+        std::array<double, 2> time{}; // on one thread, on all [s]
+        std::array<int, 2> calls{};
+    };
+    /// Over all kinds of loops that both halves had.
+    double measured() const;
+
+    Phase phase_ = Phase::Use;
+    bool together_ = true;
+    double next_, wait_ = firstWait; // when the phase ends; between trials [s]
+    double gain_ = 0.0;
+    std::array<Loop, 128> loops_{};
+};
+
+} // namespace touchdown
