@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Runs, static states, modes and studies have the same bits on any number of threads.
+#include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -26,6 +28,13 @@ using Bits = std::vector<std::uint64_t>;
 
 void add(Bits& bits, double value) { bits.push_back(std::bit_cast<std::uint64_t>(value)); }
 
+/// -1: none.
+std::ptrdiff_t firstDifference(const Bits& a, const Bits& b)
+{
+    const auto at = std::ranges::mismatch(a, b).in1;
+    return a.size() == b.size() && at == a.end() ? -1 : at - a.begin();
+}
+
 /// Rows enough for seven threads.
 Case film(const char* name)
 {
@@ -38,19 +47,23 @@ Case film(const char* name)
     return c;
 }
 
+/// Samples come in batches, whose lengths depend on the clock.
 Bits bitsOfRun(const Case& c)
 {
-    Bits bits;
+    Bits maps;
+    std::vector<Bits> columns(recordedQuantities(c).size());
     const Summary summary = run(c, [&](const RunUpdate& update) {
-        for (const std::vector<double>& column : update.samples.columns)
-            for (const double value : column) add(bits, value);
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            for (const double value : update.samples.columns[k]) add(columns[k], value);
         for (const FieldSnapshot& map : update.fields)
             for (const std::vector<double>& field : map.values)
-                for (const double value : field) add(bits, value);
+                for (const double value : field) add(maps, value);
         return true;
     });
     if (summary.status != RunStatus::Completed) qFatal("%s", summary.message.c_str());
-    bits.push_back(static_cast<std::uint64_t>(summary.steps));
+    Bits bits{static_cast<std::uint64_t>(summary.steps)};
+    for (const Bits& column : columns) bits.insert(bits.end(), column.begin(), column.end());
+    bits.insert(bits.end(), maps.begin(), maps.end());
     return bits;
 }
 
@@ -84,7 +97,9 @@ Bits bitsOfStudy(const Case& c, int jobs)
                    "study", {}, &c);
     if (!plan.valid()) qFatal("%s", plan.problems.front().text().c_str());
     Bits bits;
-    for (const auto& row : plan.perform(jobs, {}).tables.front().rows)
+    const StudyReport report = plan.perform(jobs, {});
+    if (report.tables.empty()) qFatal("%s", report.message.c_str());
+    for (const auto& row : report.tables.front().rows)
         for (const StudyValue& value : row)
             if (const double* number = std::get_if<double>(&value)) add(bits, *number);
     if (bits.size() < 6) qFatal("no rows");
@@ -101,7 +116,7 @@ private slots:
         QTest::addColumn<double>("duration");
         QTest::newRow("flying") << "film_pico" << 4e-6;
         QTest::newRow("adhesion") << "fig06_de_4nm" << 2e-6;
-        QTest::newRow("rough disk that moves, contact") << "fig02_case_2_moving" << 1e-6;
+        QTest::newRow("rough disk that moves, contact") << "fig02_case_2_moving" << 0.2e-6;
     }
     void runs()
     {
@@ -114,7 +129,7 @@ private slots:
         const Bits alone = bitsOfRun(c);
         for (const int threads : {2, 3, 4, 7}) {
             c.run.threads = threads;
-            QVERIFY(bitsOfRun(c) == alone);
+            QCOMPARE(firstDifference(bitsOfRun(c), alone), std::ptrdiff_t(-1));
         }
     }
 
@@ -125,7 +140,7 @@ private slots:
         const Bits alone = bitsOfState(c);
         for (const int threads : {2, 3, 4, 7}) {
             c.run.threads = threads;
-            QVERIFY(bitsOfState(c) == alone);
+            QCOMPARE(firstDifference(bitsOfState(c), alone), std::ptrdiff_t(-1));
         }
     }
 
@@ -136,7 +151,7 @@ private slots:
         const Bits alone = bitsOfModes(c);
         for (const int threads : {2, 3, 4, 7}) {
             c.run.threads = threads;
-            QVERIFY(bitsOfModes(c) == alone);
+            QCOMPARE(firstDifference(bitsOfModes(c), alone), std::ptrdiff_t(-1));
         }
     }
 
