@@ -8,7 +8,9 @@ namespace touchdown {
 
 namespace {
 
-constexpr double leastGain = 1.03; // gain that is worth a second core
+constexpr double leastGain = 1.03;   // that is worth more than one core,
+constexpr double gainToReturn = 1.1; // and for which loops are shared again: noise stays below [-]
+constexpr double memory = 0.5;       // weight of the trials before [-]
 
 } // namespace
 
@@ -19,14 +21,14 @@ double TeamGain::now()
 
 void TeamGain::note(std::uintptr_t loop, double seconds)
 {
-    const std::size_t half = phase_ == Phase::Together ? 1 : 0;
+    const std::size_t which = phase_ == Phase::Together ? 1 : 0;
     std::size_t at = (loop >> 4 ^ loop >> 48) % loops_.size();
     for (std::size_t k = 0; k < loops_.size(); ++k, at = (at + 1) % loops_.size()) {
         Loop& place = loops_[at];
         if (place.key != 0 && place.key != loop) continue;
         place.key = loop;
-        place.time[half] += seconds;
-        ++place.calls[half];
+        place.time[which] += seconds;
+        place.calls[which] += 1.0;
         return;
     }
 }
@@ -35,37 +37,44 @@ void TeamGain::look(double now)
 {
     if (now < next_) return;
     switch (phase_) {
-    case Phase::Use:
-        loops_.fill({});
+    case Phase::Use: begin(); break;
+    case Phase::Alone: phase_ = Phase::Together; break;
+    case Phase::Together:
+        if (--rounds_ == 0) {
+            decide();
+            next_ = now + wait_;
+            return;
+        }
         phase_ = Phase::Alone;
-        next_ = now + trial;
-        return;
-    case Phase::Alone:
-        phase_ = Phase::Together;
-        next_ = now + trial;
-        return;
-    case Phase::Together: break;
+        break;
     }
-    if (const double found = measured(); found > 0.0) {
-        gain_ = gain_ > 0.0 ? 0.5 * (gain_ + found) : found;
-        together_ = gain_ >= leastGain;
-    }
-    phase_ = Phase::Use;
-    wait_ = std::min(longestWait, 2.0 * wait_);
-    next_ = now + wait_;
+    next_ = now + half;
 }
 
-double TeamGain::measured() const
+void TeamGain::begin()
 {
-    std::array<double, 2> sum{};
+    for (Loop& loop : loops_)
+        for (std::size_t k = 0; k < 2; ++k) loop.time[k] *= memory, loop.calls[k] *= memory;
+    rounds_ = lastRounds_ = std::min(mostRounds, lastRounds_ + 1);
+    phase_ = Phase::Alone;
+}
+
+void TeamGain::decide()
+{
+    std::array<double, 2> sum{}; // of the kinds of loops that both halves had
     for (const Loop& loop : loops_) {
         const auto [alone, all] = loop.calls;
-        if (alone == 0 || all == 0) continue;
+        if (alone == 0.0 || all == 0.0) continue;
         const double weight = std::max(alone, all);
         sum[0] += loop.time[0] / alone * weight;
         sum[1] += loop.time[1] / all * weight;
     }
-    return sum[1] > 0.0 ? sum[0] / sum[1] : 0.0;
+    if (sum[1] > 0.0) {
+        gain_ = sum[0] / sum[1];
+        together_ = gain_ >= (together_ ? leastGain : gainToReturn);
+    }
+    phase_ = Phase::Use;
+    wait_ = std::min(longestWait, 2.0 * wait_);
 }
 
 } // namespace touchdown

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Whether several threads finish loops earlier than one, found by trials now and then: for some milliseconds all loops
-// run on one thread, then for as long on all threads, and the mean times of the same loops are compared. On cores that
-// other programs keep busy threads wait for each other, and one may be faster. Results do not depend on it.
+// run on one thread, then for as long on all threads, a few times in turn, and the mean times of the same loops are
+// compared. On cores that other programs keep busy threads wait for each other, and one may be faster. There a loop
+// takes milliseconds now and then, so that the means need some trials. Results do not depend on it.
 #pragma once
 
 #include <array>
@@ -29,21 +30,24 @@ public:
     double gain() const { return gain_; }
 
 private:
-    static constexpr double firstWait = 0.05, longestWait = 1.0; // between trials [s]
-    static constexpr double trial = 0.008;                       // of each half [s]
+    static constexpr double firstWait = 0.05, longestWait = 3.0; // between trials [s]
+    static constexpr double half = 0.008;                        // length of each half of a round [s]
+    static constexpr int mostRounds = 6;                         // of a trial
 
     enum class Phase : std::uint8_t { Use, Alone, Together };
     struct Loop {
         std::uintptr_t key = 0;
         std::array<double, 2> time{}; // on one thread, on all [s]
-        std::array<int, 2> calls{};
+        std::array<double, 2> calls{};
     };
-    /// Over all kinds of loops that both halves had.
-    double measured() const;
+    /// Begins or ends a trial.
+    void begin();
+    void decide();
 
     Phase phase_ = Phase::Use;
     bool together_ = true;
-    double next_, wait_ = firstWait; // when the phase ends; between trials [s]
+    double next_, wait_ = firstWait;  // when the phase ends; between trials [s]
+    int rounds_ = 0, lastRounds_ = 0; // left of the trial, of the last one
     double gain_ = 0.0;
     std::array<Loop, 128> loops_{};
 };
