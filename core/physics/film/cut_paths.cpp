@@ -115,6 +115,13 @@ CutPaths::Work::Work(const FilmGaps& gaps)
 {
     for (auto* column : {&gap_, &product_, &mobility_, &mobilityBy_, &byGap_}) column->resize(mostPieces(gaps));
     for (auto* column : {&mean_, &open_, &lift_, &before_, &beyond_}) column->resize(pieces);
+    std::size_t rows = 0;
+    for (const FilmGaps::Faces& faces : gaps.faces) {
+        std::size_t ofAxis = 0;
+        for (const CutPlace& place : faces.cut) ofAxis += place.rowEnd - place.rows;
+        rows = std::max(rows, ofAxis);
+    }
+    path_.reserve(6 * Lanes<Dual<4>>::parts * rows); // taken from the system when it is first used
 }
 
 CutPaths::CutPaths(const FilmGaps& gaps, std::size_t axis, std::span<const double> speed, std::span<const double> cross,

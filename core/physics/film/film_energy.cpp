@@ -88,7 +88,10 @@ TOUCHDOWN_VECTOR_CLONES double work(std::size_t count, const double* p1, const d
 } // namespace
 
 FilmEnergy::FilmEnergy(const GasFilm& film)
-    : film_(film), log_(film.pad().size(), 0.0), inverse_(film.pad().size(), 1.0)
+    : film_(film),
+      log_(film.pad().size(), 0.0),
+      inverse_(film.pad().size(), 1.0),
+      rowSums_(2 * (static_cast<std::size_t>(film.pad().ny) + 1), 0.0)
 {}
 
 FilmEnergyState FilmEnergy::at(std::span<const double> p)
@@ -103,7 +106,6 @@ FilmEnergyState FilmEnergy::at(std::span<const double> p)
     const std::size_t nx = static_cast<std::size_t>(pad.nx);
     Team& team = Team::mine();
     const std::size_t rows = static_cast<std::size_t>(pad.ny) + 1;
-    rowSums_.resize(2 * rows);
     double *one = rowSums_.data(), *other = one + rows;
     team.items(pad.ny, 24, 1, [&](int begin, int end, int) {
         for (int j = begin; j < end; ++j) {
