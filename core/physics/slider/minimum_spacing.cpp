@@ -207,6 +207,43 @@ MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
     return same ? listed : nearest;
 }
 
+double NearbySpacing::search(const Attitude& attitude)
+{
+    searched_ = attitude;
+    const double listed = spacing_.nearestListed(attitude).spacing, spacing = spacing_.at(attitude).spacing;
+    down_ = listed - spacing;
+    near_.clear();
+    // A point that is no nearer than this there comes no nearer than the nearest one within the margin.
+    for (const MinimumSpacing::Candidate& c : spacing_.candidates_) {
+        const double here = spacing_.above(c, attitude);
+        if (here > listed + 2.0 * margin_) continue;
+        if (here == listed) nearest_ = near_.size();
+        near_.push_back(c);
+    }
+    return spacing;
+}
+
+double NearbySpacing::at(const Attitude& attitude)
+{
+    if (!(margin_ > 0.0)) return spacing_.at(attitude).spacing;
+    const auto displacement = [&] {
+        const double tail = attitude.height - searched_->height,
+                     nose = tail + spacing_.length_ * (attitude.pitch - searched_->pitch),
+                     side = 0.5 * spacing_.width_ * std::abs(attitude.roll - searched_->roll);
+        return std::max(std::abs(tail), std::abs(nose)) + side;
+    };
+    if (!searched_ || !(displacement() <= margin_)) return search(attitude);
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < near_.size(); ++k)
+        if (const double here = spacing_.above(near_[k], attitude); here < least) {
+            least = here;
+            nearest = k;
+        }
+    if (down_ > shortestMove && nearest != nearest_) return search(attitude);
+    return least - down_;
+}
+
 MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
 {
     const double least = nearestListed(attitude).spacing;

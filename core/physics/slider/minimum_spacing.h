@@ -12,6 +12,7 @@
 // a search from their lowest found a lower one at 4, by up to 0.1 nm.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/physics/slider/attitude.h"
@@ -42,6 +43,7 @@ public:
     const std::vector<EdgePart>& edges() const { return edges_; }
 
 private:
+    friend class NearbySpacing;
     struct Candidate {
         double x, y, recess; // [m]
     };
@@ -67,6 +69,34 @@ private:
     std::vector<Candidate> candidates_;
     std::vector<Block> blocks_;
     std::vector<EdgePart> edges_;
+};
+
+/// The minimum spacing in small motions: of all points only those are compared that can be the nearest within `margin`
+/// [m] of the attitude that was last searched in full. The way down from the nearest one of the list to the surface's
+/// lowest point is taken from there; where there is one and another point comes nearest it is searched again.
+class NearbySpacing {
+public:
+    /// The spacing must last. With a margin of zero each attitude is searched in full.
+    NearbySpacing(const MinimumSpacing& spacing, double margin) : spacing_(spacing), margin_(margin) {}
+
+    double at(const Attitude& attitude); // [m]
+
+    /// Where it was last searched, written or read.
+    void pass(auto& stream)
+    {
+        stream(searched_);
+        if (stream.reads() && searched_) search(*searched_);
+    }
+
+private:
+    double search(const Attitude& attitude);
+
+    const MinimumSpacing& spacing_;
+    double margin_; // of the corners' displacement [m]
+    std::optional<Attitude> searched_;
+    std::vector<MinimumSpacing::Candidate> near_;
+    std::size_t nearest_ = 0; // of them, there
+    double down_ = 0.0;       // from it [m]
 };
 
 } // namespace touchdown

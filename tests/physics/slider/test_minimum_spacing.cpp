@@ -29,6 +29,7 @@ private slots:
     void aRailUnderAnotherIsNearestWhereTheirEdgesCross();
     void noPointOfASliderWithWallsIsLower_data();
     void noPointOfASliderWithWallsIsLower();
+    void nearbyAttitudesNeedNoSearch();
 };
 
 constexpr double length = 1e-3, width = 0.8e-3;
@@ -231,6 +232,33 @@ void TestMinimumSpacing::noPointOfASliderWithWallsIsLower()
                                                             .arg(least * 1e9)
                                                             .arg(x0 * 1e6)
                                                             .arg(y0 * 1e6)));
+}
+
+// About drawn attitudes, as long as no other place lies lower, and after moves that are too large for what is known.
+void TestMinimumSpacing::nearbyAttitudesNeedNoSearch()
+{
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> draw(-1.0, 1.0);
+    const AirBearingSurface surface = withRail();
+    const Recess recess(surface, length, width);
+    const MinimumSpacing spacing(surface, recess);
+    for (int slider = 0; slider < 20; ++slider) {
+        const Attitude rest{20e-9, 100e-6 * draw(random), 20e-6 * draw(random)};
+        NearbySpacing nearby(spacing, 2e-9), exact(spacing, 0.0);
+        for (int k = 0; k < 40; ++k) {
+            const double size = k < 30 ? 1e-9 : 20e-9; // [m]
+            const Attitude at{rest.height + size * draw(random), rest.pitch + size / length * draw(random),
+                              rest.roll + size / width * draw(random)};
+            QCOMPARE(exact.at(at), spacing.at(at).spacing);
+            QVERIFY2(std::abs(nearby.at(at) - spacing.at(at).spacing) < 1e-14,
+                     qPrintable(QString("%1 %2: %3").arg(slider).arg(k).arg(nearby.at(at) - spacing.at(at).spacing)));
+        }
+        const double far = 1e-9;
+        QVERIFY(std::isnan(nearby.at({std::nan(""), rest.pitch, rest.roll})) ||
+                !std::isfinite(nearby.at({std::nan(""), rest.pitch, rest.roll})));
+        QVERIFY(std::abs(nearby.at({rest.height + far, rest.pitch, rest.roll}) -
+                         spacing.at({rest.height + far, rest.pitch, rest.roll}).spacing) < 1e-14);
+    }
 }
 
 TOUCHDOWN_TEST(TestMinimumSpacing)
