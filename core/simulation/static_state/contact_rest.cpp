@@ -355,7 +355,7 @@ bool actsInFlight(const Case& c, const SteadyResult& state, const std::function<
 
 std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from, const SteadyCallback& callback)
 {
-    const TeamScope team(filmThreads(c));
+    const TeamScope team(staticThreads(c));
     SteadyResult result = from;
     Case near = c;
     near.steady.stiffness = near.steady.sensitivities = false;
@@ -367,7 +367,7 @@ std::optional<SteadyResult> touchingNear(const Case& c, const SteadyResult& from
 SteadyResult steadyWithContact(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
-    const TeamScope team(filmThreads(c));
+    const TeamScope team(staticThreads(c));
     SteadyResult result = steady(c, callback);
     if (c.contact == noContact || c.steady.fixedAttitude) return result;
     result.contact = notFound("not known");

@@ -43,13 +43,21 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film)
     return levels;
 }
 
-int filmThreads(const Case& c)
+namespace {
+
+/// `cells`: with fewer a thread does not gain.
+int threadsOf(const Case& c, int cells)
 {
-    constexpr int cellsOfThread = 65 * 65; // below, a thread does not gain
     if (c.run.threads > 0) return std::min(c.run.threads, threadLimit());
     const std::array<int, 2> finest = filmLevels(c.film).back();
-    return std::clamp(finest[0] * finest[1] / cellsOfThread, 1, threadShare());
+    return std::clamp(finest[0] * finest[1] / cells, 1, threadShare());
 }
+
+} // namespace
+
+int filmThreads(const Case& c) { return threadsOf(c, 65 * 65); }
+
+int staticThreads(const Case& c) { return threadsOf(c, 256 * 256); }
 
 std::size_t filmBytes(const Case& c)
 {

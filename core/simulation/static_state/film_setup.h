@@ -28,6 +28,8 @@ std::vector<std::array<int, 2>> filmLevels(const FilmCase& film);
 /// Threads for the film of a case that the calling thread is about to compute: run.threads, or as many as the size of
 /// its grid is worth; not more than the thread may use (core/work/team.h).
 int filmThreads(const Case& c);
+/// The same for a static state, whose start is serial in part.
+int staticThreads(const Case& c);
 
 /// About what the film of a case takes on its finest grid, with its solvers [B]; 0 without a film.
 std::size_t filmBytes(const Case& c);

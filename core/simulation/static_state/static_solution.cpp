@@ -16,6 +16,8 @@ bool sameFilm(const Case& a, Case b)
     b.about = a.about;
     b.folder = a.folder;
     b.run = a.run;
+    b.film.motion = a.film.motion;
+    b.film.linearLimit = a.film.linearLimit;
     b.spectrum = a.spectrum;
     return a == b;
 }

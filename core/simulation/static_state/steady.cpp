@@ -350,7 +350,7 @@ long long staticSolutions() { return solutionsAskedFor; }
 SteadyResult steady(const Case& c, const SteadyCallback& callback)
 {
     const double start = wallClock();
-    const TeamScope team(filmThreads(c));
+    const TeamScope team(staticThreads(c));
     ++solutionsAskedFor;
     Case held = c;
     if (const std::optional<Attitude> rest = unloadedRest(c); rest && !c.steady.fixedAttitude) {

@@ -100,7 +100,7 @@ std::optional<std::vector<double>> movedLines(const std::vector<double>& lines, 
 SteadyResult steadyNear(const Case& c, const Case& before, const SteadyResult& from, const SteadyCallback& callback)
 {
     const double start = wallClock();
-    const TeamScope team(filmThreads(c));
+    const TeamScope team(staticThreads(c));
     std::optional<SteadyResult> result;
     const bool asLarge = c.slider.length == before.slider.length && c.slider.width == before.slider.width;
     if (from.status == SteadyStatus::Converged && !from.pressure.empty() && !c.steady.fixedAttitude && asLarge)

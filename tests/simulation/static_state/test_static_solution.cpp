@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include "core/case/contact_kind.h"
 #include "tests/support/small_slider.h"
 #include "tests/support/test_program.h"
 
