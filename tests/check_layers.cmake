@@ -26,8 +26,8 @@ set(rooms
     core/simulation/contact
     core/simulation/static_state
     core/simulation/springs
-    core/simulation/flight
     core/simulation/small_motions
+    core/simulation/flight
     core/simulation/equilibria
     core/simulation
     core/results

@@ -31,6 +31,7 @@ enum class AirSource : std::uint8_t { Given, Atmosphere, EstablishedStandard };
 enum class FilmSolver : std::uint8_t { Newton, LineMultigrid };
 enum class GridKind : std::uint8_t { Uniform, Graded, Adapted };
 enum class FilmCoupling : std::uint8_t { Monolithic, Staggered };
+enum class FilmMotion : std::uint8_t { Full, Linear };
 enum class StepControl : std::uint8_t { Adaptive, Fixed };
 enum class InitialState : std::uint8_t { Given, Static };
 
@@ -114,6 +115,8 @@ struct FilmCase {
     double tolerance = 1e-7; // residual: net mass flow of the cells, summed, against the flow through the film [-]
     int maximumIterations = 60;
     FilmCoupling coupling = FilmCoupling::Monolithic; // of film and slider in a step of time
+    FilmMotion motion = FilmMotion::Full;             // of a run: solved in each step, or linear about a static state
+    double linearLimit = 0.1;                         // error of the linear film at which a run ends, of the motion [-]
     bool operator==(const FilmCase&) const = default;
 };
 

@@ -135,6 +135,21 @@ void checkSliderSurface(const Case& c, std::vector<CaseProblem>& problems)
         problems.push_back({key, sentence.substr(0, sentence.find_last_not_of('.') + 1)});
 }
 
+/// The linear film answers to the waves of a disk that moves; roughness it may leave to the contact.
+void checkLinearFilm(const Case& c, std::vector<CaseProblem>& problems)
+{
+    const DiskSurface& disk = c.diskSurface;
+    if (c.film.motion != FilmMotion::Linear || disk.kind == DiskSurfaceKind::Flat) return;
+    const bool moves = disk.motion == SurfaceMotion::Moving, touches = c.contact != noContact;
+    const bool answers = disk.kind == DiskSurfaceKind::Waves && !(touches && contactLaw(c).recordsSurfaces),
+               leaves = disk.kind == DiskSurfaceKind::Rough && touches && contactLaw(c).seesDisk;
+    if (moves && (answers || leaves)) return;
+    problems.push_back({"film.motion",
+                        "must be \"full\" over this surface of the disk: a linear film answers to waves of a disk that "
+                        "moves, without elastic contact, and leaves roughness to a contact that sees it",
+                        {"disk.surface.kind", "disk.surface.motion", "contact"}});
+}
+
 void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
 {
     if (!slipLaw(c.air.slip.model).knowsAccommodation && c.air.slip.accommodation != 1.0)
@@ -149,6 +164,7 @@ void checkFilm(const Case& c, std::vector<CaseProblem>& problems)
     checkSliderSurface(c, problems);
     checkSeries(c.steady, problems);
     checkTimes(c, problems);
+    checkLinearFilm(c, problems);
     checkFilmContact(c, problems);
 }
 

@@ -13,6 +13,8 @@ constexpr std::size_t longestSeries = 100;
 constexpr const char* oneState = "ours: one state, at the values of [disk] and [air]";
 
 /// With a fixed attitude only the film is solved, without a balance of loads.
+bool withFullFilm(const Case& c) { return withFilm(c) && c.film.motion == FilmMotion::Full; }
+bool withLinearFilm(const Case& c) { return withFilm(c) && c.film.motion == FilmMotion::Linear; }
 bool withFreeAttitude(const Case& c) { return withFilm(c) && !c.steady.fixedAttitude; }
 
 } // namespace
@@ -52,7 +54,19 @@ std::vector<Parameter> filmParameters()
         integer("film.maximum_iterations", "most iterations", between(1, 10000),
                 at(&Case::film, &FilmCase::maximumIterations), withFilm,
                 "Iterations on one grid after which the film of a static state counts as not converged.", "ours"),
-        choice("film.coupling", "coupling", {"monolithic", "staggered"}, at(&Case::film, &FilmCase::coupling), withFilm,
+        choice(
+            "film.motion", "film in a run", {"full", "linear"}, at(&Case::film, &FilmCase::motion), withFilm,
+            "What a run takes for the film: full = its equations on the grid, solved in each step; linear = its answer "
+            "to small motions about the static state, a few dozen equations instead of the grid's thousands. Contact, "
+            "friction and suspension are the same in both.",
+            "ours: full"),
+        number("film.linear_limit", "limit of the linear film", "", noUnit, between(0.0, 10.0),
+               at(&Case::film, &FilmCase::linearLimit), withLinearFilm,
+               "Error of the slider's displacement by the linear film, as estimated from the motion, against the "
+               "displacement, at which a run ends.",
+               "ours: 10 %"),
+        choice("film.coupling", "coupling", {"monolithic", "staggered"}, at(&Case::film, &FilmCase::coupling),
+               withFullFilm,
                "How film and slider are solved together in a time step: monolithic = one Newton's method for pressure "
                "and attitude, staggered = film and slider alternate until neither changes. Both solve the same "
                "equations; staggered needs short steps.",

@@ -19,7 +19,7 @@ bool withRollOffset(const Case& c) { return withOffsets(c) && withRoll(c); }
 /// The gap and the pressure of the film, and those of a contact patch.
 /// A law with branches, or a slider that may fly and touch.
 bool withSeveralStates(const Case& c) { return withOnoYamane(c) || (withFilm(c) && c.contact != noContact); }
-bool withSnapshots(const Case& c) { return withFilm(c) || withSurfaces(c); }
+bool withSnapshots(const Case& c) { return withFilm(c) ? c.film.motion == FilmMotion::Full : withSurfaces(c); }
 
 } // namespace
 

@@ -26,7 +26,7 @@ std::string reasonForNone(const StoredRun& stored, const Case& c, bool longer)
     if (c.model == ModelKind::Springs && c.run.integrator == IntegratorKind::Cvode)
         return "the integrator cvode stores no state";
     if (longer && c.model == ModelKind::Contact) return "the way of a pad fills its duration";
-    if (longer && c.run.fieldSnapshots > 0 && c.model == ModelKind::Film)
+    if (longer && c.run.fieldSnapshots > 0 && c.model == ModelKind::Film && c.film.motion == FilmMotion::Full)
         return "its maps are spread over its duration (run.field_snapshots)";
     return stored.checkpoints.empty() ? "the file holds no state of it"
                                       : "the file holds no state of it before its end";

@@ -48,15 +48,16 @@ std::vector<Quantity> recordedQuantities(const Case& c)
 
 bool recordsFields(const Case& c)
 {
-    return c.run.fieldSnapshots > 0 &&
-           (c.model == ModelKind::Film || (c.model == ModelKind::Contact && contactLaw(c).recordsSurfaces));
+    return c.run.fieldSnapshots > 0 && ((c.model == ModelKind::Film && c.film.motion == FilmMotion::Full) ||
+                                        (c.model == ModelKind::Contact && contactLaw(c).recordsSurfaces));
 }
 
 std::vector<RecordedFields> recordedFields(const Case& c, const std::function<bool()>& goOn)
 {
     std::vector<RecordedFields> sets;
     if (c.model == ModelKind::Contact) sets.push_back(contactMaps(c));
-    if (c.model == ModelKind::Film) sets = {filmMaps(c), sliderContactFields(c, goOn)};
+    if (c.model == ModelKind::Film && c.film.motion == FilmMotion::Full)
+        sets = {filmMaps(c), sliderContactFields(c, goOn)};
     std::erase_if(sets, [](const RecordedFields& set) { return set.empty(); });
     return sets;
 }
@@ -123,7 +124,8 @@ Summary run(const Case& c, const RunCallback& callback, const RunOptions& option
             break;
         case ModelKind::Film:
             summary = runFilmOnTeam(c, callback, options);
-            summary.integrator = toText(c, *findParameter("film.coupling"));
+            summary.integrator =
+                toText(c, *findParameter(c.film.motion == FilmMotion::Linear ? "film.motion" : "film.coupling"));
             break;
         }
     } catch (const StateMisfit& misfit) {

@@ -84,6 +84,9 @@ private slots:
         add("springs", set("fig10a", {"run.duration=40 ms"}));
         add("pad", set("contact_pull_off", {}));
         add("film", set("film_pico", {"film.nodes=[33, 33]", "run.duration=0.1 ms", "steady.stiffness=false"}));
+        add("linear film over waves",
+            set("advise_waviness", {"film.motion=linear", "film.linear_limit=10", "film.nodes=[33, 33]",
+                                    "run.duration=8 ms", "steady.stiffness=false"}));
         add("elastic film on a rough disk",
             set("fig02_case_2_moving", {"film.nodes=[33, 33]", "run.duration=4 us", "steady.stiffness=false"}));
     }

@@ -97,6 +97,17 @@ private slots:
         row("more states than one may want",
             film + QStringList{"steady.radii=" + numbers(100), "steady.speeds=" + numbers(100), "steady.altitudes=0,1"},
             "steady.radii", "makes 20000 static states");
+        const QStringList linear = film + QStringList{"film.motion=linear"};
+        const QStringList waves{"disk.surface.kind=waves", "disk.surface.wave_amplitudes=1 nm",
+                                "disk.surface.wave_lengths=0.5 mm"};
+        row("a linear film over waves", linear + waves, "", "");
+        row("a linear film over waves that stand still", linear + waves + QStringList{"disk.surface.motion=still"},
+            "film.motion", "must be \"full\"");
+        row("a linear film over roughness", linear + QStringList{"disk.surface.kind=rough"}, "film.motion",
+            "leaves roughness to a contact that sees it");
+        row("a full film over roughness", film + QStringList{"disk.surface.kind=rough"}, "", "");
+        row("a linear film over bumps", linear + QStringList{"disk.surface.kind=bumps"}, "film.motion",
+            "must be \"full\"");
         row("a taper longer than the slider", film + QStringList{"abs.taper_length=1.3 mm"}, "abs.taper_length",
             "must be at most slider.length (1.25 mm)");
     }
@@ -166,6 +177,13 @@ private slots:
         row("a coupling of springs", {}, "film.coupling", "has no effect here, only with model = \"film\"");
         row("a contact that is not there", {"contact=none"}, "ono_yamane.touch_down",
             "has no effect here, only with contact = \"ono-yamane\"");
+        const QStringList linear{"model=film", "contact=none", "film.motion=linear"};
+        row("a coupling of a linear film", linear, "film.coupling",
+            "has no effect here, only with film.motion = \"full\"");
+        row("maps of a linear film", linear, "run.field_snapshots",
+            "has no effect here, only with film.motion = \"full\"");
+        row("a limit of a full film", {"model=film", "contact=none"}, "film.linear_limit",
+            "has no effect here, only with film.motion = \"linear\"");
         row("a load at a fixed attitude", {"model=film", "contact=none", "steady.fixed_attitude=true"},
             "steady.load_tolerance", "has no effect here, only with steady.fixed_attitude = false");
         row("a window of springs that do not move by themselves", {"model=contact", "contact=elastic"},

@@ -13,12 +13,12 @@ namespace touchdown {
 
 namespace {
 
-constexpr double positionShare = 5e-3; // of a step's error, for the error of its iteration
-constexpr double filmShare = 0.1;      // and for the film's residual, as the displacement of a slider by its force
-constexpr double filmTimeShare = 0.3;  // of the film's own error in time [-]
-constexpr double typicalScale = 10e-9; // over which a film's force changes by the load [m]
-constexpr double slopeError = 0.02;    // of the stiffness of film and contact, as long as none is measured [-]
-constexpr double forgetting = 0.9;     // of a contraction once measured, per step [-]
+constexpr double positionShare = 5e-3;     // of a step's error, for the error of its iteration
+constexpr double filmShare = 0.1;          // and for the film's residual, as the displacement of a slider by its force
+constexpr double filmTimeShare = 0.3;      // of the film's own error in time [-]
+constexpr double typicalScale = 10e-9;     // over which a film's force changes by the load [m]
+constexpr double contactSlopeError = 0.02; // of the stiffness of the contact, as long as none is measured [-]
+constexpr double forgetting = 0.9;         // of a contraction once measured, per step [-]
 constexpr double longestForFourth =
     1.4; // omega dt up to which the fourth order rule is used; it is stable up to sqrt 6 [-]
 constexpr double worthRenewing = 0.1; // contraction beyond which the film's responses have changed [-]
@@ -54,7 +54,7 @@ void addTo(Vector3& to, double sign, const Matrix3& a, const Vector3& x)
 CoupledStepOptions steppingOf(const Case& c, const GasFilm& film)
 {
     CoupledStepOptions options;
-    options.coupling = c.film.coupling;
+    options.coupling = c.film.motion == FilmMotion::Linear ? FilmCoupling::Monolithic : c.film.coupling;
     options.tolerance = positionShare * c.run.stepError;
     options.film.share = filmTimeShare;
     options.film.tolerance = std::max(1e-9, filmShare * c.run.stepError / typicalScale * c.suspension.preload /
@@ -247,6 +247,7 @@ CoupledStepResult CoupledStepper::tryStep(double dt, bool fourth)
         Vector3 balance = forceOn(tried_) - body_.inertia().cwiseProduct(tried_.a);
         if (body_.holdsRoll()) balance[2] = 0.0;
         const Vector3 change = solveBody(balance, perSquare, perTime, monolithic);
+        const double slopeError = std::max(film_.stiffnessError(), contact_ ? contactSlopeError : 0.0);
         contraction_ = std::max(contraction_, slopeError * stiffShare(perSquare));
         const double size = body_.displacement(change);
         if (!std::isfinite(size)) return fail(CoupledFailure::NotFinite);
@@ -289,10 +290,12 @@ double CoupledStepper::fastestRate() const
     const Vector3 length(1.0, body_.length(), body_.width());
     Matrix3 stiffness = film_.stiffness() + contactStiffness_;
     stiffness.diagonal() += body_.springs();
+    if (stiffness == rated_) return ratedRate_;
     Matrix3 perMass = length.cwiseQuotient(body_.inertia()).asDiagonal() * stiffness;
     perMass = perMass * length.cwiseInverse().asDiagonal();
     if (body_.holdsRoll()) perMass.row(2).setZero();
-    return std::sqrt(spectralRadius(perMass));
+    rated_ = stiffness;
+    return ratedRate_ = std::sqrt(spectralRadius(perMass));
 }
 
 /// Fox & Goodwin's rule while it is far from its limit of stability, the trapezoidal rule otherwise; also in the first
@@ -351,7 +354,7 @@ void CoupledStepper::setTimeError(double dt, CoupledStepResult& result)
 
 void CoupledStepper::accept()
 {
-    if (!film_.accept()) return;
+    if (!film_.accept(tried_)) return;
     jerk_ = triedJerk_;
     shiftJerk_ = triedShiftJerk_;
     slope_ = triedSlope_;

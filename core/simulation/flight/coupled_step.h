@@ -145,7 +145,10 @@ private:
     SliderContactForces contactForces_;
     Matrix3 contactStiffness_ = Matrix3::Zero();
     double acceptedRate_ = 0.0; // fastestRate() at the accepted state, to which film and forecast are fitted [rad/s]
-    bool starting_ = true;      // no step has been accepted yet
+    // The last stiffness of which fastestRate() was found.
+    mutable Matrix3 rated_ = Matrix3::Zero();
+    mutable double ratedRate_ = 0.0; // [rad/s]
+    bool starting_ = true;           // no step has been accepted yet
     CoupledCost cost_;
     double contraction_ = 0.0; // of the iteration, as last measured [-]
 };

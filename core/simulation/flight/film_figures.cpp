@@ -2,11 +2,18 @@
 #include "core/simulation/flight/film_figures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+
+#include "core/formats/units.h"
+#include "core/simulation/flight/linear_film.h"
 
 namespace touchdown {
 
 namespace {
+
+constexpr double largeError = 0.05; // of a transient [-]
+constexpr double heardPeak = 0.1;   // of the largest peak [-]
 
 void addMeasured(Summary& summary, const char* name, const char* unit, const char* longName, double value)
 {
@@ -33,6 +40,15 @@ std::string reasonOf(const CoupledStepResult& result, const std::string& ofConta
     case CoupledFailure::NotFinite: return "the forces are no numbers";
     }
     return {};
+}
+
+std::string noStepIsShortEnough(const std::string& time, const std::string& reason, const std::string& disk,
+                                double spacing)
+{
+    return "no step is short enough at " + time + ": " + reason +
+           (disk.empty() ? "" : "; " + disk + ", and no law of contact acts (contact = \"none\")") +
+           "; the samples end with the last good state, minimum spacing " +
+           formatQuantity(std::round(spacing * 1e13) / 1e13, "nm");
 }
 
 void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling)
@@ -72,6 +88,35 @@ void addCost(Summary& summary, const CoupledCost& cost)
     add("contact_saved", "s", "Wall time that skipped contacts would have taken",
         perContact * static_cast<double>(cost.contactSkipped));
     addCount("jacobians_kept", "Attitudes at which the film needed no linearisation", cost.jacobiansKept);
+}
+
+void addLinearErrors(Summary& summary, const LinearFilm& film)
+{
+    addMeasured(summary, "film_fit_error", "1",
+                "Largest error of the linear film's answer at frequencies not yet fitted, against its largest entry",
+                film.fit().error);
+    addMeasured(summary, "film_linearity_error", "1",
+                "Error of the corners' displacement because the film is linear, as estimated, against the displacement",
+                film.linearityError());
+    addMeasured(summary, "film_motion_size", "1",
+                "Largest displacement of the slider's corners from the static state, against its minimum spacing",
+                film.largestSize());
+    if (film.transientError() > largeError)
+        summary.warnings.push_back("the answer of the linear film to waves that begin is known to " +
+                                   percent(film.transientError()) + ": so is the motion that the start over them " +
+                                   "excites; what lasts is not concerned");
+    for (const Peak& peak : summary.peaks)
+        if (peak.frequency > highestFitted && peak.amplitude > heardPeak * summary.peaks.front().amplitude)
+            summary.warnings.push_back("the linear film is fitted up to " + fewDigits(highestFitted, "kHz") +
+                                       ": its answer to the motion at " + fewDigits(peak.frequency, "kHz") +
+                                       " is extrapolated");
+}
+
+std::string tooFarFromRest(const LinearFilm& film, double limit)
+{
+    return "the motion is too large for a linear film: its error is estimated as " + percent(film.linearityError()) +
+           " of the motion, above film.linear_limit = " + percent(limit) +
+           " (film.motion = \"full\" has no such limit)";
 }
 
 void addStepErrors(Summary& summary, const StepErrors& worst, double energyImbalance)

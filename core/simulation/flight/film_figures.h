@@ -13,6 +13,8 @@
 
 namespace touchdown {
 
+class LinearFilm;
+
 /// The largest of the accepted steps.
 struct StepErrors {
     double balance = 0.0, left = 0.0, film = 0.0; // as in CoupledStepResult [-], [m], [-]
@@ -31,7 +33,15 @@ struct StepTroubles {
 
 /// Why a step was not accepted, in a part of a sentence; `ofContact`: what the contact says.
 std::string reasonOf(const CoupledStepResult& result, const std::string& ofContact);
+/// Why a run ends that finds no step; `disk`: what no law of contact keeps away; may be empty. `spacing`: the last good
+/// one [m].
+std::string noStepIsShortEnough(const std::string& time, const std::string& reason, const std::string& disk,
+                                double spacing);
 void addStepWarnings(Summary& summary, const StepTroubles& troubles, FilmCoupling coupling);
+/// Of a linear film: of its fit, and of a motion that is not small.
+void addLinearErrors(Summary& summary, const LinearFilm& film);
+/// Why a run ends whose motion is too large for it, without the time.
+std::string tooFarFromRest(const LinearFilm& film, double limit);
 void addCost(Summary& summary, const CoupledCost& cost);
 /// `energyImbalance`: see FilmRecorder.
 void addStepErrors(Summary& summary, const StepErrors& worst, double energyImbalance);

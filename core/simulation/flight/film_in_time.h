@@ -31,6 +31,8 @@ public:
 
     /// S = -dF/dq of the last step, which guides an iteration; zero where it is not known [N/m ...].
     virtual const Matrix3& stiffness() const = 0;
+    /// Its error [-].
+    virtual double stiffnessError() const = 0;
     virtual bool isResponseKnown() const = 0;
     virtual bool isResponseOld() const = 0;
     /// Returns the number of preconditioned iterations. If `goOn` returns false nothing is known.
@@ -45,7 +47,8 @@ public:
     /// Load of the last step's error of discretisation in time: force, pitch and roll torque [N], [N m].
     virtual std::array<double, 3> timeErrorLoad() const = 0;
     /// Makes the last step the accepted state; false, and nothing done, if it did not converge.
-    [[nodiscard]] virtual bool accept() = 0;
+    /// `to`: the slider's motion there.
+    [[nodiscard]] virtual bool accept(const SliderMotion& to) = 0;
 
     /// Whether the last step was exact at the rate that it was given.
     virtual bool isFitted() const = 0;

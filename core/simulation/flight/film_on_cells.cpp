@@ -70,7 +70,7 @@ double FilmOnCells::follow(const Vector3& q, const Vector3& change)
     return left;
 }
 
-bool FilmOnCells::accept()
+bool FilmOnCells::accept(const SliderMotion& /*to*/)
 {
     if (!stepper_.accept()) return false;
     response_.age();

@@ -27,6 +27,7 @@ public:
     FilmStepResult step(double dt, const SliderMotion& from, const Vector3& q, double rate) override;
     Vector3 force() override;
     const Matrix3& stiffness() const override { return response_.stiffness(); }
+    double stiffnessError() const override { return 0.02; }
     bool isResponseKnown() const override { return response_.known(); }
     bool isResponseOld() const override { return response_.isOld(); }
     int renewResponse(bool touched, const std::function<bool()>& goOn) override;
@@ -34,7 +35,7 @@ public:
     double follow(const Vector3& q, const Vector3& change) override;
     double allowed() const override { return stepper_.allowed(); }
     std::array<double, 3> timeErrorLoad() const override { return stepper_.timeErrorLoad(); }
-    bool accept() override;
+    bool accept(const SliderMotion& to) override;
     bool isFitted() const override { return stepper_.isFitted(); }
     long long closings() const override { return stepper_.closings(); }
     double ambientForce() const override;

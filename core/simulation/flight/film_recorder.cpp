@@ -92,7 +92,7 @@ std::vector<Quantity> filmQuantities(const Case& c)
     return list;
 }
 
-FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
+FilmRecorder::FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, NearbySpacing& spacing,
                            DiskClearance* clearance, double lookInterval, RunRecorder& run)
     : case_(c),
       body_(body),
@@ -124,7 +124,7 @@ void FilmRecorder::add(const FilmPoint& point)
 {
     const double interval = case_.run.sampleInterval, slack = 1e-9 * interval;
     const double begin = last_.time, end = std::min(point.time, case_.run.duration);
-    const auto spacing = [&](const FilmPoint& of) { return spacing_.at(body_.attitude(of.motion.q)).spacing; };
+    const auto spacing = [&](const FilmPoint& of) { return spacing_.at(body_.attitude(of.motion.q)); };
     const bool near = clearance_ && clearance_->mayReach(std::min(spacing(last_), spacing(point)));
     const int parts =
         near ? std::clamp(static_cast<int>(std::min((point.time - begin) / lookInterval_, 1.0 * mostLooks)) + 1,
@@ -186,7 +186,7 @@ void FilmRecorder::evaluate(const FilmPoint& to, double time, bool seek)
     };
     FilmSample s{.attitude = attitude, .motion = motion};
     s.flyingHeight = heightOf(points_.front(), attitude);
-    s.spacing = spacing_.at(attitude).spacing;
+    s.spacing = spacing_.at(attitude);
     s.airForce = along(earlier_.filmForce[0], from.filmForce[0], to.filmForce[0]);
     s.kinetic = body_.kineticEnergy(motion.v);
     s.suspension = body_.suspensionEnergy(motion.q);

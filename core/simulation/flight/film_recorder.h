@@ -16,7 +16,7 @@
 
 namespace touchdown {
 
-class MinimumSpacing;
+class NearbySpacing;
 class Recess;
 struct Case;
 
@@ -39,7 +39,7 @@ class FilmRecorder {
 public:
     /// All must last. `clearance` may be null over a flat disk. Where the disk may reach the slider, the gap is sought
     /// at least once every `lookInterval` [s].
-    FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, const MinimumSpacing& spacing,
+    FilmRecorder(const Case& c, const SliderBody& body, const Recess& recess, NearbySpacing& spacing,
                  DiskClearance* clearance, double lookInterval, RunRecorder& run);
 
     void begin(const FilmPoint& start);
@@ -85,7 +85,7 @@ private:
 
     const Case& case_;
     const SliderBody& body_;
-    const MinimumSpacing& spacing_;
+    NearbySpacing& spacing_;
     DiskClearance* clearance_; // null: the disk is flat
     double lookInterval_;      // [s]
     RunRecorder& run_;

@@ -20,6 +20,7 @@
 #include "core/simulation/flight/film_recorder.h"
 #include "core/simulation/flight/film_scene.h"
 #include "core/simulation/flight/law_switch.h"
+#include "core/simulation/flight/linear_film.h"
 #include "core/simulation/flight/step_length.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/high_disk.h"
@@ -39,9 +40,7 @@ constexpr double shareAfterSwitch = 0.5; // of the longest step, for the first o
 constexpr double chatterSpan = 1e-7;     // within which many switches are chattering [s]
 constexpr int mostTries = 12;            // for one switch
 constexpr double farthest = 1e-4;        // from which no slider comes back [m]
-constexpr double lowerForCells = 0.8;    // of the spacing at which the cells were last compared with the disk [-]
 constexpr double looksEach = 4.0;        // of the finest passage: a quarter of a wave, two cells of a map
-constexpr double leastForCells = 1e-9;   // below which they need no comparison [m]
 
 std::string timeText(double t) { return fewDigitsOfTime(t, 4); }
 
@@ -68,24 +67,24 @@ public:
         summary.steps = steps_;
         summary.rejectedSteps = rejected_;
         summary.evaluations = filmIterations_;
-        std::ranges::copy(scene_.warnings, std::back_inserter(summary.warnings));
+        const auto warn = [&](std::vector<std::string> list) {
+            std::ranges::move(list, std::back_inserter(summary.warnings));
+        };
+        warn(scene_.warnings);
         if (film_) troubles_.closings = film_->closings();
-        addStepWarnings(summary, troubles_, case_.film.coupling);
+        addStepWarnings(summary, troubles_, linear_ ? FilmCoupling::Monolithic : case_.film.coupling);
         if (scene_.level)
-            std::ranges::move(doubtsOnDamping(case_, summary.peaks, resolvedFrequency(case_, scene_.level->gaps.grid),
-                                              unfitted_, summary.endTime),
-                              std::back_inserter(summary.warnings));
+            warn(doubtsOnDamping(case_, summary.peaks, resolvedFrequency(case_, scene_.level->gaps.grid), unfitted_,
+                                 summary.endTime));
         if (steps_ > 0)
-            std::ranges::move(
-                doubtsOnDisk(scene_.diskOnCells, case_.run.steps == StepControl::Fixed ? case_.run.step : 0.0),
-                std::back_inserter(summary.warnings));
+            warn(doubtsOnDisk(scene_.diskOnCells, case_.run.steps == StepControl::Fixed ? case_.run.step : 0.0));
         if (!unseenDisk_.empty()) summary.warnings.push_back(std::move(unseenDisk_));
-        if (contact_)
-            for (std::string& remark : contact_->remarks()) summary.warnings.push_back(std::move(remark));
+        if (contact_) warn(contact_->remarks());
         if (contact_ && recorder_ && end_.status != RunStatus::Cancelled) addDoubts(summary);
         if (recorder_) {
             addCost(summary, stepper_->cost());
             addStepErrors(summary, worst_, recorder_->energyImbalance());
+            if (linear_) addLinearErrors(summary, *linear_);
         }
         run_.setTimes(summary);
         return summary;
@@ -126,7 +125,6 @@ private:
         balance_->begin(point_);
         recorder_->begin(point_);
         takeFields();
-        lowestForCells_ = scene_.spacing.at(scene_.start).spacing;
         return lookAtDisk(scene_.start);
     }
 
@@ -147,15 +145,15 @@ private:
 
     void pass(StateStream& stream)
     {
-        stream(*stepper_, *balance_, *recorder_, length_, point_, switched_, troubles_, worst_, snapshots_, switches_,
-               lowestForCells_, unseenDisk_, steps_, rejected_, filmIterations_, unfitted_, nearShare_);
+        stream(*spacing_, *stepper_, *balance_, *recorder_, length_, point_, switched_, troubles_, worst_, snapshots_,
+               switches_, unseenDisk_, steps_, rejected_, filmIterations_, unfitted_, nearShare_);
         if (contact_) stream(*contact_);
     }
 
     void sendCheckpoint()
     {
         // Maps are spread over the duration, and so are steps that a share of it limits.
-        const bool extends = case_.run.fieldSnapshots == 0 && !nearShare_;
+        const bool extends = (linear_ || case_.run.fieldSnapshots == 0) && !nearShare_;
         const bool goesOn = run_.sendCheckpoint(reached(), extends, [this](StateStream& stream) {
             scene_.store(stream);
             pass(stream);
@@ -170,15 +168,19 @@ private:
         FilmLevel& level = *scene_.level;
         CoupledStepOptions stepping = steppingOf(case_, level.film);
         stepping.goOn = [this] { return goOn(); };
-        film_ =
-            std::make_unique<FilmOnCells>(level.film, *body_, contact_, &*scene_.disk, stepping.film, level.pressure);
+        if (scene_.linear)
+            film_ = linear_ = std::make_shared<LinearFilm>(*scene_.linear);
+        else
+            film_ = cells_ = std::make_shared<FilmOnCells>(level.film, *body_, contact_, &*scene_.disk, stepping.film,
+                                                           level.pressure);
         stepper_.emplace(*film_, *body_, contact_, stepping);
     }
 
     void makeRecorder()
     {
         balance_.emplace(*film_, *body_, scene_.restEnergy);
-        recorder_.emplace(case_, *body_, scene_.recess, scene_.spacing, &*scene_.clearance,
+        spacing_.emplace(scene_.spacing, linear_ ? linear_->smallMotion() : 0.0);
+        recorder_.emplace(case_, *body_, scene_.recess, *spacing_, &*scene_.clearance,
                           looksEach * finestPassage(case_.diskSurface, scene_.topography, scene_.disk->velocity()),
                           run_);
         run_.moveOver(surfaceRecurrence(case_.diskSurface, scene_.topography, scene_.disk->velocity(),
@@ -270,22 +272,20 @@ private:
             if (const std::string problem = contact_->problemAt(attitude); !problem.empty())
                 return fail(RunFailure::Other, problem + " at " + timeText(point_.time));
         if (!lookAtDisk(attitude)) return false;
-        if (scene_.spacing.at(attitude).spacing > farthest)
-            return fail(RunFailure::Diverged,
-                        "the slider left the disk: at " + timeText(point_.time) + " it is " +
-                            formatQuantity(std::round(scene_.spacing.at(attitude).spacing * 1e9) / 1e9, "um") +
-                            " above it");
+        if (linear_ && linear_->isTooFar(case_.film.linearLimit))
+            return fail(RunFailure::Other,
+                        tooFarFromRest(*linear_, case_.film.linearLimit) + " at " + timeText(point_.time));
+        if (const double spacing = spacing_->at(attitude); spacing > farthest)
+            return fail(RunFailure::Diverged, "the slider left the disk: at " + timeText(point_.time) + " it is " +
+                                                  formatQuantity(std::round(spacing * 1e9) / 1e9, "um") + " above it");
         return true;
     }
 
     /// False where the disk reaches the slider and no law of contact acts.
     bool lookAtDisk(const Attitude& attitude)
     {
-        const double spacing = scene_.spacing.at(attitude).spacing;
-        if (const double low = std::max(spacing, leastForCells); low < lowerForCells * lowestForCells_) {
-            scene_.lookAtCells(attitude);
-            lowestForCells_ = low;
-        }
+        const double spacing = spacing_->at(attitude);
+        scene_.lookAtLower(attitude, spacing);
         if (scene_.topography.flat() && case_.contact == noContact && spacing <= 0.0)
             return fail(RunFailure::Other,
                         diskReachesSlider(case_, scene_.clearance->at(attitude, point_.time), point_.time));
@@ -358,12 +358,12 @@ private:
     /// Maps at equal intervals, of the step that ends next; the last one at the end of the run.
     void takeFields()
     {
-        const int count = case_.run.fieldSnapshots;
+        const int count = cells_ ? case_.run.fieldSnapshots : 0;
         const double interval = case_.run.duration / std::max(1, count - 1), time = reached(),
                      due = time + 1e-9 * interval;
         if (snapshots_ == count || due < snapshots_ * interval) return;
         while (snapshots_ < count && due >= snapshots_ * interval) ++snapshots_;
-        for (FieldSnapshot& snapshot : scene_.snapshots(time, body_->attitude(point_.motion.q), film_->pressure()))
+        for (FieldSnapshot& snapshot : scene_.snapshots(time, body_->attitude(point_.motion.q), cells_->pressure()))
             run_.addFields(std::move(snapshot));
     }
 
@@ -375,15 +375,10 @@ private:
     bool giveUp(const CoupledStepResult& result)
     {
         const Attitude last = body_->attitude(point_.motion.q);
-        const RunFailure failure =
-            result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged;
         const bool noLaw = case_.contact == noContact && !scene_.topography.flat();
-        return fail(failure, "no step is short enough at " + timeText(point_.time) + ": " + reasonOf(result) +
-                                 (noLaw ? "; " + nearestDisk(scene_.clearance->at(last, point_.time)) +
-                                              ", and no law of contact acts (contact = \"none\")"
-                                        : std::string()) +
-                                 "; the samples end with the last good state, minimum spacing " +
-                                 formatQuantity(std::round(scene_.spacing.at(last).spacing * 1e13) / 1e13, "nm"));
+        const std::string disk = noLaw ? nearestDisk(scene_.clearance->at(last, point_.time)) : std::string();
+        return fail(result.failure == CoupledFailure::None ? RunFailure::NoStep : RunFailure::NotConverged,
+                    noStepIsShortEnough(timeText(point_.time), reasonOf(result), disk, spacing_->at(last)));
     }
 
     bool end(RunStatus status, RunFailure failure, std::string message)
@@ -412,8 +407,11 @@ private:
     FilmScene scene_;
     const SliderBody* body_ = nullptr;
     SliderContact* contact_ = nullptr;
-    std::unique_ptr<FilmOnCells> film_;
+    std::shared_ptr<FilmInTime> film_;
+    std::shared_ptr<FilmOnCells> cells_; // film_, or null
+    std::shared_ptr<LinearFilm> linear_; // film_, or null
     std::optional<CoupledStepper> stepper_;
+    std::optional<NearbySpacing> spacing_;
     std::optional<FilmRecorder> recorder_;
     std::optional<FilmEnergyBalance> balance_;
     StepLength length_;
@@ -424,8 +422,7 @@ private:
     StepErrors worst_;  // of accepted steps
     int snapshots_ = 0; // taken
     ChatterWatch switches_;
-    double lowestForCells_ = 0.0; // the spacing then [m]
-    std::string unseenDisk_;      // where its surface first reached the slider under a law that does not see it
+    std::string unseenDisk_; // where its surface first reached the slider under a law that does not see it
     long long steps_ = 0, rejected_ = 0, filmIterations_ = 0;
     UnfittedSteps unfitted_;
     bool nearShare_ = false; // a step may have been limited by a share of the duration

@@ -10,6 +10,7 @@
 #include "core/formats/units.h"
 #include "core/physics/film/film_energy.h"
 #include "core/simulation/flight/film_run.h"
+#include "core/simulation/small_motions/linear_state.h"
 #include "core/simulation/static_state/contact_rest.h"
 #include "core/simulation/static_state/film_setup.h"
 #include "core/simulation/static_state/high_disk.h"
@@ -19,6 +20,13 @@
 #include "core/work/state_stream.h"
 
 namespace touchdown {
+
+namespace {
+
+constexpr double lowerForCells = 0.8;  // of the spacing at which the cells were last compared with the disk [-]
+constexpr double leastForCells = 1e-9; // below which they need no comparison [m]
+
+} // namespace
 
 FilmScene::FilmScene(const Case& c)
     : recess(c.surface, c.slider.length, c.slider.width), spacing(c.surface, recess), case_(c), filmMaps_(filmMaps(c))
@@ -36,7 +44,7 @@ SteadyResult FilmScene::findRest(const StaticSolution* known, const std::functio
 {
     const Case still = attitudeCase(case_);
     const auto ask = [&](const SteadyProgress&) { return goOn(); };
-    const bool fromRest = case_.initial.state == InitialState::Static;
+    const bool fromRest = case_.initial.state == InitialState::Static || isLinear();
     // A start that is given needs the state of the film alone, where the suspension exerts its load.
     const bool fits = known && isRestOf(case_, known->solved, known->state) &&
                       (fromRest || !known->state.contact.acts()) && known->state.contact.state != "not found";
@@ -49,9 +57,12 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
 {
     topography = diskTopography(case_, goOn);
     if (!goOn()) return State::Stopped;
-    const SteadyResult rest = findRest(known, goOn);
+    const std::shared_ptr<const LinearState> kept = isLinear() ? knownLinearState(case_) : nullptr;
+    const SteadyResult rest = kept ? kept->rest : findRest(known, goOn);
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
+    if (isLinear() && rest.status != SteadyStatus::Converged)
+        return fail("there is no static state about which the film is linear (film.motion): " + rest.message);
     if (fromRest && rest.status != SteadyStatus::Converged)
         return fail("there is no static state to start from (initial.state): " + rest.message);
     // Also where the film alone would balance below the plane of the disk.
@@ -83,6 +94,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
         level->film.setSurface(startSurface);
     }
     if (checkDisk() == State::Failed) return State::Failed;
+    if (isLinear()) return makeLinear(kept, rest, goOn);
     if (balanced) {
         level->film.setAttitude(rest.attitude);
         restEnergy = FilmEnergy(level->film).at(level->pressure).stored;
@@ -117,7 +129,13 @@ bool FilmScene::makeParts(std::shared_ptr<const FilmGaps> gaps, const std::funct
     return goOn();
 }
 
-void FilmScene::pass(StateStream& stream) { stream(warnings, bodyRest_, restEnergy, atCells_); }
+void FilmScene::pass(StateStream& stream)
+{
+    stream(warnings, bodyRest_, restEnergy, atCells_, lowestForCells_);
+    if (!isLinear()) return;
+    if (stream.reads()) linear = std::make_unique<LinearFilmModel>();
+    stream(*linear);
+}
 
 void FilmScene::store(StateStream& stream)
 {
@@ -149,13 +167,41 @@ void FilmScene::lookAtCells(const Attitude& attitude)
     diskOnCells = touchdown::diskOnCells(case_, topography, recess, level->gaps.grid, attitude);
 }
 
+void FilmScene::lookAtLower(const Attitude& attitude, double lowest)
+{
+    const double low = std::max(lowest, leastForCells);
+    if (!(low < lowerForCells * lowestForCells_)) return;
+    lookAtCells(attitude);
+    lowestForCells_ = low;
+}
+
 FilmScene::State FilmScene::checkDisk()
 {
     clearance.emplace(recess, spacing, topography, disk->velocity());
     lookAtCells(start);
+    lowestForCells_ = spacing.at(start).spacing;
     if (case_.contact != noContact) return State::Ready;
     const DiskClearance::Place place = clearance->at(start, 0.0);
     return place.gap > 0.0 ? State::Ready : fail(diskReachesSlider(case_, place, 0.0) + "; " + startHigher());
+}
+
+bool FilmScene::isLinear() const { return case_.film.motion == FilmMotion::Linear; }
+
+FilmScene::State FilmScene::makeLinear(std::shared_ptr<const LinearState> state, const SteadyResult& rest,
+                                       const std::function<bool()>& goOn)
+{
+    try {
+        if (!state || !answersDisk(*state, case_))
+            state = makeLinearState(case_, rest, state ? &state->film : nullptr, goOn);
+    } catch (const std::runtime_error& error) {
+        return fail(error.what());
+    }
+    if (!state || !goOn()) return State::Stopped;
+    linear = std::make_unique<LinearFilmModel>(state->film);
+    if (case_.diskSurface.kind == DiskSurfaceKind::Rough)
+        warnings.push_back("the linear film takes the disk as smooth: its roughness acts on the contact alone "
+                           "(film.motion)");
+    return State::Ready;
 }
 
 FilmScene::State FilmScene::solveStart(const std::function<bool()>& goOn)
@@ -205,7 +251,7 @@ std::vector<FieldSnapshot> FilmScene::snapshots(double time, const Attitude& att
 
 RecordedFields filmMaps(const Case& c)
 {
-    if (c.run.fieldSnapshots == 0) return {};
+    if (c.run.fieldSnapshots == 0 || c.film.motion == FilmMotion::Linear) return {};
     constexpr int mostCells = 128; // along each side
     RecordedFields maps;
     maps.grid = gradedGrid(c.surface, c.slider.length, c.slider.width, std::min(mostCells, c.film.nodes[0] - 1),

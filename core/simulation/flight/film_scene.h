@@ -23,6 +23,8 @@ namespace touchdown {
 class StateStream;
 struct FilmLevel;
 struct FilmGaps;
+struct LinearFilmModel;
+struct LinearState;
 struct StaticSolution;
 struct SteadyResult;
 
@@ -43,8 +45,8 @@ public:
     State restore(StateStream& stream, const std::function<bool()>& goOn);
     /// What restore() reads.
     void store(StateStream& stream);
-    /// Sets diskOnCells.
-    void lookAtCells(const Attitude& attitude);
+    /// Sets diskOnCells again where this attitude, with its minimum spacing [m], is much lower than the last one.
+    void lookAtLower(const Attitude& attitude, double lowest);
     /// Snapshots of filmMaps() and of the contact, at pressures p (padded), of a case that records them.
     std::vector<FieldSnapshot> snapshots(double time, const Attitude& attitude, std::span<const double> p) const;
 
@@ -58,29 +60,36 @@ public:
     std::optional<SliderBody> body;
     std::unique_ptr<FilmLevel> level; // its pressure: at the start
     std::optional<DiskUnderFilm> disk;
-    std::unique_ptr<SliderContact> contact; // null: only air acts
+    std::unique_ptr<SliderContact> contact;  // null: only air acts
+    std::unique_ptr<LinearFilmModel> linear; // null: the film is solved on its cells
     Attitude start;
     std::vector<double> startSurface; // of a start in contact: the disk under the film, deformed; padded [m]
-    double restEnergy = 0.0;          // stored by the air in the static state, or at the start if there is none [J]
+    double restEnergy = 0.0; // stored by the air in the static state, or at the start if there is none; of a linear
+                             // film zero [J]
 
 private:
     State fail(std::string reason);
+    void lookAtCells(const Attitude& attitude);
     SteadyResult findRest(const StaticSolution* known, const std::function<bool()>& goOn) const;
     /// Film, disk, contact on these gaps. False: stopped.
     bool makeParts(std::shared_ptr<const FilmGaps> gaps, const std::function<bool()>& goOn);
     /// Film, disk, contact on the static state's grid. False: stopped.
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
     void pass(StateStream& stream);
+    bool isLinear() const;
     /// Where no law of contact acts the disk must not reach the slider at the start.
     State checkDisk();
+    State makeLinear(std::shared_ptr<const LinearState> state, const SteadyResult& rest,
+                     const std::function<bool()>& goOn);
     State solveStart(const std::function<bool()>& goOn);
     /// "start higher (initial.height_offset)"
     std::string startHigher() const;
 
     const Case& case_;
     RecordedFields filmMaps_;
-    Attitude bodyRest_; // where the suspension exerts its load
-    Attitude atCells_;  // of diskOnCells
+    Attitude bodyRest_;           // where the suspension exerts its load
+    Attitude atCells_;            // of diskOnCells
+    double lowestForCells_ = 0.0; // the spacing there [m]
 };
 
 } // namespace touchdown

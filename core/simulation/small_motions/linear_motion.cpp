@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/simulation/contact/disk_under_film.h"
+#include "core/simulation/small_motions/disk_waves.h"
 #include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/film_balance.h"
 #include "core/simulation/static_state/film_setup.h"
@@ -21,50 +21,6 @@ using Complex = std::complex<double>;
 constexpr double modeTolerance = 1e-5; // of s [-]
 constexpr double slow = 1e3;           // at which the film is steady [1/s]
 
-/// Each wave of the surface alone.
-std::vector<DiskSurface> singleWaves(const DiskSurface& surface)
-{
-    std::vector<DiskSurface> waves;
-    if (surface.kind != DiskSurfaceKind::Waves || surface.motion != SurfaceMotion::Moving) return waves;
-    const auto one = [](const std::vector<double>& list, std::size_t k) {
-        return std::vector<double>{list.empty() ? 0.0 : list[k]};
-    };
-    for (std::size_t k = 0; k < surface.waveAmplitudes.size(); ++k) {
-        DiskSurface& wave = waves.emplace_back(surface);
-        wave.waveAmplitudes = one(surface.waveAmplitudes, k);
-        wave.waveLengths = one(surface.waveLengths, k);
-        wave.waveAngles = one(surface.waveAngles, k);
-        wave.wavePhases = one(surface.wavePhases, k);
-    }
-    return waves;
-}
-
-/// A wave of the surface over the film's cells: a sin(phi - omega t) = Re W e^(i omega t), W = w(t = 0) + i w(a quarter
-/// of a period before). With omega < 0 that quarter lies as far ahead.
-struct Wave {
-    double omega = 0.0;                // [1/s]
-    std::vector<double> real, quarter; // [m]; padded
-};
-
-std::vector<Wave> wavesOf(const Case& c, const FilmGaps& gaps)
-{
-    std::vector<Wave> waves;
-    for (const DiskSurface& surface : singleWaves(c.diskSurface)) {
-        const DiskTopography topography(surface);
-        DiskUnderFilm under(c, topography, gaps.grid, gaps.pad);
-        const double number = 2.0 * std::numbers::pi / surface.waveLengths[0],
-                     angle = surface.waveAngles[0]; // [rad/m], [rad]
-        const double omega = number * (under.velocity().x * std::cos(angle) + under.velocity().y * std::sin(angle));
-        if (omega == 0.0) continue;
-        Wave& wave = waves.emplace_back(Wave{.omega = omega, .real = {}, .quarter = {}});
-        wave.real.resize(gaps.pad.size());
-        wave.quarter.resize(gaps.pad.size());
-        under.at(0.0, wave.real);
-        under.at(-0.5 * std::numbers::pi / omega, wave.quarter);
-    }
-    return waves;
-}
-
 /// D(s) in scales of q; a held roll is apart from the other two.
 ComplexMatrix3 scaledDynamic(const SmallMotions& motions, Complex s, const SmallMotions::Film& film)
 {
@@ -73,7 +29,7 @@ ComplexMatrix3 scaledDynamic(const SmallMotions& motions, Complex s, const Small
     return scaled;
 }
 
-MotionTerm answerTo(SmallMotions& motions, const Wave& wave)
+MotionTerm answerTo(SmallMotions& motions, const DiskWave& wave)
 {
     const Complex s(0.0, wave.omega);
     const ComplexVector3 force = motions.force(s, wave.real, wave.quarter);
@@ -89,13 +45,13 @@ MotionTerm answerTo(SmallMotions& motions, const Wave& wave)
 
 /// A mode as excited by a start with velocity v and displacement q, with its force D(0) q, and by the waves.
 MotionTerm setGoing(SmallMotions& motions, const SmallMotions::Mode& mode, const Vector3& displacing, const Vector3& v,
-                    const std::vector<Wave>& waves)
+                    const std::vector<DiskWave>& waves)
 {
     const Complex s = mode.rate;
     ComplexVector3 right = motions.mass().cwiseProduct(v) - displacing / s;
     if (!waves.empty()) {
         std::vector<double> real(waves.front().real.size(), 0.0), imaginary(real), present(real);
-        for (const Wave& wave : waves) {
+        for (const DiskWave& wave : waves) {
             const Complex i(0.0, 1.0), before = 0.5 / (s - i * wave.omega), behind = 0.5 / (s + i * wave.omega);
             for (std::size_t at = 0; at < real.size(); ++at) {
                 const Complex w(wave.real[at], wave.quarter[at]), sum = before * w + behind * std::conj(w);
@@ -163,8 +119,8 @@ LinearMotion linearMotion(const Case& c, const SteadyCallback& callback, MotionP
         motion.message = "a mode is so strongly damped that it does not oscillate, or could not be followed";
         return motion;
     }
-    const std::vector<Wave> waves = wavesOf(c, film->level().gaps);
-    for (const Wave& wave : waves) {
+    const std::vector<DiskWave> waves = diskWaves(c, film->level().gaps);
+    for (const DiskWave& wave : waves) {
         if (stopped()) return motion;
         motion.waves.push_back(answerTo(motions, wave));
     }

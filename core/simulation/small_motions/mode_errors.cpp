@@ -15,9 +15,9 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double tolerance = 1e-6; // of a rate on a coarser grid [-]
-constexpr double perHalving = 0.5; // of an error of first order, when cells are halved [-]
-constexpr int multiple = 16;       // of which numbers of cells are multiples
+constexpr double rateTolerance = 1e-6; // of a rate on a coarser grid [-]
+constexpr double perHalving = 0.5;     // of an error of first order, when cells are halved [-]
+constexpr int multiple = 16;           // of which numbers of cells are multiples
 
 Complex nearest(std::span<const Complex> rates, Complex rate)
 {
@@ -54,7 +54,7 @@ std::vector<Complex> coarserRates(const Case& c, const SteadyResult& fine, doubl
     solver.ask(ask);
     std::vector<Complex> rates;
     for (const SmallMotions::Mode& mode : solver.find(
-             tolerance, [&](std::size_t) { return ask(); }, near))
+             rateTolerance, [&](std::size_t) { return ask(); }, near))
         rates.push_back(mode.rate);
     return goesOn && rates.size() >= near.size() ? rates : std::vector<Complex>{};
 }

@@ -51,6 +51,8 @@ std::vector<ModelPart> partsOf(const Case& c, double roll)
     std::vector<ModelPart> parts;
     addGrids(c, parts);
     std::ranges::reverse(parts);
+    if (c.film.motion == FilmMotion::Full)
+        parts.insert(parts.begin(), {"linear", "the film's own law", {{"film.motion", "linear"}}, "film"});
     if (c.run.steps == StepControl::Adaptive)
         for (const double factor : {100.0, 10.0}) {
             const std::string error = fewDigits(factor * c.run.stepError, "nm", 6);

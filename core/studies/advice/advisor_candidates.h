@@ -8,8 +8,8 @@
 //   wave answer   the motion about the static state that the waves of the disk excite (linear_motion.h)
 //   small motion  the same, with the air bearing modes that the start excites
 //   springs       two lumped springs fitted to the film, with the contact's characteristic (spring_fit.h)
-//   parts         the film in time without one of its parts: a rough disk, contact, adhesion, roll; on fewer grid
-//                 lines; with larger steps
+//   parts         the film in time without one of its parts: its own law (film.motion), a rough disk, contact,
+//                 adhesion, roll; on fewer grid lines; with larger steps
 //   sums          the film in time without several of these parts
 #pragma once
 

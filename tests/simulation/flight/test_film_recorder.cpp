@@ -70,7 +70,8 @@ FilmPoint pointAt(double time, double dt)
 struct Recording {
     Case c;
     Recess recess;
-    MinimumSpacing spacing;
+    MinimumSpacing all;
+    NearbySpacing spacing;
     SliderBody body;
     std::map<std::string, std::size_t> columnOf;
     std::vector<double> time;
@@ -84,7 +85,8 @@ struct Recording {
     explicit Recording(const Case& of)
         : c(of),
           recess(c.surface, length, width),
-          spacing(c.surface, recess),
+          all(c.surface, recess),
+          spacing(all, 0.0),
           body(c, {1e-8, 1e-4, 0.0}),
           columns(filmQuantities(c).size()),
           callback([this](const RunUpdate& update) { return take(update); }),
