@@ -91,6 +91,10 @@ constexpr Row rows[]{
     {"film.solver", "newton", "Newton", "Newton's method with the exact Jacobian."},
     {"film.solver", "line-multigrid", "multigrid (paper)", "Alternating line sweeps on several grids."},
 
+    {"film.motion", "full", "in each step", "The film's equations are solved on the grid in each step."},
+    {"film.motion", "linear", "small motions",
+     "The film's answer to small motions about the static state, without the grid."},
+
     {"film.coupling", "monolithic", "together", "Pressure and attitude are solved at once by one Newton's method."},
     {"film.coupling", "staggered", "in turn (paper)",
      "Film and slider in turn until neither changes; needs short steps."},
