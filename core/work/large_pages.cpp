@@ -18,6 +18,7 @@ void preferLargePages([[maybe_unused]] std::size_t bytes)
 #if defined(__GLIBC__) && defined(__linux__) && defined(MADV_HUGEPAGE)
     constexpr std::size_t page = std::size_t{2} << 20, most = std::size_t{1} << 30;
     constexpr int largestInHeap = 32 << 20; // the most that the library allows [B]
+    if (bytes < page) return;
     bytes = std::min(bytes, most);
     // Fields come from the heap and stay in it. The heap grows at once by what will be needed.
     mallopt(M_MMAP_THRESHOLD, largestInHeap);

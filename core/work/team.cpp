@@ -2,6 +2,7 @@
 #include "core/work/team.h"
 
 #include <bit>
+#include <new>
 #include <system_error>
 #include <utility>
 #if defined(__x86_64__)
@@ -48,6 +49,8 @@ Team::Team(int size) : size_(std::clamp(size, 1, mostThreads)), gain_(TeamGain::
     try {
         for (int k = 1; k < wanted; ++k) threads_.emplace_back([this, k] { serve(k); });
     } catch (const std::system_error&) { // no more threads: those that are there take all blocks
+        if (threads_.empty()) size_ = 1;
+    } catch (const std::bad_alloc&) {
         if (threads_.empty()) size_ = 1;
     }
 }
