@@ -2,7 +2,10 @@
 #include "core/work/team_gain.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+
+#include "core/work/team_trials.h"
 
 namespace touchdown {
 
@@ -12,7 +15,11 @@ constexpr double leastGain = 1.03;   // that is worth more than one core,
 constexpr double gainToReturn = 1.1; // and for which loops are shared again: noise stays below [-]
 constexpr double memory = 0.5;       // weight of the trials before [-]
 
+std::atomic<bool> trials = true;
+
 } // namespace
+
+void setTeamTrials(bool on) { trials = on; }
 
 double TeamGain::now()
 {
@@ -35,7 +42,7 @@ void TeamGain::note(std::uintptr_t loop, double seconds)
 
 void TeamGain::look(double now)
 {
-    if (now < next_) return;
+    if (now < next_ || (phase_ == Phase::Use && !trials)) return;
     switch (phase_) {
     case Phase::Use: begin(); break;
     case Phase::Alone: phase_ = Phase::Together; break;

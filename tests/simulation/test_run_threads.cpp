@@ -16,6 +16,7 @@
 #include "core/simulation/static_state/steady_quantities.h"
 #include "core/studies/study_plan.h"
 #include "core/work/team.h"
+#include "core/work/team_trials.h"
 #include "tests/support/sample_case.h"
 #include "tests/support/test_program.h"
 
@@ -110,6 +111,10 @@ class TestRunThreads : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Every loop is shared, however busy the cores are.
+    void initTestCase() { setTeamTrials(false); }
+    void cleanupTestCase() { setTeamTrials(true); }
+
     void runs_data()
     {
         QTest::addColumn<QString>("name");

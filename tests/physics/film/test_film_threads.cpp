@@ -12,6 +12,7 @@
 #include "core/physics/film/film_oscillation.h"
 #include "core/physics/film/film_step.h"
 #include "core/work/team.h"
+#include "core/work/team_trials.h"
 #include "tests/support/allocation_count.h"
 #include "tests/support/film_problem.h"
 #include "tests/support/test_program.h"
@@ -157,6 +158,10 @@ class TestFilmThreads : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Every loop is shared, however busy the cores are.
+    void initTestCase() { setTeamTrials(false); }
+    void cleanupTestCase() { setTeamTrials(true); }
+
     /// Long in y: rows are shared by seven threads; long in x: columns are.
     void sameBits_data()
     {
