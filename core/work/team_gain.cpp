@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <utility>
 
 #include "core/work/team_trials.h"
 
@@ -14,12 +15,23 @@ namespace {
 constexpr double leastGain = 1.03;   // that is worth more than one core,
 constexpr double gainToReturn = 1.1; // and for which loops are shared again: noise stays below [-]
 constexpr double memory = 0.5;       // weight of the trials before [-]
+constexpr double leastCalls = 0.5;   // of a kind of loop, below which it is gone
 
 std::atomic<bool> trials = true;
 
 } // namespace
 
 void setTeamTrials(bool on) { trials = on; }
+
+/// The place of a kind of loop, or a free one; null: there is none.
+template <class Loops>
+auto* placeOf(Loops& loops, std::uintptr_t key)
+{
+    std::size_t at = (key >> 4 ^ key >> 48) % loops.size();
+    for (std::size_t k = 0; k < loops.size(); ++k, at = (at + 1) % loops.size())
+        if (loops[at].key == 0 || loops[at].key == key) return &loops[at];
+    return static_cast<typename Loops::value_type*>(nullptr);
+}
 
 double TeamGain::now()
 {
@@ -29,15 +41,11 @@ double TeamGain::now()
 void TeamGain::note(std::uintptr_t loop, double seconds)
 {
     const std::size_t which = phase_ == Phase::Together ? 1 : 0;
-    std::size_t at = (loop >> 4 ^ loop >> 48) % loops_.size();
-    for (std::size_t k = 0; k < loops_.size(); ++k, at = (at + 1) % loops_.size()) {
-        Loop& place = loops_[at];
-        if (place.key != 0 && place.key != loop) continue;
-        place.key = loop;
-        place.time[which] += seconds;
-        place.calls[which] += 1.0;
-        return;
-    }
+    Loop* place = placeOf(loops_, loop);
+    if (!place) return;
+    place->key = loop;
+    place->time[which] += seconds;
+    place->calls[which] += 1.0;
 }
 
 void TeamGain::look(double now)
@@ -60,8 +68,12 @@ void TeamGain::look(double now)
 
 void TeamGain::begin()
 {
-    for (Loop& loop : loops_)
+    auto former = decltype(loops_){};
+    std::swap(former, loops_);
+    for (Loop& loop : former) {
         for (std::size_t k = 0; k < 2; ++k) loop.time[k] *= memory, loop.calls[k] *= memory;
+        if (std::max(loop.calls[0], loop.calls[1]) >= leastCalls) *placeOf(loops_, loop.key) = loop;
+    }
     rounds_ = lastRounds_ = std::min(mostRounds, lastRounds_ + 1);
     phase_ = Phase::Alone;
 }

@@ -3,6 +3,7 @@
 
 #include <QTest>
 
+#include "core/work/team_trials.h"
 #include "tests/support/test_program.h"
 
 using namespace touchdown;
@@ -70,6 +71,25 @@ private slots:
     }
 
     /// A trial without a loop that both halves had decides nothing.
+    /// More kinds of loops than it has places are forgotten when they no longer come, and the present ones decide.
+    void forgetsLoopsThatAreGone()
+    {
+        Loops loops{100e-6, 60e-6};
+        for (std::uintptr_t kind = 1; kind <= 400; ++kind) loops.gain.note(kind << 20, 1e-3);
+        QVERIFY(loops.sharedFor(30.0) > 0.9);
+        QVERIFY(std::abs(loops.gain.gain() - 100.0 / 60.0) < 1e-9);
+    }
+
+    void looksForNothingWithoutTrials()
+    {
+        setTeamTrials(false);
+        Loops loops{100e-6, 300e-6};
+        QCOMPARE(loops.sharedFor(3.0) > 0.999, true);
+        QCOMPARE(loops.gain.gain(), 0.0);
+        setTeamTrials(true);
+        QVERIFY(loops.sharedFor(10.0) < 0.5);
+    }
+
     void nothingToCompare()
     {
         TeamGain gain(0.0);
