@@ -21,9 +21,9 @@ TOUCHDOWN_VECTOR_CLONES void setFlows(std::size_t count, const double* lower, co
     for (std::size_t k = 0; k < count; ++k) flow[k] = lower[k] * below[k] + upper[k] * above[k];
 }
 
-/// Storage of a row of cells, perTime V v.
+/// Storage of a row of cells, perTime V v; on vectors, a product of complex numbers.
 template <typename T>
-TOUCHDOWN_VECTOR_CLONES void setStoredRow(std::size_t count, T perTime, const double* volume, const T* v, T* stored)
+void setStoredRow(std::size_t count, T perTime, const double* volume, const T* v, T* stored)
 {
 #pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) stored[k] = perTime * volume[k] * v[k];
@@ -239,7 +239,8 @@ void GasFilm::applyRows(std::span<const T> v, std::span<T> out, FaceFlows<T>& wo
                     &v[at - step], &v[at], flow);
     };
     const auto store = [&](int j) {
-        if (j < pad.ny) setStoredRow(nx, perTime, &volumes()[pad.at(0, j)], &v[pad.at(0, j)], row(work.stored, j));
+        if (j < pad.ny)
+            onVectors<T, setStoredRow<T>>(nx, perTime, &volumes()[pad.at(0, j)], &v[pad.at(0, j)], row(work.stored, j));
         if (!isComplete()) return;
         if (j < pad.ny && perTime != T{}) spread_.spread(j, row(work.stored, j), passing + 6 * up);
         const FilmFaces& f = faces_[1];
