@@ -81,7 +81,7 @@ void setWaves(LinearFilmModel& film, SmallMotions& motions, const std::vector<Di
               const std::function<bool()>& goOn)
 {
     if (waves.empty()) return;
-    const auto scale = motions.scale().asDiagonal();
+    const Eigen::DiagonalMatrix<double, 3> scale(motions.scale()); // its own values: scale() returns a temporary
     double largest = 0.0; // of the lasting forces, at the corners [N]
     for (const DiskWave& wave : waves) {
         if (!goOn()) return;
