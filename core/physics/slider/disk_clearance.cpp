@@ -143,7 +143,7 @@ double DiskClearance::boundOf(const Plane& plane, const Sides& s, const Attitude
 
 /// Whether the gap may be below `below` [m] in the box, and not only on edges.
 bool DiskClearance::canHold(double below, const Box& box, const Sides& s, const Attitude& attitude,
-                            const DiskUnder& disk) const
+                            const DiskUnder& disk)
 {
     if (boundOf({.recess = leastOf(box)}, s, attitude, disk) >= below) return false;
     if (isSmooth(s)) return boundOf(planeOf(s), s, attitude, disk) < below;
@@ -156,7 +156,22 @@ bool DiskClearance::canHold(double below, const Box& box, const Sides& s, const 
             return false; // nowhere level
     }
     const bool tile = box.levelX == knownLevels && box.levelY == knownLevels;
-    return tile || boundOf({.recess = leastRecess(s, 2)}, s, attitude, disk) < below;
+    if (tile) return true;
+    std::optional<double>& least = known(box, s).least;
+    if (!least) least = leastRecess(s, 2);
+    return boundOf({.recess = *least}, s, attitude, disk) < below;
+}
+
+DiskClearance::Known& DiskClearance::known(const Box& box, const Sides& s)
+{
+    static_assert(deepest < 32);
+    constexpr std::size_t most = 1 << 16;
+    if (known_.size() > most) known_.clear();
+    const auto bits = [](int number) { return static_cast<std::uint64_t>(number); };
+    const std::uint64_t key = ((bits(box.levelX) << 5 | bits(box.levelY)) << 21 | bits(box.i)) << 21 | bits(box.j);
+    const auto [at, isNew] = known_.try_emplace(key);
+    if (isNew) at->second.middle = recess_.at(s.x, s.y);
+    return at->second;
 }
 
 /// Whether the gap changes more along the box than across it.
@@ -194,6 +209,21 @@ void DiskClearance::lookAlong(const MinimumSpacing::EdgePart& edge, int level, c
     lookAlong({at, to, recess, edge.recessTo, edge.slack}, level + 1, attitude, time, tolerance, least);
 }
 
+/// All but those at which the gap is larger than at the place of the minimum spacing, wherever the disk is.
+void DiskClearance::seekNearEdges(const Attitude& attitude, double spacing)
+{
+    constexpr double margin = 2e-9, slack = 1e-12; // of displacements; for rounding [m]
+    if (edgesAt_ && displacement(*edgesAt_, attitude, recess_.length(), recess_.width()) <= margin) return;
+    edgesAt_ = attitude;
+    nearEdges_.clear();
+    const double highest = spacing + disk_.highest() - disk_.lowest() + 2.0 * margin + slack;
+    for (const MinimumSpacing::EdgePart& edge : spacing_.edges()) {
+        const double ends = std::min(edge.recess + lift(attitude, edge.from.x, edge.from.y),
+                                     edge.recessTo + lift(attitude, edge.to.x, edge.to.y));
+        if (ends - edge.slack < highest) nearEdges_.push_back(edge);
+    }
+}
+
 DiskClearance::Found DiskClearance::followed(Found from, const Attitude& attitude, double time) const
 {
     const double length = recess_.length(), width = recess_.width();
@@ -228,7 +258,8 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
     }
     least = followed(least, attitude, time);
     const double tolerance = allowed * (disk_.highest() - disk_.lowest());
-    for (const MinimumSpacing::EdgePart& edge : spacing_.edges()) lookAlong(edge, 0, attitude, time, tolerance, least);
+    seekNearEdges(attitude, plane.spacing);
+    for (const MinimumSpacing::EdgePart& edge : nearEdges_) lookAlong(edge, 0, attitude, time, tolerance, least);
     heap_.assign(1, boxOf(0, 0, 0, 0, attitude, time));
     for (std::size_t count = 0; !heap_.empty() && count < mostBoxes; ++count) {
         std::pop_heap(heap_.begin(), heap_.end());
@@ -237,7 +268,7 @@ DiskClearance::Place DiskClearance::at(const Attitude& attitude, double time)
         if (box.bound >= least.gap - tolerance) break;
         const Sides sides = sidesOf(box);
         const DiskUnder disk = under(sides, time);
-        const double middle = recess_.at(sides.x, sides.y);
+        const double middle = known(box, sides).middle;
         look({middle + lift(attitude, sides.x, sides.y) - disk.height, sides.x, sides.y});
         const bool small = box.levelX >= knownLevels;
         if (small && !canHold(least.gap - tolerance, box, sides, attitude, disk)) continue;

@@ -17,7 +17,9 @@
 // up to 1e-3.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/physics/disk/disk_topography.h"
@@ -74,6 +76,7 @@ private:
     struct DiskUnder : DiskPoint {
         CurvatureBound curvature;
     };
+    void seekNearEdges(const Attitude& attitude, double spacing);
     double lift(const Attitude& attitude, double x, double y) const;
     Found gapAt(const Attitude& attitude, double x, double y, double time) const;
     Found followed(Found from, const Attitude& attitude, double time) const;
@@ -90,8 +93,13 @@ private:
     Box boxOf(int levelX, int levelY, int i, int j, const Attitude& attitude, double time) const;
     bool halvesLength(const Box& box, const Sides& sides, const Attitude& attitude, const DiskUnder& disk) const;
     double boundOf(const Plane& plane, const Sides& sides, const Attitude& attitude, const DiskUnder& disk) const;
-    bool canHold(double below, const Box& box, const Sides& sides, const Attitude& attitude,
-                 const DiskUnder& disk) const;
+    bool canHold(double below, const Box& box, const Sides& sides, const Attitude& attitude, const DiskUnder& disk);
+    /// Of a box that edges may cross [m]; remembered, as neighbouring times look at the same boxes.
+    struct Known {
+        double middle = 0.0;
+        std::optional<double> least; // of nine places, once it was asked for
+    };
+    Known& known(const Box& box, const Sides& sides);
 
     const Recess& recess_;
     const MinimumSpacing& spacing_;
@@ -99,6 +107,9 @@ private:
     Velocity velocity_;
     std::vector<std::vector<float>> least_; // recess in the boxes of a level; those of the finest known one below [m]
     std::vector<Box> heap_;
+    std::optional<Attitude> edgesAt_;                 // where nearEdges_ were sought
+    std::vector<MinimumSpacing::EdgePart> nearEdges_; // that may hold the least gap within a margin of it
+    std::unordered_map<std::uint64_t, Known> known_;  // by level and place of a box
     std::optional<SurfacePoint> last_;
     double lastTime_ = 0.0; // [s]
 };

@@ -15,6 +15,7 @@ namespace {
 constexpr int lattice = 128;
 constexpr double shortestMove = 1e-13; // on the way down from the nearest point of the list [m]
 constexpr double beside = 1e-10;       // of the list, on either side of an edge [m]
+constexpr double deepest = 0.1;        // below the nearest point, of the margin, for points that bear nearby [-]
 
 int partsOf(double edge, double sliderLength) { return std::clamp(static_cast<int>(64 * edge / sliderLength), 1, 64); }
 
@@ -68,6 +69,24 @@ std::optional<SurfacePoint> crossing(const Line& a, const Line& b)
 }
 
 } // namespace
+
+class MinimumSpacing::Bearing {
+public:
+    Bearing(double least, double depth) : least_(least), depth_(depth) {}
+    void add(const Candidate& c, double above)
+    {
+        const double weight = 1.0 - (above - least_) / depth_;
+        if (weight <= 0.0) return;
+        weights_ += weight;
+        x_ += weight * c.x;
+        y_ += weight * c.y;
+    }
+    SurfacePoint place() const { return {x_ / weights_, y_ / weights_}; }
+
+private:
+    double least_, depth_; // of the nearest; of those that bear below it [m]
+    double weights_ = 0.0, x_ = 0.0, y_ = 0.0;
+};
 
 MinimumSpacing::MinimumSpacing(const AirBearingSurface& surface, const Recess& recess)
     : recess_(recess), length_(recess.length()), width_(recess.width())
@@ -189,7 +208,11 @@ MinimumSpacing::Place MinimumSpacing::nearestListed(const Attitude& attitude) co
 
 MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
 {
-    const Place listed = nearestListed(attitude);
+    return lowestBeside(nearestListed(attitude), attitude);
+}
+
+MinimumSpacing::Place MinimumSpacing::lowestBeside(const Place& listed, const Attitude& attitude) const
+{
     Place nearest = listed;
     if (!std::isfinite(nearest.spacing)) return nearest;
     for (double step = 2.0 * std::max(length_, width_) / lattice; step > shortestMove;) {
@@ -210,13 +233,14 @@ MinimumSpacing::Place MinimumSpacing::at(const Attitude& attitude) const
 double NearbySpacing::search(const Attitude& attitude)
 {
     searched_ = attitude;
-    const double listed = spacing_.nearestListed(attitude).spacing, spacing = spacing_.at(attitude).spacing;
+    const MinimumSpacing::Place first = spacing_->nearestListed(attitude);
+    const double listed = first.spacing, spacing = spacing_->lowestBeside(first, attitude).spacing;
     down_ = listed - spacing;
     near_.clear();
     // A point that is no nearer than this there comes no nearer than the nearest one within the margin.
-    for (const MinimumSpacing::Candidate& c : spacing_.candidates_) {
-        const double here = spacing_.above(c, attitude);
-        if (here > listed + 2.0 * margin_) continue;
+    for (const MinimumSpacing::Candidate& c : spacing_->candidates_) {
+        const double here = spacing_->above(c, attitude);
+        if (here > listed + (2.0 + deepest) * margin_) continue;
         if (here == listed) nearest_ = near_.size();
         near_.push_back(c);
     }
@@ -225,42 +249,53 @@ double NearbySpacing::search(const Attitude& attitude)
 
 double NearbySpacing::at(const Attitude& attitude)
 {
-    if (!(margin_ > 0.0)) return spacing_.at(attitude).spacing;
-    const auto displacement = [&] {
-        const double tail = attitude.height - searched_->height,
-                     nose = tail + spacing_.length_ * (attitude.pitch - searched_->pitch),
-                     side = 0.5 * spacing_.width_ * std::abs(attitude.roll - searched_->roll);
-        return std::max(std::abs(tail), std::abs(nose)) + side;
+    if (!(margin_ > 0.0)) return spacing_->at(attitude).spacing;
+    double listed = 0.0;
+    return look(attitude, listed);
+}
+
+MinimumSpacing::Place NearbySpacing::bearing(const Attitude& attitude, double depth)
+{
+    if (!(deepest * margin_ > depth)) return spacing_->bearing(attitude, depth);
+    double listed = 0.0;
+    const double spacing = look(attitude, listed);
+    MinimumSpacing::Bearing mean(listed, depth);
+    for (const MinimumSpacing::Candidate& c : near_) mean.add(c, spacing_->above(c, attitude));
+    return {spacing, mean.place()};
+}
+
+/// `listed`: the spacing of the nearest point of the list.
+double NearbySpacing::look(const Attitude& attitude, double& listed)
+{
+    const auto anew = [&] {
+        const double spacing = search(attitude);
+        listed = spacing + down_;
+        return spacing;
     };
-    if (!searched_ || !(displacement() <= margin_)) return search(attitude);
+    if (!searched_ || !(displacement(*searched_, attitude, spacing_->length_, spacing_->width_) <= margin_))
+        return anew();
     std::size_t nearest = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < near_.size(); ++k)
-        if (const double here = spacing_.above(near_[k], attitude); here < least) {
+        if (const double here = spacing_->above(near_[k], attitude); here < least) {
             least = here;
             nearest = k;
         }
-    if (down_ > shortestMove && nearest != nearest_) return search(attitude);
+    if (down_ > shortestMove && nearest != nearest_) return anew();
+    listed = least;
     return least - down_;
 }
 
 MinimumSpacing::Place MinimumSpacing::bearing(const Attitude& attitude, double depth) const
 {
-    const double least = nearestListed(attitude).spacing;
-    double weights = 0.0, x = 0.0, y = 0.0;
+    const Place listed = nearestListed(attitude);
+    Bearing mean(listed.spacing, depth);
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
-        if (1.0 - (bound(blocks_[b], attitude) - least) / depth <= 0.0) continue;
+        if (1.0 - (bound(blocks_[b], attitude) - listed.spacing) / depth <= 0.0) continue;
         const std::size_t end = std::min((b + 1) * blockSize, candidates_.size());
-        for (std::size_t k = b * blockSize; k < end; ++k) {
-            const Candidate& c = candidates_[k];
-            const double weight = 1.0 - (above(c, attitude) - least) / depth;
-            if (weight <= 0.0) continue;
-            weights += weight;
-            x += weight * c.x;
-            y += weight * c.y;
-        }
+        for (std::size_t k = b * blockSize; k < end; ++k) mean.add(candidates_[k], above(candidates_[k], attitude));
     }
-    return {at(attitude).spacing, {x / weights, y / weights}};
+    return {lowestBeside(listed, attitude).spacing, mean.place()};
 }
 
 } // namespace touchdown

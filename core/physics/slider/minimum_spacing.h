@@ -53,6 +53,10 @@ private:
         double x0, x1, y0, y1, recess; // [m]
     };
     Place nearestListed(const Attitude& attitude) const;
+    /// Down from the nearest point of the list.
+    Place lowestBeside(const Place& listed, const Attitude& attitude) const;
+    /// The mean place of those of a part of the list that bear.
+    class Bearing;
     void setBlocks();
     void addEdgePart(SurfacePoint from, SurfacePoint to);
     double above(const Candidate& c, const Attitude& attitude) const
@@ -77,9 +81,11 @@ private:
 class NearbySpacing {
 public:
     /// The spacing must last. With a margin of zero each attitude is searched in full.
-    NearbySpacing(const MinimumSpacing& spacing, double margin) : spacing_(spacing), margin_(margin) {}
+    NearbySpacing(const MinimumSpacing& spacing, double margin) : spacing_(&spacing), margin_(margin) {}
 
     double at(const Attitude& attitude); // [m]
+    /// As MinimumSpacing::bearing; of a depth above a tenth of the margin by a full search.
+    MinimumSpacing::Place bearing(const Attitude& attitude, double depth);
 
     /// Where it was last searched, written or read.
     void pass(auto& stream)
@@ -90,8 +96,9 @@ public:
 
 private:
     double search(const Attitude& attitude);
+    double look(const Attitude& attitude, double& listed);
 
-    const MinimumSpacing& spacing_;
+    const MinimumSpacing* spacing_;
     double margin_; // of the corners' displacement [m]
     std::optional<Attitude> searched_;
     std::vector<MinimumSpacing::Candidate> near_;

@@ -43,6 +43,7 @@ PadContact::PadContact(const Case& c, std::unique_ptr<SeparationLaw> law, const 
     : law_(std::move(law)),
       lever_(c),
       spacing_(spacing),
+      near_(spacing, 0.0),
       length_(c.slider.length),
       width_(c.slider.width),
       first_(c.initial.branch)
@@ -58,16 +59,23 @@ void PadContact::begin(ContactBranch branch, const Attitude& attitude)
 const SliderContactForces& PadContact::at(const Attitude& attitude, double)
 {
     attitude_ = attitude;
+    place_ = {};
     stiffness_.reset();
     if (!begun_) law_->begin(first_, separation(attitude));
     forces_ = {};
-    if (law_->acts()) loadAt(attitude, law_->at(spacing_.bearing(attitude, bearingDepth).spacing), forces_);
+    if (law_->acts()) loadAt(place(), law_->at(place().spacing), forces_);
     return forces_;
 }
 
-Vector3 PadContact::loadAt(const Attitude& attitude, const SeparationForces& law, SliderContactForces& forces) const
+const MinimumSpacing::Place& PadContact::place() const
 {
-    const MinimumSpacing::Place place = spacing_.bearing(attitude, bearingDepth);
+    if (!place_) place_ = near_.bearing(attitude_, bearingDepth);
+    return *place_;
+}
+
+Vector3 PadContact::loadAt(const MinimumSpacing::Place& place, const SeparationForces& law,
+                           SliderContactForces& forces) const
+{
     const Vector3 arms = lever_.arms(place.at.x, place.at.y);
     const ContactLever::Rubbing rubbing = lever_.rubbing(place.at.x, place.at.y);
     forces.contact = law.contact.at(place.spacing);
@@ -87,9 +95,9 @@ Matrix3 PadContact::stiffness() const
     if (stiffness_) return *stiffness_;
     Matrix3& result = stiffness_.emplace(Matrix3::Zero());
     if (!law_->acts()) return result;
-    const SeparationForces law = law_->at(spacing_.bearing(attitude_, bearingDepth).spacing);
+    const SeparationForces law = law_->at(place().spacing);
     SliderContactForces forces;
-    const Vector3 load = loadAt(attitude_, law, forces);
+    const Vector3 load = loadAt(place(), law, forces);
     const Vector3 step{stiffnessStep, stiffnessStep / length_, stiffnessStep / width_};
     for (Eigen::Index m = 0; m < 3; ++m) {
         Vector3 moved = Vector3::Zero();
@@ -97,11 +105,13 @@ Matrix3 PadContact::stiffness() const
         // Turning about the mass centre lifts the trailing edge's centre by -L/2 pitch.
         const Attitude attitude{attitude_.height + moved[0] - 0.5 * length_ * moved[1], attitude_.pitch + moved[1],
                                 attitude_.roll + moved[2]};
-        const Vector3 there = loadAt(attitude, law, forces);
+        const Vector3 there = loadAt(near_.bearing(attitude, bearingDepth), law, forces);
         result.col(m) = (load - there) / step[m];
     }
     return result;
 }
+
+void PadContact::moveLittle(double margin) { near_ = {spacing_, margin}; }
 
 bool PadContact::outOfReach(const Attitude& attitude) const { return law_->outOfReach(separation(attitude)); }
 

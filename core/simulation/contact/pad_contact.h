@@ -37,26 +37,31 @@ public:
     void accept() override;
     void begin(ContactBranch branch, const Attitude& attitude) override;
 
-    double separation(const Attitude& attitude) const override { return spacing_.at(attitude).spacing; }
+    double separation(const Attitude& attitude) const override { return near_.at(attitude); }
     Interval interval() const override { return law_->interval(); }
     std::string cross(bool upper) override;
-    void pass(StateStream& stream) override { stream(*law_, begun_, attitude_); }
+    void moveLittle(double margin) override;
+    void pass(StateStream& stream) override { stream(*law_, begun_, attitude_, near_); }
 
     /// Where the law is Ono and Yamane's; else null.
     CharacteristicLaw* characteristic() { return dynamic_cast<CharacteristicLaw*>(law_.get()); }
 
 private:
-    Vector3 loadAt(const Attitude& attitude, const SeparationForces& law, SliderContactForces& forces) const;
+    /// Where the pad bears at attitude_.
+    const MinimumSpacing::Place& place() const;
+    Vector3 loadAt(const MinimumSpacing::Place& place, const SeparationForces& law, SliderContactForces& forces) const;
 
     std::unique_ptr<SeparationLaw> law_;
     ContactLever lever_;
     const MinimumSpacing& spacing_;
+    mutable NearbySpacing near_;
     double length_, width_; // of the slider [m]
     ContactBranch first_;
     bool begun_ = false;
     Attitude attitude_; // of the last call
     SliderContactForces forces_;
-    mutable std::optional<Matrix3> stiffness_; // at attitude_, once it was asked for
+    mutable std::optional<MinimumSpacing::Place> place_; // at attitude_, once it was asked for
+    mutable std::optional<Matrix3> stiffness_;           // at attitude_, once it was asked for
 };
 
 } // namespace touchdown

@@ -82,6 +82,10 @@ public:
     /// Sets `field` (padded) to zero in the film's cells where the surfaces touch.
     virtual void clearTouching(std::span<double> /*field*/) const {}
 
+    /// From now on the slider moves about one attitude; of the places where it may bear, only those are looked at that
+    /// a displacement of its corners by `margin` [m] can bring nearest (NearbySpacing).
+    virtual void moveLittle(double /*margin*/) {}
+
     /// Fills the values of contactFields() at the last call.
     virtual void observe(FieldSnapshot& snapshot) const { snapshot.values.clear(); }
     /// Errors, from grid and patches, of the accepted state of the largest contact force. It replaces

@@ -157,6 +157,16 @@ void TestDiskClearance::noPointIsLower()
     };
     const DiskClearance::Place place = scene.clearance.at(attitude, time);
     QVERIFY(std::abs(place.gap - gapAt(place.at.x, place.at.y)) < 1e-18);
+    // What it remembers of one attitude and time serves at others, nearby and far.
+    for (const double size : {0.0, 0.5e-9, 1.5e-9, 30e-9}) {
+        const Attitude moved{attitude.height + size * draw(-1.0, 1.0), attitude.pitch + size * draw(-1.0, 1.0) / length,
+                             attitude.roll + size * draw(-1.0, 1.0) / width};
+        const double then = time * draw(0.0, 3.0);
+        Scene fresh{surface, DiskTopography(disk), {shiftX / time, shiftY / time}};
+        const double known = scene.clearance.at(moved, then).gap, sought = fresh.clearance.at(moved, then).gap;
+        QVERIFY2(std::abs(known - sought) <= 1e-3 * (scene.disk.highest() - scene.disk.lowest()),
+                 qPrintable(QString("%1: %2, %3").arg(size).arg(known).arg(sought)));
+    }
 
     constexpr int lattice = 700;
     double least = 1.0, x0 = 0.0, y0 = 0.0;

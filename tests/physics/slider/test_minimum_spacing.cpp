@@ -252,6 +252,13 @@ void TestMinimumSpacing::nearbyAttitudesNeedNoSearch()
             QCOMPARE(exact.at(at), spacing.at(at).spacing);
             QVERIFY2(std::abs(nearby.at(at) - spacing.at(at).spacing) < 1e-14,
                      qPrintable(QString("%1 %2: %3").arg(slider).arg(k).arg(nearby.at(at) - spacing.at(at).spacing)));
+            // Whatever bears is among what is known; of a depth beyond it all points are looked at.
+            for (const double depth : {1e-11, 1e-10, 1e-9}) {
+                const MinimumSpacing::Place whole = spacing.bearing(at, depth), near = nearby.bearing(at, depth);
+                QVERIFY(std::abs(near.spacing - whole.spacing) < 1e-14);
+                QCOMPARE(near.at.x, whole.at.x);
+                QCOMPARE(near.at.y, whole.at.y);
+            }
         }
         const double far = 1e-9;
         QVERIFY(std::isnan(nearby.at({std::nan(""), rest.pitch, rest.roll})) ||
