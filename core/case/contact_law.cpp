@@ -125,6 +125,17 @@ std::optional<std::string> contactRefusal(const Case& c)
 
 bool contactActs(const Case& c) { return contactLaw(c).whyNot(c.model).empty(); }
 
+Case withContactOf(Case c, const Case& other)
+{
+    c.contact = other.contact;
+    c.onoYamane = other.onoYamane;
+    c.elastic = other.elastic;
+    c.adhesion = other.adhesion;
+    c.asperity = other.asperity;
+    c.meniscus = other.meniscus;
+    return c;
+}
+
 std::optional<OnoYamane> characteristic(const Case& c)
 {
     if (c.contact != ContactKind::OnoYamane) return {};

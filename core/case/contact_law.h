@@ -48,6 +48,9 @@ std::optional<std::string> contactRefusal(const Case& c);
 /// Whether the law of a case acts in its model.
 bool contactActs(const Case& c);
 
+/// A case with the law of contact of another, and with the values of all laws.
+Case withContactOf(Case c, const Case& other);
+
 /// The five parameters of Ono and Yamane; none where another law acts.
 std::optional<OnoYamane> characteristic(const Case& c);
 /// The work W of their cycle (core/physics/contact/ono_yamane.h) [J].

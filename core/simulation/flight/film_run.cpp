@@ -56,9 +56,9 @@ public:
     {}
 
     /// `known`: a static state in hand; null: none.
-    Summary run(const StaticSolution* known)
+    Summary run(const StaticSolution* known, bool nearby)
     {
-        if (from_ ? resume() : prepare(known)) advance();
+        if (from_ ? resume() : prepare(known, nearby)) advance();
         if (recorder_) {
             recorder_->end();
             if (!run_.send(reached()) && end_.completed()) stop();
@@ -100,9 +100,9 @@ private:
     }
 
     /// False when the run ends here.
-    bool prepare(const StaticSolution* known)
+    bool prepare(const StaticSolution* known, bool nearby)
     {
-        switch (scene_.prepare([this] { return goOn(); }, known)) {
+        switch (scene_.prepare([this] { return goOn(); }, known, nearby)) {
         case FilmScene::State::Stopped: return stop();
         case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
@@ -168,9 +168,10 @@ private:
         FilmLevel& level = *scene_.level;
         CoupledStepOptions stepping = steppingOf(case_, level.film);
         stepping.goOn = [this] { return goOn(); };
-        if (scene_.linear)
+        if (scene_.linear) {
             film_ = linear_ = std::make_shared<LinearFilm>(*scene_.linear);
-        else
+            if (contact_) contact_->moveLittle(linear_->smallMotion());
+        } else
             film_ = cells_ = std::make_shared<FilmOnCells>(level.film, *body_, contact_, &*scene_.disk, stepping.film,
                                                            level.pressure);
         stepper_.emplace(*film_, *body_, contact_, stepping);
@@ -433,7 +434,7 @@ private:
 
 Summary runFilm(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
-    return FilmRun(c, callback, options).run(options.rest.get());
+    return FilmRun(c, callback, options).run(options.rest.get(), options.nearby);
 }
 
 } // namespace touchdown

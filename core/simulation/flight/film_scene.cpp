@@ -23,8 +23,9 @@ namespace touchdown {
 
 namespace {
 
-constexpr double lowerForCells = 0.8;  // of the spacing at which the cells were last compared with the disk [-]
-constexpr double leastForCells = 1e-9; // below which they need no comparison [m]
+constexpr double lowerForCells = 0.8;     // of the spacing at which the cells were last compared with the disk [-]
+constexpr double leastForCells = 1e-9;    // below which they need no comparison [m]
+constexpr double farthestFromRest = 1e-6; // no film is linear so far from its static state [m]
 
 } // namespace
 
@@ -53,12 +54,14 @@ SteadyResult FilmScene::findRest(const StaticSolution* known, const std::functio
     return known->state.gaps ? known->state : steadyNear(still, still, known->state, ask);
 }
 
-FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const StaticSolution* known)
+FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const StaticSolution* known, bool nearby)
 {
     topography = diskTopography(case_, goOn);
     if (!goOn()) return State::Stopped;
-    const std::shared_ptr<const LinearState> kept = isLinear() ? knownLinearState(case_) : nullptr;
-    const SteadyResult rest = kept ? kept->rest : findRest(known, goOn);
+    const std::shared_ptr<const LinearState> kept = !isLinear() ? nullptr
+                                                    : nearby    ? nearestLinearState(case_)
+                                                                : knownLinearState(case_);
+    SteadyResult rest = kept ? kept->rest : findRest(known, goOn);
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
     if (isLinear() && rest.status != SteadyStatus::Converged)
@@ -74,8 +77,19 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
             rest.message);
     else if (std::string note = noteOnHeldRoll(case_, rest); !note.empty() && !rest.contact.acts())
         warnings.push_back(std::move(note));
+    bool moved = false;
     bodyRest_ = balanced ? rest.suspensionRest.value_or(rest.attitude) : start;
+    if (!makeParts(rest, goOn)) return State::Stopped;
     body.emplace(case_, bodyRest_);
+    if (kept && !isStateOf(*kept, case_)) {
+        const SliderBody before(kept->solved, bodyRest_);
+        const Vector3 load = body->load() - before.load();
+        bodyRest_ = body->attitude(before.rest() + stepOf(kept->film.fit.at(0.0).real(), load));
+        body.emplace(case_, bodyRest_);
+        if (!moveRest(kept->film, rest))
+            return fail("with the film linear about the state of a similar case no state of rest was found");
+        moved = true;
+    }
     if (fromRest) {
         Vector3 q = body->coordinates(rest.attitude);
         q[0] += case_.initial.heightOffset;
@@ -84,7 +98,7 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
         start = body->attitude(q);
     }
 
-    if (!makeParts(rest, goOn)) return State::Stopped;
+    if (moved && contact) contact->begin(case_.initial.branch, start);
     if (fromRest && rest.contact.acts()) {
         contact->begin(rest.contact.branch, start);
         contact->at(start, 0.0);
@@ -102,6 +116,46 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
     const State state = solveStart(goOn);
     if (!balanced) restEnergy = FilmEnergy(level->film).at(level->pressure).stored;
     return state;
+}
+
+/// Newton's step against a force; zero for a held roll.
+Vector3 FilmScene::stepOf(Matrix3 stiffness, Vector3 force) const
+{
+    if (body->holdsRoll()) {
+        holdRoll(stiffness);
+        force[2] = 0.0;
+    }
+    return solvePartialPivoting(stiffness, force);
+}
+
+bool FilmScene::moveRest(const LinearFilmModel& film, SteadyResult& rest)
+{
+    constexpr int mostSteps = 60;
+    constexpr double longest = 1e-9, exact = 1e-16; // displacements of the corners [m]
+    const Matrix3 still = film.fit.at(0.0).real(), springs = body->springs().asDiagonal();
+    const ContactBranch branch = rest.contact.acts() ? rest.contact.branch : case_.initial.branch;
+    Vector3 q = body->coordinates(rest.attitude);
+    for (int k = 0; k < mostSteps; ++k) {
+        rest.attitude = body->attitude(q);
+        Vector3 force = film.force - still * (q - film.place) + body->suspension(q, Vector3::Zero());
+        Matrix3 stiffness = still + springs;
+        if (contact) {
+            contact->begin(branch, rest.attitude);
+            const SliderContactForces& touching = contact->at(rest.attitude, 0.0);
+            if (!touching.problem.empty()) return false;
+            force += touching.load();
+            stiffness += contact->stiffness();
+            rest.contact.contact = touching.contact;
+            rest.contact.adhesion = touching.adhesion;
+            rest.contact.branch = branch;
+        }
+        const Vector3 change = stepOf(stiffness, force);
+        const double far = body->displacement(change);
+        if (!(far < farthestFromRest)) return false;
+        if (far <= exact) return true;
+        q += std::min(1.0, longest / far) * change;
+    }
+    return false;
 }
 
 bool FilmScene::makeParts(const SteadyResult& rest, const std::function<bool()>& goOn)
@@ -198,6 +252,7 @@ FilmScene::State FilmScene::makeLinear(std::shared_ptr<const LinearState> state,
     }
     if (!state || !goOn()) return State::Stopped;
     linear = std::make_unique<LinearFilmModel>(state->film);
+    linear->rest = body->coordinates(rest.attitude);
     if (case_.diskSurface.kind == DiskSurfaceKind::Rough)
         warnings.push_back("the linear film takes the disk as smooth: its roughness acts on the contact alone "
                            "(film.motion)");

@@ -38,8 +38,8 @@ public:
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
     /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
-    /// `known`: a static state in hand, which is used if it is that of the case; null: none.
-    State prepare(const std::function<bool()>& goOn, const StaticSolution* known = nullptr);
+    /// `known`: a static state in hand, which is used if it is that of the case; null: none. `nearby`: see RunOptions.
+    State prepare(const std::function<bool()>& goOn, const StaticSolution* known = nullptr, bool nearby = false);
     /// In place of prepare(), which was Ready for the run that is continued. `level->pressure` is not that of the
     /// start.
     State restore(StateStream& stream, const std::function<bool()>& goOn);
@@ -77,6 +77,9 @@ private:
     bool makeParts(const SteadyResult& rest, const std::function<bool()>& goOn);
     void pass(StateStream& stream);
     bool isLinear() const;
+    Vector3 stepOf(Matrix3 stiffness, Vector3 force) const;
+    /// Moves a state of rest of a similar case to that of this one, with the film linear about it; false: not found.
+    bool moveRest(const LinearFilmModel& film, SteadyResult& rest);
     /// Where no law of contact acts the disk must not reach the slider at the start.
     State checkDisk();
     State makeLinear(std::shared_ptr<const LinearState> state, const SteadyResult& rest,

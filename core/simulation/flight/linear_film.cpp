@@ -14,9 +14,6 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double errorPerSize = 2.1; // holds for 19 of 20 drawn motions (tests/bench/README.md) [-]
-constexpr double leastGap = 0.3e-9;  // as which a smaller spacing counts [m]
-
 /// Of a real pole its own part, of a pair both parts.
 double partsOf(Complex rate) { return rate.imag() == 0.0 ? 1.0 : 2.0; }
 
@@ -153,8 +150,9 @@ double LinearFilm::smallMotion() const
 
 void LinearFilm::lookAtMotion(double dt)
 {
-    const double gap = std::max(model_.spacing, leastGap);
-    const double size = accepted_.q.cwiseAbs().dot(model_.arms) / gap, waves = model_.waviness / gap;
+    const double gap = std::max(model_.spacing, leastLinearGap);
+    const Vector3 fromRest = accepted_.q + model_.place - model_.rest;
+    const double size = fromRest.cwiseAbs().dot(model_.arms) / gap, waves = model_.waviness / gap;
     const double square = size * size, all = square + waves * waves;
     largestSize_ = std::max(largestSize_, size);
     squares_ += dt * square;
@@ -165,7 +163,7 @@ void LinearFilm::lookAtMotion(double dt)
 
 double LinearFilm::errorBy(double fourths) const
 {
-    return errorPerSize * (squares_ > 0.0 ? std::sqrt(fourths / squares_) : largestSize_);
+    return linearErrorPerSize * (squares_ > 0.0 ? std::sqrt(fourths / squares_) : largestSize_);
 }
 
 double LinearFilm::linearityError() const { return errorBy(fourths_); }

@@ -123,6 +123,7 @@ struct Summary {
     long long evaluations = 0;  // of the right-hand side
     double solverSeconds = 0.0; // integration and dense output alone, of wall time
     double wallSeconds = 0.0;   // with samples, callback and statistics
+    int threads = 1;            // that shared the loops of a film
     std::string model;
     std::string integrator;
     std::vector<std::pair<std::string, double>> final;    // quantity name -> value; only finite ones
@@ -165,6 +166,9 @@ struct RunOptions {
         false; // springs: report the integrator's energy error as figure "energy_balance", as film runs do
     /// Film: a static state in hand. If it is that of the case, the run starts from it and does not solve for it again.
     std::shared_ptr<const StaticSolution> rest = nullptr;
+    /// A linear film may be linear about the static state of a similar case that is kept (nearestLinearState), whose
+    /// film is the same: a look at once, for one who moves a value. What it finds depends on what was run before.
+    bool nearby = false;
     /// Wall time between two checkpoints [s]; none: there are no checkpoints. Integrator `cvode` makes none.
     std::optional<double> checkpointEach{};
     /// The state from which the run continues; what was sent before is not sent again. Null: from its start.

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
+#include "core/case/contact_law.h"
 #include "core/formats/units.h"
 #include "core/numerics/rational_fit.h"
 #include "core/physics/disk/disk_surface_check.h"
@@ -82,7 +84,7 @@ void setWaves(LinearFilmModel& film, SmallMotions& motions, const std::vector<Di
 {
     if (waves.empty()) return;
     const Eigen::DiagonalMatrix<double, 3> scale(motions.scale()); // its own values: scale() returns a temporary
-    double largest = 0.0; // of the lasting forces, at the corners [N]
+    double largest = 0.0;                                          // of the lasting forces, at the corners [N]
     for (const DiskWave& wave : waves) {
         if (!goOn()) return;
         const ComplexVector3 force = motions.force({0.0, wave.omega}, wave.real, wave.quarter);
@@ -111,11 +113,27 @@ void setWaves(LinearFilmModel& film, SmallMotions& motions, const std::vector<Di
         for (const RationalSample& sample : others)
             missed = std::max(missed, sample.s.imag() * std::abs(part.at(sample.s, k) - sample.values[k]));
     }
-    film.transientError = missed / largest;
+    film.transientError = largest > 0.0 ? missed / largest : 0.0;
     const RationalFit fit = fitResidues(samples, poles, false);
     for (const std::vector<Complex>& residue : fit.residues)
         film.transient.push_back(motions.scale().cwiseInverse().asDiagonal() *
                                  ComplexVector3(residue[0], residue[1], residue[2]));
+}
+
+/// By which ratio the waves of a case are those of another one; nothing where they are others.
+std::optional<double> ratioOfWaves(const DiskSurface& surface, const DiskSurface& known)
+{
+    if (!hasWaves(surface)) return 0.0;
+    if (!hasWaves(known) || known.waveAmplitudes.size() != surface.waveAmplitudes.size()) return std::nullopt;
+    const double ratio = surface.waveAmplitudes.front() / known.waveAmplitudes.front();
+    DiskSurface scaled = known;
+    for (std::size_t k = 0; k < known.waveAmplitudes.size(); ++k) {
+        const double amplitude = ratio * known.waveAmplitudes[k];
+        constexpr double rounding = 1e-12;
+        if (!(std::abs(surface.waveAmplitudes[k] - amplitude) <= rounding * std::abs(amplitude))) return std::nullopt;
+        scaled.waveAmplitudes[k] = surface.waveAmplitudes[k];
+    }
+    return scaled == surface ? std::optional(ratio) : std::nullopt;
 }
 
 /// Whether the film answers to the disks of two cases in the same way.
@@ -126,14 +144,69 @@ bool sameWaves(const Case& a, const Case& b)
 
 } // namespace
 
+void LinearFilmModel::scaleWaves(double ratio)
+{
+    if (ratio == 0.0) { // none, without an error
+        waves.clear();
+        transient.clear();
+        waviness = transientError = 0.0;
+        return;
+    }
+    for (Wave& wave : waves) wave.force *= ratio;
+    for (ComplexVector3& amplitude : transient) amplitude *= ratio;
+    waviness *= std::abs(ratio);
+}
+
+bool isStateOf(const LinearState& state, const Case& c)
+{
+    Case undamped = c;
+    const SuspensionCase& solved = state.solved.suspension;
+    undamped.suspension.damping = solved.damping;
+    undamped.suspension.pitchDamping = solved.pitchDamping;
+    undamped.suspension.rollDamping = solved.rollDamping;
+    return isRestOf(undamped, state.solved, state.rest);
+}
+
 std::shared_ptr<const LinearState> knownLinearState(const Case& c)
 {
     Kept& all = kept();
     const std::lock_guard lock(all.mutex);
     std::shared_ptr<const LinearState> found;
     for (const auto& state : all.states)
-        if (isRestOf(c, state->solved, state->rest) && (!found || sameWaves(state->solved, c))) found = state;
+        if (isStateOf(*state, c) && (!found || sameWaves(state->solved, c))) found = state;
     return found;
+}
+
+bool hasLinearState(const Case& c)
+{
+    const std::shared_ptr<const LinearState> own = knownLinearState(c);
+    return own && (answersDisk(*own, c) || !hasWaves(c.diskSurface)); // waves are left out at once
+}
+
+std::shared_ptr<const LinearState> nearestLinearState(const Case& c)
+{
+    const Case sought = attitudeCase(c);
+    // A contact that sees the disk finds its mean plane in a static state alone.
+    const bool seesWaves = contactLaw(c).seesDisk && c.diskSurface.kind != DiskSurfaceKind::Flat;
+    Kept& all = kept();
+    const std::lock_guard lock(all.mutex);
+    std::shared_ptr<const LinearState> nearest;
+    double ratio = 1.0;
+    bool isOwn = false;
+    for (const auto& state : all.states) {
+        const bool own = isStateOf(*state, c);
+        if ((nearest && (isOwn || !own)) || (!own && (seesWaves || !sameFilmApart(sought, state->solved)))) continue;
+        const std::optional<double> scale = ratioOfWaves(c.diskSurface, state->solved.diskSurface);
+        if (!scale && !sameWaves(state->solved, c)) continue;
+        nearest = state;
+        ratio = sameWaves(state->solved, c) ? 1.0 : *scale;
+        isOwn = own;
+    }
+    if (!nearest || ratio == 1.0) return nearest;
+    auto scaled = std::make_shared<LinearState>(*nearest);
+    scaled->solved.diskSurface = c.diskSurface;
+    scaled->film.scaleWaves(ratio);
+    return scaled;
 }
 
 bool answersDisk(const LinearState& state, const Case& c) { return sameWaves(state.solved, c); }
@@ -157,7 +230,7 @@ std::shared_ptr<const LinearState> makeLinearState(const Case& c, SteadyResult r
             throw std::runtime_error("the contact of the static state was not solved again (film.motion)");
         if (!slider) return nullptr;
         FilmLevel& level = slider->level();
-        film.place = slider->body().coordinates(rest.attitude);
+        film.place = film.rest = slider->body().coordinates(rest.attitude);
         film.force = slider->body().filmForce(level.loads.loadAndShear(level.pressure));
         film.ambientForce = level.film.ambient() * c.slider.length * c.slider.width;
         film.spacing = rest.minimumSpacing;
@@ -178,9 +251,7 @@ std::shared_ptr<const LinearState> makeLinearState(const Case& c, SteadyResult r
     auto state = std::make_shared<const LinearState>(LinearState{attitudeCase(c), std::move(rest), std::move(film)});
     Kept& all = kept();
     const std::lock_guard lock(all.mutex);
-    std::erase_if(all.states, [&](const auto& other) {
-        return isRestOf(c, other->solved, other->rest) && sameWaves(other->solved, c);
-    });
+    std::erase_if(all.states, [&](const auto& other) { return isStateOf(*other, c) && sameWaves(other->solved, c); });
     all.states.insert(all.states.begin(), state);
     all.states.resize(std::min(all.states.size(), mostKept));
     return state;

@@ -17,6 +17,7 @@ namespace touchdown {
 /// A film about a static state.
 struct LinearFilmModel {
     Vector3 place = Vector3::Zero(); // q of the state [m], [rad]
+    Vector3 rest = Vector3::Zero();  // q about which the slider moves: `place`, if the state is that of its own case
     Vector3 force = Vector3::Zero(); // F_0 about the mass centre, with the torques of the shear [N], [N m]
     FilmFit fit;
     double spacing = 0.0;           // minimum spacing of the state [m]
@@ -34,9 +35,11 @@ struct LinearFilmModel {
     std::vector<ComplexVector3> transient; // a_k; empty without waves
     double transientError = 0.0; // of it at frequencies not fitted, against the largest force of the waves [-]
 
+    /// The waves get this many times their amplitude.
+    void scaleWaves(double ratio);
     void pass(auto& stream)
     {
-        stream(place, force, fit, spacing, arms, waviness, ambientForce, waves, transient, transientError);
+        stream(place, rest, force, fit, spacing, arms, waviness, ambientForce, waves, transient, transientError);
     }
 };
 
@@ -48,6 +51,16 @@ struct LinearState {
 
 /// One that is kept for this case, maybe with another disk surface; null: none.
 std::shared_ptr<const LinearState> knownLinearState(const Case& c);
+
+/// Whether one is kept for this case with its disk: a run of it needs no other.
+bool hasLinearState(const Case& c);
+
+/// One that is kept for this case; else one of a case with the same film apart from contact and load (sameFilmApart),
+/// with its waves of this case's amplitude: an exact film about another attitude. Null: none.
+std::shared_ptr<const LinearState> nearestLinearState(const Case& c);
+
+/// Whether it is the state of this case: what a run would find. Dampers do not act at rest.
+bool isStateOf(const LinearState& state, const Case& c);
 
 /// Whether its film knows the disk of this case.
 bool answersDisk(const LinearState& state, const Case& c);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/static_state/static_solution.h"
 
+#include "core/case/contact_law.h"
 #include "core/physics/slider/surface_edit.h"
 #include "core/simulation/static_state/contact_rest.h"
 
@@ -20,6 +21,21 @@ bool sameFilm(const Case& a, Case b)
     b.film.linearLimit = a.film.linearLimit;
     b.spectrum = a.spectrum;
     return a == b;
+}
+
+bool sameFilmApart(const Case& a, const Case& b)
+{
+    if (contactLaw(a).recordsSurfaces || contactLaw(b).recordsSurfaces) return false; // it deforms the disk
+    Case same = withContactOf(b, a);
+    same.suspension = a.suspension;
+    same.slider.mass = a.slider.mass;
+    same.slider.pitchInertia = a.slider.pitchInertia;
+    same.slider.rollInertia = a.slider.rollInertia;
+    same.diskSurface = a.diskSurface;
+    same.initial = a.initial;
+    same.initial.roll = b.initial.roll; // with two degrees of freedom it is held there
+    same.initial.branch = b.initial.branch;
+    return sameFilm(a, same);
 }
 
 Case withRunOf(Case c, const Case& run)

@@ -16,6 +16,10 @@ struct StaticSolution {
 /// Nothing that a static state and its search depend on differs. A wall profile that no edge has is nothing.
 bool sameFilm(const Case& a, Case b);
 
+/// The film at rest over the mean plane of the disk is the same at any attitude, and no contact deforms the disk: load,
+/// inertia, suspension, contact, waves and start may differ, but not the branch of the contact.
+bool sameFilmApart(const Case& a, const Case& b);
+
 /// `c` with what only a run in time uses as `run` has it: the disk's surface where no contact at rest sees it, the run
 /// and its spectra, and how it starts from an attitude.
 Case withRunOf(Case c, const Case& run);

@@ -162,6 +162,105 @@ private slots:
         QVERIFY(!knownLinearState(other));
     }
 
+    // Who moves a value sees at once what the same film does about the state of another value: where the slider rests
+    // then, and how it moves about that.
+    void looksAboutTheStateOfASimilarCase_data()
+    {
+        QTest::addColumn<double>("friction");
+        QTest::addColumn<double>("meniscus");
+        QTest::addColumn<double>("load");
+        QTest::addColumn<double>("mass");
+        QTest::newRow("friction") << 0.9 << 1.0 << 1.0 << 1.0;
+        QTest::newRow("menisci") << 1.0 << 1.03 << 1.0 << 1.0;
+        QTest::newRow("load") << 1.0 << 1.0 << 1.005 << 1.0;
+        QTest::newRow("mass") << 1.0 << 1.0 << 1.0 << 1.4;
+        QTest::newRow("all") << 1.05 << 0.98 << 0.998 << 0.8;
+    }
+    void looksAboutTheStateOfASimilarCase()
+    {
+        QFETCH(double, friction);
+        QFETCH(double, meniscus);
+        QFETCH(double, load);
+        QFETCH(double, mass);
+        Case c = coarseFlight("fig07_mu_2", 49);
+        c.initial.state = InitialState::Static;
+        c.initial.branch = ContactBranch::TakeOff;
+        c.run.duration = 20e-6;
+        c.run.sampleInterval = 0.05e-6;
+        QVERIFY_STATUS(fly(linear(c)), RunStatus::Completed);
+        Case other = c;
+        other.onoYamane.friction *= friction;
+        other.onoYamane.meniscusForce *= meniscus;
+        other.suspension.preload *= load;
+        other.slider.mass *= mass;
+        other.initial.heightOffset = 0.02e-9;
+        QVERIFY(!hasLinearState(linear(other)) && nearestLinearState(linear(other)));
+        const Flight look = fly(linear(other), 0, {.nearby = true});
+        QVERIFY_STATUS(look, RunStatus::Completed);
+        QVERIFY(!hasLinearState(linear(other))); // it made none
+        const Flight own = fly(linear(other));
+        QVERIFY_STATUS(own, RunStatus::Completed);
+        QVERIFY(hasLinearState(linear(other)));
+        QVERIFY2(std::abs(look.of("minimum_spacing").front() - own.of("minimum_spacing").front()) < 0.003e-9,
+                 qPrintable(QString::number(look.of("minimum_spacing").front() - own.of("minimum_spacing").front())));
+        // The same start that is let go there swings as far.
+        const auto swing = [](const Flight& flight) {
+            const auto [least, most] = std::ranges::minmax(flight.of("minimum_spacing"));
+            return most - least;
+        };
+        QVERIFY2(std::abs(swing(look) / swing(own) - 1.0) < 0.02,
+                 qPrintable(QString::number(swing(look) / swing(own))));
+        // At rest it stays there.
+        other.initial.heightOffset = 0.0;
+        other.slider.mass *= 1.01; // so that this state is not its own
+        const Flight still = fly(linear(other), 0, {.nearby = true});
+        QVERIFY(swing(still) < 1e-14);
+    }
+
+    // Waves of another height are the same waves; other waves are not.
+    void looksOverHigherWaves()
+    {
+        Case c = linear(let(0.0, 10e-6));
+        c.diskSurface.kind = DiskSurfaceKind::Waves;
+        c.diskSurface.waveAmplitudes = {0.02e-9, -0.03e-9};
+        c.diskSurface.waveLengths = {600e-6, 250e-6};
+        QVERIFY_STATUS(fly(c), RunStatus::Completed);
+        for (double& amplitude : c.diskSurface.waveAmplitudes) amplitude *= 1.7;
+        QVERIFY(!hasLinearState(c));
+        const Flight look = fly(c, 0, {.nearby = true}), own = fly(c);
+        QVERIFY_STATUS(look, RunStatus::Completed);
+        QVERIFY2(largestDifference(own, look) < 1e-4, qPrintable(QString::number(largestDifference(own, look))));
+        QCOMPARE(look.figure("film_linearity_error") > 0.0, true);
+        c.diskSurface.waveAmplitudes[0] *= 1.1;
+        QVERIFY(!nearestLinearState(c));
+        c.diskSurface.waveLengths = {600e-6, 200e-6};
+        QVERIFY(!nearestLinearState(c));
+        c.diskSurface = {};
+        QVERIFY(hasLinearState(c));
+    }
+
+    // Dampers do not act at rest: it is their state, too. Another speed has another film.
+    void dampersShareTheState()
+    {
+        Case c = linear(let(0.1e-9, 3e-6));
+        c.suspension.preload *= 1.02;
+        QVERIFY_STATUS(fly(c), RunStatus::Completed);
+        Case damped = c;
+        damped.suspension.damping = 0.02;
+        damped.suspension.pitchDamping = 1e-9;
+        damped.suspension.rollDamping = 1e-9;
+        QCOMPARE(knownLinearState(damped), knownLinearState(c));
+        const Flight look = fly(damped, 0, {.nearby = true}), own = fly(damped);
+        QCOMPARE(look.of("minimum_spacing"), own.of("minimum_spacing"));
+        QVERIFY(own.of("minimum_spacing") != fly(c).of("minimum_spacing"));
+        Case faster = c;
+        faster.disk.speed *= 1.01;
+        QVERIFY(!nearestLinearState(faster));
+        faster = c;
+        faster.surface.crown += 1e-9;
+        QVERIFY(!nearestLinearState(faster));
+    }
+
     // No fields: there are no pressures in time.
     void recordsNoFields()
     {

@@ -28,7 +28,7 @@ LinearFilmModel drawnFilm(int seed)
 {
     std::mt19937_64 random(static_cast<unsigned>(seed));
     LinearFilmModel film;
-    film.place = {3.0, -2.0, 1.0};
+    film.place = film.rest = {3.0, -2.0, 1.0};
     film.force = {5.0, 0.2, -0.3};
     film.fit.constant = drawnMatrix(random, 4.0) + 6.0 * Matrix3::Identity();
     for (const Complex rate : {Complex(-0.4, 1.7), Complex(-2.5, 0.0), Complex(-0.05, 0.3), Complex(-9.0, 30.0)})
