@@ -195,7 +195,8 @@ struct RunCase {
     double sampleInterval = 0.1e-6; // [s]
     bool stepCheck = true;          // fixed-step methods: compare with half the step
     int fieldSnapshots = 50;        // of the fields, evenly over the run; 0: none
-    int threads = 0;                // of a film's loops; 0: all cores. Results do not depend on it
+    int threads = 0;                // of a film's loops, within what a study leaves to each; 0: by itself. Results do
+                                    // not depend on it
     bool operator==(const RunCase&) const = default;
 };
 

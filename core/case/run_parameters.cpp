@@ -118,7 +118,7 @@ std::vector<Parameter> runParameters()
                 "= none. For a pad, the fields at the closest approach are always among them.",
                 "ours"),
         integer("run.threads", "threads", notNegative(mostThreads), at(&Case::run, &RunCase::threads), withFilm,
-                "Threads on which a film is computed; 0 = as many as are worth it, up to the number of cores, or to "
+                "Threads on which a film is computed; 0 = as many as are worth it: at most 8, the number of cores, or "
                 "the part of them that a study leaves to each of its items. Results do not depend on it.",
                 "ours"),
         choice("spectrum.window", "window", {"rectangular", "hann", "hamming", "blackman", "flat-top"},

@@ -98,7 +98,9 @@ void addModulation(const Case& c, Summary& summary)
 Summary runFilmOnTeam(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
     const TeamScope team(filmThreads(c));
-    return runFilm(c, callback, options);
+    Summary summary = runFilm(c, callback, options);
+    summary.threads = Team::mine().size();
+    return summary;
 }
 
 } // namespace

@@ -189,6 +189,13 @@ private slots:
         QCOMPARE(filmThreads(c), 4);
         c.run.threads = 8;
         QCOMPARE(filmThreads(c), 5);
+        c.run.threads = 0;
+        setThreadShare(24);
+        QCOMPARE(filmThreads(c), 8); // by themselves no more
+        c.film.accuracy = 0.01;      // chooses the grid, up to a very fine one that hardly any film needs
+        QCOMPARE(staticThreads(c), 1);
+        c.film.accuracy = 0.0;
+        setThreadShare(6, 5);
         c.film.nodes = {33, 33};
         c.run.threads = 2;
         QCOMPARE(filmThreads(c), 2);

@@ -2,6 +2,7 @@
 #include "ui/calculation/calculation_controller.h"
 
 #include <algorithm>
+#include <memory>
 
 #include <QCoreApplication>
 #include <QEvent>
@@ -33,8 +34,11 @@ int CalculationController::begin(Work work)
     sinceDelivery_.invalidate();
     rung_ = false;
     thread_ = std::jthread([work = std::move(work)](const std::stop_token& stop) {
-        // One core is left to the window.
-        if (const int cores = threadShare(); cores > 2) setThreadShare(cores - 1);
+        // One core is left to the window; calculations that begin beside others share the rest.
+        static std::atomic<int> underWay = 0;
+        const int calculations = ++underWay, cores = threadShare();
+        const std::shared_ptr<void> end(nullptr, [](void*) { --underWay; });
+        setThreadShare(std::max(1, (cores > 2 ? cores - 1 : cores) / calculations));
         work(stop);
     });
     return number_;

@@ -68,10 +68,12 @@ void RunWindow::announce(int number)
 
 void RunWindow::conclude(const Summary& summary)
 {
-    progress_->conclude(name(summary.status), tr("%1 simulated · %L2 steps · solver %3")
-                                                  .arg(timeText(summary.endTime))
-                                                  .arg(summary.steps)
-                                                  .arg(timeText(summary.solverSeconds)));
+    QString text = tr("%1 simulated · %L2 steps · solver %3")
+                       .arg(timeText(summary.endTime))
+                       .arg(summary.steps)
+                       .arg(timeText(summary.solverSeconds));
+    if (summary.threads > 1) text += tr(" · %1 threads").arg(summary.threads);
+    progress_->conclude(name(summary.status), text);
 }
 
 void RunWindow::add(const RunRequest& request)

@@ -48,9 +48,13 @@ namespace {
 /// `cells`: with fewer a thread does not gain.
 int threadsOf(const Case& c, int cells)
 {
+    constexpr int mostByItself = 8;            // loops end together, which costs more with each thread
+    constexpr int cellsByAccuracy = 256 * 256; // where an accuracy chooses the grid, hardly ever more
     if (c.run.threads > 0) return std::min(c.run.threads, threadLimit());
     const std::array<int, 2> finest = filmLevels(c.film).back();
-    return std::clamp(finest[0] * finest[1] / cells, 1, threadShare());
+    const int all = finest[0] * finest[1];
+    return std::clamp((c.film.accuracy > 0.0 ? std::min(all, cellsByAccuracy) : all) / cells, 1,
+                      std::min(threadShare(), mostByItself));
 }
 
 } // namespace
