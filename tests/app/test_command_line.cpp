@@ -222,7 +222,7 @@ void TestCommandLine::listDemonstrations()
     QCOMPARE(text.code, 0);
     QCOMPARE(text.err, QByteArray());
     const QJsonArray steps = folder_->touchdown({"list", "demonstrations", "--json"}).json()["steps"].toArray();
-    QCOMPARE(steps.size(), 12);
+    QCOMPARE(steps.size(), 13);
     for (const auto& step : steps) {
         QVERIFY(text.out.contains("\n" + step.toObject()["title"].toString().toUtf8() + "\n"));
         for (const auto& run : step.toObject()["runs"].toArray())

@@ -197,7 +197,7 @@ void Guides::onStep(Kind kind)
     if (kind == Kind::Lesson || step.runs.empty() || !step.runs.front().kind.empty()) return showStep();
     // A demonstration on springs is there at once; a film takes its time, and waits for the button. The page stays as
     // it is where the reader keeps the case that is edited.
-    const bool quick = caseOf(step.runs.front()).model == ModelKind::Springs;
+    const bool quick = followsHand(caseOf(step.runs.front()));
     openCaseOf(step.runs.front(), quick && !stages_->newestOf(step));
     if (opens_.isEmpty()) return;
     ownCase_ = false; // at least until the question about the other case is answered

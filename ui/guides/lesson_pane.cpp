@@ -31,6 +31,13 @@ QLabel* textLabel(QWidget* parent)
     return label;
 }
 
+/// Of the first text of a demonstration.
+QString reportTitle(const LessonStep& step)
+{
+    return step.title.starts_with("Not in the paper") ? LessonPane::tr("What this is")
+                                                      : LessonPane::tr("What the paper reports");
+}
+
 } // namespace
 
 LessonPane::LessonPane(Kind kind, std::vector<LessonStep> steps, QWidget* parent)
@@ -157,7 +164,7 @@ void LessonPane::write()
     // In the order in which they are read.
     terms_.restart();
     const auto marked = [this](const QString& html) { return terms_.marked(html, palette().windowText().color()); };
-    text_->setText(marked(lessonBlock(lesson ? QString() : tr("What the paper reports"), step.text, colours.muted)));
+    text_->setText(marked(lessonBlock(lesson ? QString() : reportTitle(step), step.text, colours.muted)));
     question_->setText(
         marked(lessonBlock(lesson ? tr("Question") : tr("What to watch"), step.question, colours.change)));
     for (std::size_t i = 0; i < purposes_.size(); ++i) {

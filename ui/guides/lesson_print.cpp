@@ -11,6 +11,7 @@
 #include <QMarginsF>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QProgressDialog>
 #include <QRegularExpression>
 #include <QTextDocument>
 #include <QUrl>
@@ -86,6 +87,19 @@ int LessonPrint::runs() const
 {
     return std::accumulate(steps_.begin(), steps_.end(), 0,
                            [](int count, const LessonStep& step) { return count + runsOf(step); });
+}
+
+void LessonPrint::showProgress(QWidget* window, const QString& file)
+{
+    auto* progress = new QProgressDialog(tr("Print the lesson to %1").arg(file), tr("Cancel"), 0, runs(), window);
+    progress->setWindowTitle(tr("Print the lesson"));
+    progress->setAutoClose(false);
+    progress->setAutoReset(false);
+    progress->setMinimumDuration(0);
+    progress->setValue(0);
+    connect(progress, &QProgressDialog::canceled, this, &LessonPrint::cancel);
+    connect(this, &LessonPrint::performed, progress, &QProgressDialog::setValue);
+    connect(this, &LessonPrint::ended, progress, &QObject::deleteLater);
 }
 
 void LessonPrint::start()

@@ -37,6 +37,8 @@ public:
     /// Ends the run under way.
     ~LessonPrint() override;
 
+    /// A dialog with its progress and a way to cancel it, until it has ended; `file` is its name there.
+    void showProgress(QWidget* window, const QString& file);
     /// `ended` follows, in any case.
     void start();
     void cancel();

@@ -11,6 +11,7 @@
 #include "core/case/parameters.h"
 #include "core/case_files/case_text.h"
 #include "core/simulation/run.h"
+#include "core/simulation/small_motions/linear_state.h"
 #include "ui/case/case_edits.h"
 #include "ui/case/case_files.h"
 #include "ui/plot/plot_group.h"
@@ -38,25 +39,33 @@ double processorTime()
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// The run of a case until a time [s], or to its end; nothing where it takes too long, is left, or breaks off.
-std::unique_ptr<RunRecord> performed(const Case& c, double until, const std::atomic<bool>& left)
+/// The run of a case until a time [s], or to its end, maybe about a similar state; nothing where it takes too long, is
+/// left, or breaks off.
+std::unique_ptr<RunRecord> performed(const Case& c, double until, bool similar, bool limited,
+                                     const std::atomic<bool>& left)
 {
     const double start = processorTime();
     bool whole = true;
     std::unique_ptr<RunRecord> record;
     try {
-        record = performedRecord(c, until, [&] {
-            whole = !left && processorTime() - start < quick;
+        const auto goOn = [&] {
+            whole = !left && !(limited && processorTime() - start > quick);
             return whole;
-        });
+        };
+        record = performedRecord(c, until, goOn, {.nearby = similar});
     } catch (const std::exception&) {
         return nullptr;
     }
     if (until < c.run.duration) record->note = LiveRuns::tr("first %1").arg(timeText(until));
+    if (similar && limited) record->note = LiveRuns::tr("preview");
     return whole ? std::move(record) : nullptr;
 }
 
 } // namespace
+
+bool isLinearFilm(const Case& c) { return c.model == ModelKind::Film && c.film.motion == FilmMotion::Linear; }
+
+bool followsHand(const Case& c) { return c.model == ModelKind::Springs || isLinearFilm(c); }
 
 double neededUntil(const RunView& view, const Case& c)
 {
@@ -92,25 +101,39 @@ LiveRuns::LiveRuns(Workbench& bench, QObject* parent) : QObject(parent), bench_(
 
 LiveRuns::~LiveRuns()
 {
-    if (movement_) movement_->left = true;
+    for (const std::weak_ptr<Movement>& each : all_)
+        if (const auto movement = each.lock()) movement->left = true;
 }
 
 void LiveRuns::leave()
 {
-    if (movement_) {
-        movement_->left = true;
-        forgetPart(*movement_);
-    }
+    for (const std::weak_ptr<Movement>& each : std::exchange(all_, {}))
+        if (const auto movement = each.lock()) stop(*movement);
     movement_.reset();
     grids_.reset();
+    emit busyChanged();
 }
 
-/// A run of the beginning alone is no result.
+void LiveRuns::stop(Movement& movement)
+{
+    movement.left = true;
+    forgetPart(movement);
+}
+
+/// A run of the beginning alone, or a preview, is no result.
 void LiveRuns::forgetPart(Movement& movement)
 {
     const RunRecord* run = movement.number < 0 ? nullptr : bench_.runWindow().runs().find(movement.number);
-    if (run && run->lastTime() < run->value.run.duration * (1.0 - 1e-9))
+    if (run && (movement.preview || run->lastTime() < run->value.run.duration * (1.0 - 1e-9)))
         bench_.runWindow().runs().remove(bench_.runWindow().runs().rowOf(movement.number));
+}
+
+std::shared_ptr<LiveRuns::Movement> LiveRuns::begun()
+{
+    std::erase_if(all_, [](const std::weak_ptr<Movement>& each) { return each.expired(); });
+    auto movement = std::make_shared<Movement>();
+    all_.push_back(movement);
+    return movement;
 }
 
 void LiveRuns::move(const LiveValue& value, const std::string& text)
@@ -121,13 +144,14 @@ void LiveRuns::move(const LiveValue& value, const std::string& text)
         if (setFromText(changed, *findParameter(key), text)) return; // out of its range: it stays
     if (changed == edits.value()) return;
     if (!movement_ || movement_->settled) {
-        movement_ = std::make_shared<Movement>();
+        if (movement_ && movement_->finds) stop(*movement_); // it would keep the next runs waiting
+        movement_ = begun();
         movement_->merge = mergeOfMovements + ++movements_;
     }
     movement_->value = changed;
     const QString label = QString::fromStdString(findParameter(value.keys.front())->label);
     edits.setAll(changed, tr("move %1").arg(label), movement_->merge);
-    const bool runs = changed.model == ModelKind::Springs && edits.reasonNotToRun().isEmpty();
+    const bool runs = followsHand(changed) && edits.reasonNotToRun().isEmpty();
     if (runs && !movement_->busy && !movement_->slow) runOnce(movement_);
 }
 
@@ -137,9 +161,9 @@ void LiveRuns::settle()
     movement_->settled = true;
     if (!bench_.edits().reasonNotToRun().isEmpty()) return forgetPart(*movement_);
     movement_->text = bench_.files().wholeText();
-    if (movement_->value.model == ModelKind::Film)
+    if (!followsHand(movement_->value) && movement_->value.model == ModelKind::Film)
         runFilm();
-    else if (movement_->value.model != ModelKind::Springs || movement_->slow)
+    else if (!followsHand(movement_->value) || movement_->slow)
         bench_.startRun();
     else if (!movement_->busy)
         movement_->part ? runOnce(movement_) : finish(*movement_);
@@ -153,11 +177,8 @@ void LiveRuns::runAnew()
         movement_->text = bench_.files().wholeText();
         return;
     }
-    if (movement_ && !movement_->settled) { // undone before the reader let go
-        movement_->left = true;
-        forgetPart(*movement_);
-    }
-    movement_ = std::make_shared<Movement>();
+    if (movement_ && !movement_->settled) stop(*movement_); // undone before the reader let go
+    movement_ = begun();
     movement_->value = now;
     movement_->anew = movement_->part = true; // there is no run of it
     settle();
@@ -168,19 +189,26 @@ void LiveRuns::runOnce(const std::shared_ptr<Movement>& movement)
     movement->busy = true;
     const Case& now = movement->value;
     const double until = movement->settled ? now.run.duration : neededUntil(*bench_.runWindow().view(), now);
-    movement->part = until < now.run.duration;
+    const bool similar = isLinearFilm(now) && !movement->settled && !hasLinearState(now);
+    movement->part = until < now.run.duration || similar;
+    movement->finds = isLinearFilm(now) && (similar ? !nearestLinearState(now) : !hasLinearState(now));
+    emit busyChanged();
     auto record = std::make_shared<std::unique_ptr<RunRecord>>();
     queue_.post(
-        [record, movement, until, c = now] {
-            *record = performed(c, until, movement->left);
+        [record, movement, until, similar, limited = !movement->finds, c = now] {
+            *record = performed(c, until, similar, limited, movement->left);
             return QString();
         },
-        [this, record, movement](const QString&) { show(movement, std::move(*record)); });
+        [this, record, movement, preview = similar && !movement->finds](const QString&) {
+            if (*record) movement->preview = preview;
+            show(movement, std::move(*record));
+        });
 }
 
 void LiveRuns::show(const std::shared_ptr<Movement>& movement, std::unique_ptr<RunRecord> record)
 {
-    movement->busy = false;
+    movement->busy = movement->finds = false;
+    emit busyChanged();
     if (movement->left) return;
     if (!record) {
         movement->slow = true;

@@ -230,15 +230,22 @@ double RunRecord::lastTime() const
     return columns.empty() || columns.front().empty() ? 0.0 : columns.front().lastTime();
 }
 
-std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const std::function<bool()>& goOn)
+std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const std::function<bool()>& goOn,
+                                           const RunOptions& options)
 {
     Case part = c;
     part.run.duration = std::min(until, c.run.duration);
+    // The gap over a disk that is not flat is sought at each sample, which takes longer than the rest of a preview.
+    // These samples show oscillations up to 1 MHz.
+    constexpr double coarsest = 0.4e-6; // [s]
+    if (options.nearby && c.diskSurface.kind != DiskSurfaceKind::Flat)
+        part.run.sampleInterval = std::max(part.run.sampleInterval, coarsest);
     auto record = std::make_unique<RunRecord>(0, c, std::string(), recordedQuantities(c), recordedFields(c));
-    record->finish(run(part, [&](const RunUpdate& update) {
+    const auto take = [&](const RunUpdate& update) {
         record->append(update.samples, update.events, update.fields);
         return goOn();
-    }));
+    };
+    record->finish(run(part, take, options));
     return record;
 }
 

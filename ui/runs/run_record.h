@@ -106,7 +106,8 @@ QString endText(const RunRecord& run);
 
 /// Performs a case until a time [s], or to its end; `goOn` is asked after each batch of samples, and ends the run with
 /// false. Throws what the run throws.
-std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const std::function<bool()>& goOn);
+std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const std::function<bool()>& goOn,
+                                           const RunOptions& options = {});
 
 /// A run read back from a file; nothing when the file could not be read, with `problem` set.
 std::unique_ptr<RunRecord> recordFromFile(int number, const QString& file, QString& problem);

@@ -31,6 +31,8 @@
 #include "ui/film/surface_page.h"
 #include "ui/guides/guide_strip.h"
 #include "ui/guides/guides.h"
+#include "ui/guides/live_runs.h"
+#include "ui/guides/small_motions_strip.h"
 #include "ui/lists/record_panel.h"
 #include "ui/runs/about_case_pane.h"
 #include "ui/runs/live_spectrum.h"
@@ -80,6 +82,8 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
     solutionFiles_ = new SolutionFiles(film_->solutions(), *this);
     guides_ = new Guides(*this, *this);
     pages_->addFoot(*guides_->strip());
+    smallMotions_ = new SmallMotionsStrip(*this, guides_->live(), *actions_->smallMotions, *guides_->strip());
+    pages_->addFoot(*smallMotions_);
     presenter_ = new Presenter(*this, *this, *actions_, *pages_, *guides_);
     recording_ = new Recording(*actions_->record, *runs_, *this);
     results_ = std::make_unique<ResultMessages>(*messages_, *aboutCase_, *film_);
@@ -100,9 +104,11 @@ MainWindow::MainWindow(StudyCatalogue studies, QWidget* parent)
 MainWindow::~MainWindow()
 {
     // These call the window, whose parts live on for a moment.
-    for (QObject* caller : {static_cast<QObject*>(session_), static_cast<QObject*>(presenter_),
-                            static_cast<QObject*>(guides_), static_cast<QObject*>(closing_)})
+    for (QObject* caller :
+         {static_cast<QObject*>(session_), static_cast<QObject*>(presenter_), static_cast<QObject*>(smallMotions_),
+          static_cast<QObject*>(guides_), static_cast<QObject*>(closing_)})
         delete caller;
+    guides_ = nullptr;
     // The members and the case's edits are destroyed before the widgets that show them.
     edits_->undoStack().disconnect(this);
     for (QObject* sender : {static_cast<QObject*>(runs_), static_cast<QObject*>(&runs()),
@@ -237,7 +243,7 @@ void MainWindow::updateRunActions()
     actions_->step->setEnabled(state == State::Paused);
     actions_->stop->setEnabled(state == State::Running || state == State::Paused ||
                                film_->controller().state() == SteadyController::State::Running ||
-                               film_->view()->busy() ||
+                               film_->view()->busy() || (guides_ && guides_->live().finds()) ||
                                studies_->controller().state() == StudyController::State::Running);
     studies_->setOthersBusy((controller().active() && state != State::Paused) || film_->controller().active() ||
                             film_->view()->busy());

@@ -26,6 +26,7 @@ class ResultMessages;
 class RunFiles;
 class RunView;
 class Session;
+class SmallMotionsStrip;
 class StartCard;
 class SolutionFiles;
 class WindowActions;
@@ -153,6 +154,7 @@ private:
     WindowPages* pages_ = nullptr;
     HelpWindow* help_ = nullptr;
     Guides* guides_ = nullptr;
+    SmallMotionsStrip* smallMotions_ = nullptr;
     Presenter* presenter_ = nullptr;
     QString givenTheme_;         // by the command line; empty: none
     bool slowMotion_ = false;    // of the first steps

@@ -7,7 +7,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QProgressDialog>
 
 #include "core/case_files/case_file.h"
 #include "ui/case/case_files.h"
@@ -18,6 +17,7 @@
 #include "ui/guides/guides.h"
 #include "ui/guides/lesson_print.h"
 #include "ui/guides/live_runs.h"
+#include "ui/guides/small_motions_strip.h"
 #include "ui/runs/run_view.h"
 #include "ui/slider/surface_editor.h"
 #include "ui/style/message_strip.h"
@@ -25,6 +25,7 @@
 #include "ui/style/whole_file.h"
 #include "ui/window/case_gallery.h"
 #include "ui/window/figure_dialog.h"
+#include "ui/window/presenter.h"
 #include "ui/window/start_card.h"
 #include "ui/window/window_actions.h"
 
@@ -60,6 +61,9 @@ void MainWindow::connectHelp()
         casePanel_->showParameter(key.toStdString());
     });
     connect(actions_->stop, &QAction::triggered, &guides_->live(), &LiveRuns::leave);
+    connect(&guides_->live(), &LiveRuns::busyChanged, this, &MainWindow::updateRunActions);
+    connect(pages_, &WindowPages::shown, smallMotions_, &SmallMotionsStrip::showState);
+    connect(presenter_, &Presenter::changed, smallMotions_, &SmallMotionsStrip::showState);
     connect(startCard_->openFile(), &QPushButton::clicked, files_, &CaseFiles::chooseFile);
     connect(startCard_, &StartCard::closed, this, [this] {
         endSlowMotion();
@@ -125,17 +129,8 @@ void MainWindow::printLesson()
 void MainWindow::printLessonTo(const QString& file)
 {
     auto* print = new LessonPrint(lessonSteps(), tr("Touchdown: the lesson"), this);
-    auto* progress = new QProgressDialog(tr("Print the lesson to %1").arg(QFileInfo(file).fileName()), tr("Cancel"), 0,
-                                         print->runs(), this);
-    progress->setWindowTitle(tr("Print the lesson"));
-    progress->setAutoClose(false);
-    progress->setAutoReset(false);
-    progress->setMinimumDuration(0);
-    progress->setValue(0);
-    connect(progress, &QProgressDialog::canceled, print, &LessonPrint::cancel);
-    connect(print, &LessonPrint::performed, progress, &QProgressDialog::setValue);
-    connect(print, &LessonPrint::ended, this, [this, print, progress, file](bool whole, const QString& problem) {
-        progress->deleteLater();
+    print->showProgress(this, QFileInfo(file).fileName());
+    connect(print, &LessonPrint::ended, this, [this, print, file](bool whole, const QString& problem) {
         print->deleteLater();
         const QString said = whole ? writeWholeFile(file, print->pdf()) : problem;
         if (!said.isEmpty())

@@ -151,8 +151,10 @@ void WindowActions::buildRun(QMainWindow& window)
                 tr("Perform the study of the page Studies; a study in progress starts again"));
     solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F9), {},
                      tr("Solve for the pressure only, at the height, pitch and roll of the start"));
-    solve->setVisible(false);
-    solveGiven->setVisible(false);
+    smallMotions = add(menu, tr("F&ilm, small motions"), {}, {},
+                       tr("Make the film linear about the static state and start near it: runs follow the values that you move"));
+    smallMotions->setCheckable(true);
+    for (QAction* action : {solve, solveGiven, smallMotions}) action->setVisible(false);
     menu->addSeparator();
     record = add(menu, tr("Record to &file…"), {}, {}, tr("Write the next runs to an HDF5 file during the run"));
     record->setCheckable(true);
@@ -270,7 +272,7 @@ QString WindowActions::shortcutTable() const
 void WindowActions::setPage(ModelKind model, bool inTime)
 {
     const bool film = model == ModelKind::Film;
-    for (QAction* action : {solve, solveGiven, exportCml, exportDxf}) action->setVisible(film);
+    for (QAction* action : {solve, solveGiven, smallMotions, exportCml, exportDxf}) action->setVisible(film);
     underlay->setVisible(film && !inTime);
     for (QAction* action : {pause, step, record, follow, zoomBack, zoomForward}) action->setVisible(inTime);
     for (QAction* action : pace_) action->setVisible(inTime);

@@ -28,7 +28,7 @@ public:
     QAction *newCase, *open, *caseGallery, *save, *saveAs, *importCml, *exportCml, *exportDxf, *underlay, *openResults,
         *exportPage, *figure, *exportCsv, *saveResults, *quit;
     QAction *undo, *redo, *resetAll, *findParameter, *copyPage;
-    QAction *run, *continueRun, *solve, *solveGiven, *study, *pause, *step, *stop, *record;
+    QAction *run, *continueRun, *solve, *solveGiven, *smallMotions, *study, *pause, *step, *stop, *record;
     QAction* printLesson;
     QAction *surface, *fit, *follow, *zoomBack, *zoomForward, *alone, *presenter, *fullScreen;
     QAction *help, *firstSteps, *lesson, *demonstrations, *shortcuts, *aboutProgram, *aboutQt;

@@ -282,6 +282,50 @@ private slots:
         bench_->controller().stopAndWait();
     }
 
+    /// A linear film finds its state when the reader lets go; the next movement does not wait for it, and another case
+    /// ends it.
+    void nobodyWaitsForAState()
+    {
+        bench_->files().openNow("film_pico");
+        Case c = bench_->edits().value();
+        c.film.nodes = {49, 49};
+        c.film.motion = FilmMotion::Linear;
+        c.initial.state = InitialState::Static;
+        c.run.duration = 5e-6;
+        c.suspension.preload *= 1.003; // no other test has its state
+        bench_->edits().setAll(c, "linear");
+        const LiveValue load{{"suspension.preload"}, 1e-3, 1e-1, {}};
+        const auto text = [&](double share) {
+            Case moved = c;
+            moved.suspension.preload *= share;
+            return toText(moved, *findParameter("suspension.preload"));
+        };
+        live_->move(load, text(1.0001));
+        QTRY_COMPARE_WITH_TIMEOUT(bench_->runs().count(), 1, longest);
+        live_->settle();
+        QTRY_VERIFY_WITH_TIMEOUT(!live_->busy(), longest);
+        QVERIFY(bench_->runs().record(0).note.isEmpty());
+        live_->move(load, text(1.0002));
+        QTRY_COMPARE_WITH_TIMEOUT(bench_->runs().count(), 2, longest);
+        QCOMPARE(bench_->runs().record(1).note, QString("preview"));
+        live_->settle();
+        QVERIFY(live_->finds());
+        live_->move(load, text(1.0003)); // leaves the one before, and its preview
+        QVERIFY(!live_->finds());
+        QCOMPARE(bench_->runs().count(), 1);
+        QTRY_COMPARE_WITH_TIMEOUT(bench_->runs().count(), 2, longest);
+        QCOMPARE(bench_->runs().record(1).note, QString("preview"));
+        live_->settle();
+        QVERIFY(live_->finds());
+        bench_->files().leaveUnsaved();
+        bench_->files().openNow("fig10a");
+        QVERIFY(!live_->finds() && !live_->busy());
+        QCOMPARE(bench_->runs().count(), 1);
+        live_->move(height, "300 nm"); // it comes after the one that was left
+        QTRY_COMPARE_WITH_TIMEOUT(bench_->runs().count(), 2, longest);
+        QCOMPARE(bench_->runs().record(1).value.title, openCase("fig10a").value.title);
+    }
+
     /// A run under way goes on; the live one is announced after it.
     void leavesTheActiveRunAlone()
     {
