@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace touchdown {
 
@@ -40,14 +41,14 @@ bool FollowedMotion::to(double target)
     while (at_.frequency != target) {
         const double left = target - at_.frequency, h = std::min(std::abs(left), step_);
         const double next = h < std::abs(left) ? at_.frequency + std::copysign(h, left) : target;
-        const ForcedSprings springs = task_.springsAt(next);
+        const std::unique_ptr<ForcedSlider> slider = task_.sliderAt(next);
         ForcedState guess = at_.motion.at;
         if (before_)
             guess.y +=
                 (guess.y - before_->motion.at.y) * ((next - at_.frequency) / (at_.frequency - before_->frequency));
-        guess = springs.continued(guess);
+        guess = slider->continued(guess);
         const auto near = [&](const ForcedState& start, bool rough) {
-            return repeatingNear(springs, start, at_.motion.period, at_.motion.size,
+            return repeatingNear(*slider, start, at_.motion.period, at_.motion.size,
                                  {.reach = newtonReach, .mostSteps = mostNewtonSteps, .rough = rough},
                                  task_.settle.goOn);
         };
@@ -69,7 +70,7 @@ bool FollowedMotion::to(double target)
 
 ForcedMotion FollowedMotion::motion() const
 {
-    ForcedMotion motion = measured(task_.springsAt(at_.frequency), at_.motion);
+    ForcedMotion motion = measured(*task_.sliderAt(at_.frequency), at_.motion);
     motion.frequency = at_.frequency; // without the round-off of its period
     return motion;
 }

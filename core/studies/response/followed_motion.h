@@ -2,7 +2,7 @@
 //
 // A settled motion followed over the frequency to its end.
 //
-// Newton's method on P^n(y) - y = 0 (forced_springs.h) starts from the line through the last two motions. A step is
+// Newton's method on P^n(y) - y = 0 (forced_motion.h) starts from the line through the last two motions. A step is
 // accepted where it finds a stable motion within a twentieth of the size of the motion. The next step is then up to
 // twice as long; after a step that is not accepted it is half as long. So the steps become short where the branch
 // bends, and they do not depend on the frequencies of a sweep. The motion ends where steps of a millionth of the

@@ -26,6 +26,7 @@ constexpr double firstStepShare = 1.0 / 64.0;       // of a period [-]
 constexpr double fullTurn = 2.0 * std::numbers::pi; // [rad]
 constexpr int mostEquilibriumSteps = 30;            // of Newton
 constexpr double equilibriumFound = 1e-12;          // last change, in units of SpringModel::scale [-]
+constexpr double leastSize = 0.1;                   // of a motion, in amplitudes of the wave [-]
 
 bool touchesDisk(SpringModel::Mode mode)
 {
@@ -58,6 +59,7 @@ public:
 
     std::size_t quantity = 0, minimumSpacing = 0;
     std::vector<double> values;
+    bool frontLost = true, rearLost = true; // that spring carried at no time
 
     void start(const SpringsOverDisk::State& y)
     {
@@ -138,8 +140,8 @@ private:
             sum_ += weight * values[quantity] * std::polar(1.0, -omega_ * (y[2] - begin_));
         });
         if (touchesDisk(mode)) contactTime_ += t - time_;
-        result_.frontLost = result_.frontLost && !mode.frontSpring;
-        result_.rearLost = result_.rearLost && !mode.rearSpring;
+        frontLost = frontLost && !mode.frontSpring;
+        rearLost = rearLost && !mode.rearSpring;
     }
 
     const SpringModel& model_;
@@ -201,6 +203,30 @@ ForcedSprings::ForcedSprings(const Case& c, const std::string& quantity)
 
 double ForcedSprings::roundOffOfHeight(const SpringModel& model) { return roundOff * std::abs(model.staticState()[0]); }
 
+/// The size of the motion [m], [rad], [m/s], [rad/s].
+Eigen::VectorXd ForcedSprings::units(const Eigen::VectorXd& swing) const
+{
+    const SpringModel::State scale = model_.scale();
+    const double arm = scale[0] / scale[1]; // [m]
+    const double size = std::max({swing[0], arm * swing[1], leastSize * waveAmplitude_});
+    const double rate = std::max(fullTurn * frequency(), scale[2] / scale[0]);
+    return SpringModel::State(size, size / arm, size * rate, size / arm * rate);
+}
+
+ForcedState ForcedSprings::moved(const Eigen::VectorXd& direction, double size) const
+{
+    ForcedState at{model_.staticState(), {}};
+    at.y += size / model_.scale()[0] * model_.scale().cwiseProduct(SpringModel::State(direction));
+    return continued(at);
+}
+
+ForcedState ForcedSprings::lowered(double distance) const
+{
+    ForcedState at{model_.staticState(), {}};
+    at.y[0] -= distance;
+    return continued(at);
+}
+
 ForcedState ForcedSprings::start() const { return {model_.initialState(), model_.initialMode(underAt(0.0).height)}; }
 
 ForcedState ForcedSprings::continued(const ForcedState& before) const
@@ -232,8 +258,10 @@ ForcedPeriods ForcedSprings::run(const ForcedState& start, const ForcedRequest& 
     const double time = request.periods * period_;
     result.harmonic = 2.0 / time * recorder.integral();
     result.contactShare = recorder.contactTime() / time;
-    result.frontLost = result.frontLost && hasFront_;
-    result.rearLost = result.rearLost && hasRear_;
+    const bool frontLost = recorder.frontLost && hasFront_, rearLost = recorder.rearLost && hasRear_;
+    if (request.measurements && (frontLost || rearLost))
+        result.problem = std::string(frontLost ? "the front" : "the rear") +
+                         " air spring is lost: its spacing stays below springs.cutoff";
     return result;
 }
 

@@ -5,16 +5,19 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "core/case/contact_law.h"
 #include "core/case/parameters.h"
 #include "core/formats/units.h"
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/simulation/equilibria/spring_equilibria.h"
 #include "core/simulation/run.h"
+#include "core/studies/response/forced_springs.h"
 #include "core/studies/response/response_report.h"
 #include "core/studies/response/response_sweep.h"
 #include "core/studies/study/growing_report.h"
@@ -176,6 +179,15 @@ void checkEnd(StudyReader& reader, const ResponseTask& task, const char* name, d
 
 } // namespace
 
+void takeSprings(ResponseTask& task)
+{
+    if (const auto law = characteristic(task.start)) task.toContact = task.start.springs.flyingHeight - law->touchDown;
+    task.sliderAt = [c = task.start, amplitude = task.amplitude, wavelength = task.wavelength,
+                     name = task.quantity.name](double frequency) {
+        return std::make_unique<ForcedSprings>(caseOverWave(c, amplitude, frequency, wavelength), name);
+    };
+}
+
 StudyPerformance planResponse(StudyReader& reader)
 {
     ResponseTask task;
@@ -226,6 +238,7 @@ StudyPerformance planResponse(StudyReader& reader)
     const int steps = givenSteps.value_or(defaultSteps(task.start, {*from, *to}, task.wavelength > 0.0));
     if (task.wavelength == 0.0) task.beat = beatOf(task.start);
     for (int i = 0; i <= steps; ++i) task.frequencies.push_back(std::lerp(*from, *to, double(i) / steps));
+    takeSprings(task);
     return
         [task](int jobs, const StudyCallback& callback) { return ResponsePerformance(task, callback).perform(jobs); };
 }

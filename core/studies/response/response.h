@@ -22,8 +22,11 @@
 namespace touchdown {
 
 class StudyReader;
+struct ResponseTask;
 
 StudyPerformance planResponse(StudyReader& reader);
+/// The springs of the task's case, over its waves.
+void takeSprings(ResponseTask& task);
 StudyForm responseForm(const Case& c);
 
 } // namespace touchdown

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,14 +26,13 @@ struct ResponseTask {
     double amplitude = 0.0;          // of the wave [m]
     double wavelength = 0.0;         // held while the speed of the disk changes [m]; 0: the speed is held
     std::vector<double> frequencies; // in rising order [Hz]
-    double beat = 0.0;               // of the waves under both air springs, where the speed is held [Hz]; else 0
-    int starts = 0;                  // from which other motions are looked for
+    double beat =
+        0.0; // of the waves under both air springs, or under both ends of a film, where the speed is held [Hz]; else 0
+    int starts = 0; // from which other motions are looked for
     SettleOptions settle;
-    /// The springs at a frequency [Hz].
-    ForcedSprings springsAt(double frequency) const
-    {
-        return {caseOverWave(start, amplitude, frequency, wavelength), quantity.name};
-    }
+    std::optional<double> toContact; // of a law with a touch-down height: from the static state down to it [m]
+    /// At a frequency [Hz].
+    std::function<std::unique_ptr<ForcedSlider>(double frequency)> sliderAt;
 };
 
 struct ResponsePoint {

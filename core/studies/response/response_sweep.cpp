@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <random>
 #include <utility>
 
-#include "core/case/contact_law.h"
 #include "core/studies/response/followed_motion.h"
 
 namespace touchdown {
@@ -66,7 +66,7 @@ private:
     bool stopped() const { return task_.settle.goOn && !task_.settle.goOn(); }
     ForcedMotion settled(const ForcedState& start, double frequency) const
     {
-        ForcedMotion motion = settledMotion(task_.springsAt(frequency), start, task_.settle);
+        ForcedMotion motion = settledMotion(*task_.sliderAt(frequency), start, task_.settle);
         motion.frequency = frequency; // without the round-off of its period
         return motion;
     }
@@ -100,27 +100,22 @@ OtherMotion* otherAt(ResponseResult& result, std::size_t place, const ForcedMoti
 }
 
 /// The state at the beginning of a period from which a start begins.
-ForcedState stateOfStart(const ResponseTask& task, const ForcedSprings& springs, int start)
+ForcedState stateOfStart(const ResponseTask& task, const ForcedSlider& slider, int start)
 {
-    const SpringModel& model = springs.model();
-    ForcedState at{model.staticState(), {}};
     const StartKind kind = kindOfStart(task, start);
-    const auto law = characteristic(task.start);
-    const double toContact = law ? task.start.springs.flyingHeight - law->touchDown : 0.0; // [m]
-    if (kind == StartKind::AtContact) at.y[0] -= toContact;
-    if (kind != StartKind::Drawn) return springs.continued(at);
+    if (kind == StartKind::AtRest) return slider.lowered(0.0);
+    const double toContact = task.toContact.value_or(0.0); // [m]
+    if (kind == StartKind::AtContact) return slider.lowered(toContact);
     std::mt19937_64 engine(seedOfStarts + std::uint64_t(start));
     // Both by hand: the distributions of the standard library differ between its implementations.
     const auto share = [&] { return (double(engine() >> 11) + 0.5) * 0x1p-53; };
-    SpringModel::State direction;
+    Eigen::VectorXd direction(2 * slider.positions());
     do {
-        for (int k = 0; k < 4; ++k) direction[k] = 2.0 * share() - 1.0;
+        for (double& each : direction) each = 2.0 * share() - 1.0;
     } while (direction.norm() > 1.0 || direction.norm() < 0.1);
     double furthest = furthestStart * task.amplitude;
-    if (law) furthest = std::max(furthest, beyondContact * toContact);
-    const double size = task.amplitude * std::pow(furthest / task.amplitude, share());
-    at.y += size / model.scale()[0] * model.scale().cwiseProduct(direction.normalized());
-    return springs.continued(at);
+    if (task.toContact) furthest = std::max(furthest, beyondContact * toContact);
+    return slider.moved(direction.normalized(), task.amplitude * std::pow(furthest / task.amplitude, share()));
 }
 
 } // namespace
@@ -137,7 +132,7 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
         point.down = i >= count;
         const std::size_t place = point.down ? 2 * count - 1 - i : i;
         const double frequency = task.frequencies[place];
-        const ForcedSprings springs = task.springsAt(frequency);
+        const std::unique_ptr<ForcedSlider> slider = task.sliderAt(frequency);
         point.anew = i > 0 && !last;
         if (i == count && last && last->settled()) {
             point.motion = *last;
@@ -146,7 +141,7 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
             point.motion = way->to(frequency, jumps);
             if (!point.motion.settled()) way.reset();
         } else {
-            point.motion = settledMotion(springs, last ? last->end : springs.start(), task.settle);
+            point.motion = settledMotion(*slider, last ? last->end : slider->start(), task.settle);
             point.motion.frequency = frequency; // without the round-off of its period
             if (point.motion.settled()) way.emplace(task, point.motion, point.down, 0);
         }
@@ -154,7 +149,7 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
         last = point.motion.valid() ? std::optional(point.motion) : std::nullopt;
         if (!last) way.reset();
         point.done = true;
-        done(i, point, point.down ? std::nullopt : springs.linear());
+        done(i, point, point.down ? std::nullopt : slider->linear());
     }
     return jumps;
 }
@@ -162,7 +157,7 @@ std::vector<ResponseJump> sweepBothWays(const ResponseTask& task, const PointDon
 StartKind kindOfStart(const ResponseTask& task, int start)
 {
     if (start % 4 == 0) return StartKind::AtRest;
-    return start % 4 == 2 && characteristic(task.start) ? StartKind::AtContact : StartKind::Drawn;
+    return start % 4 == 2 && task.toContact ? StartKind::AtContact : StartKind::Drawn;
 }
 
 std::size_t placeOfStart(const ResponseTask& task, int start)
@@ -173,8 +168,8 @@ std::size_t placeOfStart(const ResponseTask& task, int start)
 ForcedMotion motionOfStart(const ResponseTask& task, int start)
 {
     const double frequency = task.frequencies[placeOfStart(task, start)];
-    const ForcedSprings springs = task.springsAt(frequency);
-    ForcedMotion motion = settledMotion(springs, stateOfStart(task, springs, start), task.settle);
+    const std::unique_ptr<ForcedSlider> slider = task.sliderAt(frequency);
+    ForcedMotion motion = settledMotion(*slider, stateOfStart(task, *slider, start), task.settle);
     motion.frequency = frequency;
     return motion;
 }

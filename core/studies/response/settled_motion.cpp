@@ -3,14 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "core/numerics/small_matrix.h"
-
 namespace touchdown {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
@@ -24,22 +24,11 @@ constexpr double repeats = 1e-8;         // of the size of the motion, for resid
 constexpr double repeatsByItself = 1e-9; // of the size of the motion, without Newton [-]
 constexpr double shorterRepeats = 1e-3;  // a part of n periods may be the period [-]
 constexpr double sameHarmonic = 1e-3;    // [-]
-constexpr double leastSize = 0.1;        // of a motion, in amplitudes of the wave [-]
 constexpr double alreadyThere = 1e-7;    // distance from the repeating motion, of the size of the motion [-]
 constexpr int periodsOfUnsettled = 64;   // over which a motion that has not settled is measured
 
-/// Units of a state: the size of the motion [m], [rad], [m/s], [rad/s].
-SpringModel::State unitsOf(const ForcedSprings& springs, const Eigen::Vector2d& swing)
-{
-    const SpringModel::State scale = springs.model().scale();
-    const double arm = scale[0] / scale[1]; // [m]
-    const double size = std::max({swing[0], arm * swing[1], leastSize * springs.waveAmplitude()});
-    const double rate = std::max(2.0 * std::numbers::pi * springs.frequency(), scale[2] / scale[0]);
-    return {size, size / arm, size * rate, size / arm * rate};
-}
-
 /// The smallest n after which the last of the states nearly repeats; 0 where there is none.
-int likelyPeriod(const std::vector<ForcedState>& states, int longest, const SpringModel::State& units)
+int likelyPeriod(const std::vector<ForcedState>& states, int longest, const VectorXd& units)
 {
     int best = 0;
     double least = nearlyRepeats;
@@ -53,13 +42,10 @@ int likelyPeriod(const std::vector<ForcedState>& states, int longest, const Spri
 }
 
 /// Measures n periods from a state into the motion; the end is the state after them.
-void measureFrom(const ForcedSprings& springs, const ForcedState& from, int n, ForcedMotion& motion)
+void measureFrom(const ForcedSlider& slider, const ForcedState& from, int n, ForcedMotion& motion)
 {
-    const ForcedPeriods way = springs.run(from, {.periods = n, .measurements = true});
+    const ForcedPeriods way = slider.run(from, {.periods = n, .measurements = true});
     motion.problem = way.problem;
-    if (way.frontLost || way.rearLost)
-        motion.problem = std::string(way.frontLost ? "the front" : "the rear") +
-                         " air spring is lost: its spacing stays below springs.cutoff";
     motion.harmonic = way.harmonic;
     motion.least = way.least;
     motion.most = way.most;
@@ -71,88 +57,89 @@ void measureFrom(const ForcedSprings& springs, const ForcedState& from, int n, F
 
 } // namespace
 
-double apart(const ForcedState& a, const ForcedState& b, const SpringModel::State& size)
+double apart(const ForcedState& a, const ForcedState& b, const VectorXd& size)
 {
     return (a.y - b.y).cwiseQuotient(size).norm();
 }
 
-std::optional<RepeatingMotion> repeatingNear(const ForcedSprings& springs, const ForcedState& start, int n,
-                                             const SpringModel::State& size, const NewtonOptions& newton,
+std::optional<RepeatingMotion> repeatingNear(const ForcedSlider& slider, const ForcedState& start, int n,
+                                             const VectorXd& size, const NewtonOptions& newton,
                                              const std::function<bool()>& goOn)
 {
     const ForcedRequest request{.periods = n, .derivative = true, .rough = newton.rough};
     ForcedState at = start;
     for (int k = 0; k < newton.mostSteps; ++k) {
         if (goOn && !goOn()) return {};
-        const ForcedPeriods way = springs.run(at, request);
+        const ForcedPeriods way = slider.run(at, request);
         if (!way.problem.empty()) return {};
-        const SpringModel::State units = unitsOf(springs, way.swing);
-        const double enough = std::max(repeats, aboveNoise * springs.stepError(newton.rough) / units[0]);
-        const Eigen::Vector4d residual = (way.end.y - at.y).cwiseQuotient(units);
-        const Eigen::Matrix4d slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
-        const Eigen::Vector4d change = (Eigen::Matrix4d::Identity() - slope).fullPivLu().solve(residual);
+        const VectorXd units = slider.units(way.swing);
+        const double enough = std::max(repeats, aboveNoise * slider.stepError(newton.rough) / units[0]);
+        const VectorXd residual = (way.end.y - at.y).cwiseQuotient(units);
+        const MatrixXd slope = units.cwiseInverse().asDiagonal() * way.derivative * units.asDiagonal();
+        const VectorXd change = (MatrixXd::Identity(slope.rows(), slope.cols()) - slope).fullPivLu().solve(residual);
         if (!change.allFinite()) return {};
         if (residual.norm() <= enough && change.norm() <= enough) {
-            const double multiplier = spectralRadius(SmallMatrix(slope));
+            const double multiplier = Eigen::EigenSolver<MatrixXd>(slope, false).eigenvalues().cwiseAbs().maxCoeff();
             if (!(multiplier < 1.0) || !(way.end.mode == at.mode)) return {};
             for (int part = 1; part < n; ++part) {
                 if (n % part != 0) continue;
-                const ForcedPeriods shorter = springs.run(at, {.periods = part, .rough = newton.rough});
+                const ForcedPeriods shorter = slider.run(at, {.periods = part, .rough = newton.rough});
                 if (!shorter.problem.empty() || apart(shorter.end, at, units) > shorterRepeats) continue;
                 // Where the n periods hardly decay, their Newton step leaves more than the part's own does.
                 if (auto found =
-                        repeatingNear(springs, at, part, units, {.reach = shorterRepeats, .rough = newton.rough}, goOn))
+                        repeatingNear(slider, at, part, units, {.reach = shorterRepeats, .rough = newton.rough}, goOn))
                     return found;
             }
             return RepeatingMotion{at, n, multiplier, units};
         }
         at.y += units.cwiseProduct(change);
-        at = springs.continued(at);
+        at = slider.continued(at);
         if (apart(at, start, size) > newton.reach) return {};
     }
     return {};
 }
 
-ForcedMotion measured(const ForcedSprings& springs, const RepeatingMotion& repeating)
+ForcedMotion measured(const ForcedSlider& slider, const RepeatingMotion& repeating)
 {
     ForcedMotion motion;
-    motion.frequency = springs.frequency();
+    motion.frequency = slider.frequency();
     motion.period = repeating.period;
     motion.multiplier = repeating.multiplier;
     motion.size = repeating.size;
-    measureFrom(springs, repeating.at, repeating.period, motion);
+    measureFrom(slider, repeating.at, repeating.period, motion);
     if (!motion.valid()) motion.period = 0;
     return motion;
 }
 
-ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& start, const SettleOptions& options)
+ForcedMotion settledMotion(const ForcedSlider& slider, const ForcedState& start, const SettleOptions& options)
 {
     ForcedMotion motion;
-    motion.frequency = springs.frequency();
-    std::vector<ForcedState> states{springs.continued(start)};
+    motion.frequency = slider.frequency();
+    std::vector<ForcedState> states{slider.continued(start)};
     ForcedState before = states.front(); // at the last look
     int look = firstLook;
-    Eigen::Vector2d lowest = states.front().y.head<2>(), highest = lowest; // since then
+    const Eigen::Index positions = slider.positions();
+    VectorXd lowest = states.front().y.head(positions), highest = lowest; // since then
     for (int k = 1; k <= options.mostPeriods; ++k) {
         if (options.goOn && !options.goOn()) {
             motion.problem = "stopped";
             return motion;
         }
-        const ForcedPeriods way = springs.run(states.back(), {.rough = true});
+        const ForcedPeriods way = slider.run(states.back(), {.rough = true});
         if (!way.problem.empty()) {
             motion.problem = way.problem;
             return motion;
         }
         states.push_back(way.end);
-        lowest = lowest.cwiseMin(way.end.y.head<2>());
-        highest = highest.cwiseMax(way.end.y.head<2>());
+        lowest = lowest.cwiseMin(way.end.y.head(positions));
+        highest = highest.cwiseMax(way.end.y.head(positions));
         if (k != look && k != options.mostPeriods) continue;
         look *= 2;
         const ForcedState& last = states.back();
-        const SpringModel::State units = unitsOf(springs, way.swing),
-                                 size = unitsOf(springs, way.swing.cwiseMax(0.5 * (highest - lowest)));
+        const VectorXd units = slider.units(way.swing),
+                       size = slider.units(way.swing.cwiseMax(0.5 * (highest - lowest)));
         if (const int n = likelyPeriod(states, options.longestPeriod, size)) {
-            std::optional<RepeatingMotion> found = repeatingNear(springs, last, n, size, {.rough = true}, options.goOn);
+            std::optional<RepeatingMotion> found = repeatingNear(slider, last, n, size, {.rough = true}, options.goOn);
             const bool byItself = apart(last, states[states.size() - 1 - std::size_t(n)], units) <= repeatsByItself;
             if (found && !byItself) {
                 const double distance = apart(last, found->at, units);
@@ -161,20 +148,20 @@ ForcedMotion settledMotion(const ForcedSprings& springs, const ForcedState& star
             }
             if (found)
                 found =
-                    repeatingNear(springs, found->at, found->period, found->size, {.reach = closeEnough}, options.goOn);
+                    repeatingNear(slider, found->at, found->period, found->size, {.reach = closeEnough}, options.goOn);
             if (found || byItself) {
                 motion.period = found ? found->period : n;
                 motion.size = found ? found->size : units;
                 if (found) motion.multiplier = found->multiplier;
-                measureFrom(springs, found ? found->at : last, motion.period, motion);
+                measureFrom(slider, found ? found->at : last, motion.period, motion);
                 if (!motion.valid()) motion.period = 0;
                 return motion;
             }
         }
         before = last;
-        lowest = highest = last.y.head<2>();
+        lowest = highest = last.y.head(positions);
     }
-    measureFrom(springs, states.back(), periodsOfUnsettled, motion);
+    measureFrom(slider, states.back(), periodsOfUnsettled, motion);
     return motion;
 }
 

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 
 #include <QTest>
 
 #include "core/case_files/case_file.h"
+#include "core/simulation/springs/spring_model.h"
+#include "core/studies/response/response.h"
 #include "core/studies/response/response_result.h"
 #include "tests/support/impact_oscillator.h"
 #include "tests/support/test_program.h"
@@ -24,13 +27,14 @@ ResponseTask taskOf(const Case& c, double amplitude, double wavelength)
     task.quantity = SpringModel::quantities(c)[std::size_t(findQuantity(SpringModel::quantities(c), "flying_height"))];
     task.amplitude = amplitude;
     task.wavelength = wavelength;
+    takeSprings(task);
     return task;
 }
 
 ForcedMotion motionAt(const ResponseTask& task, double frequency, const ForcedState* start = nullptr)
 {
-    const ForcedSprings springs = task.springsAt(frequency);
-    ForcedMotion motion = settledMotion(springs, start == nullptr ? springs.start() : *start, task.settle);
+    const std::unique_ptr<ForcedSlider> springs = task.sliderAt(frequency);
+    ForcedMotion motion = settledMotion(*springs, start == nullptr ? springs->start() : *start, task.settle);
     motion.frequency = frequency;
     return motion;
 }
@@ -38,9 +42,9 @@ ForcedMotion motionAt(const ResponseTask& task, double frequency, const ForcedSt
 /// Distance of a state from where it was, after so many periods at a frequency, in amplitudes of the wave.
 double moved(const ResponseTask& task, const ForcedState& from, double frequency, int periods)
 {
-    const ForcedSprings springs = task.springsAt(frequency);
-    ForcedState at = springs.continued(from);
-    for (int k = 0; k < periods; ++k) at = springs.run(at, {}).end;
+    const std::unique_ptr<ForcedSlider> springs = task.sliderAt(frequency);
+    ForcedState at = springs->continued(from);
+    for (int k = 0; k < periods; ++k) at = springs->run(at, {}).end;
     return std::abs(at.y[0] - from.y[0]) / task.amplitude;
 }
 

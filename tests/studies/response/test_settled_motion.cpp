@@ -12,6 +12,7 @@
 #include <QTest>
 
 #include "core/simulation/run.h"
+#include "core/studies/response/forced_springs.h"
 #include "tests/support/impact_oscillator.h"
 #include "tests/support/test_program.h"
 
