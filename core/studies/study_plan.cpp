@@ -248,7 +248,8 @@ std::span<const StudyKind> studyKinds()
          "they end",
          planCycles, cyclesForm},
         {"response", "Forced motion over the frequency",
-         "Drives a slider on springs by waves of the disk, with the frequency going up and down: amplitude, phase, "
+         "Drives a slider on springs, or on a linear film, by waves of the disk, with the frequency going up and down: "
+         "amplitude, phase, "
          "jumps, contact and period of the motion",
          planResponse, responseForm},
         {"advise", "No more model than the scene needs",

@@ -67,8 +67,9 @@ public:
     virtual double waveAmplitude() const = 0; // [m]
     /// Of a position in one step, also of rough steps: not below its round-off [m].
     virtual double stepError(bool rough) const = 0;
-    /// Units of a state of a motion with this swing: the sizes of its parts. At least those of a tenth of the wave.
+    /// Units of a state of a motion with this swing: the sizes of its parts. At least those of leastSize.
     virtual Eigen::VectorXd units(const Eigen::VectorXd& swing) const = 0;
+    static constexpr double leastSize = 0.1; // of a motion, in amplitudes of the wave [-]
     virtual Eigen::Index positions() const = 0;
 
     /// From the start of the case.

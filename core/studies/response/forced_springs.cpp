@@ -26,7 +26,6 @@ constexpr double firstStepShare = 1.0 / 64.0;       // of a period [-]
 constexpr double fullTurn = 2.0 * std::numbers::pi; // [rad]
 constexpr int mostEquilibriumSteps = 30;            // of Newton
 constexpr double equilibriumFound = 1e-12;          // last change, in units of SpringModel::scale [-]
-constexpr double leastSize = 0.1;                   // of a motion, in amplitudes of the wave [-]
 
 bool touchesDisk(SpringModel::Mode mode)
 {

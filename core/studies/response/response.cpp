@@ -9,6 +9,7 @@
 #include <mutex>
 #include <numbers>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "core/case/contact_law.h"
@@ -17,6 +18,7 @@
 #include "core/physics/disk/disk_surface_check.h"
 #include "core/simulation/equilibria/spring_equilibria.h"
 #include "core/simulation/run.h"
+#include "core/studies/response/forced_film.h"
 #include "core/studies/response/forced_springs.h"
 #include "core/studies/response/response_report.h"
 #include "core/studies/response/response_sweep.h"
@@ -34,13 +36,17 @@ constexpr int standardStarts = 48;
 constexpr double leastFrequency = 100.0, mostFrequency = 1e8;  // [Hz]
 constexpr double leastAmplitude = 1e-15, mostAmplitude = 1e-3; // of the wave [m]
 constexpr double aboveRoundOff = 1e5;                          // amplitude of the wave, in round-off of a height [-]
-constexpr double standardAmplitude = 0.5e-9;                   // [m]
-constexpr double longestWave = 1.0;                            // [m]
-constexpr double belowModes = 0.5, aboveModes = 1.5;           // default range, in frequencies of the modes [-]
+constexpr double standardAmplitude = 0.5e-9, smallAmplitude = 0.05e-9; // on springs, on a linear film [m]
+constexpr ValueRange frequenciesOfFilm{20e3, 400e3};                   // by default [Hz]
+constexpr double longestWave = 1.0;                                    // [m]
+constexpr double belowModes = 0.5, aboveModes = 1.5;                   // default range, in frequencies of the modes [-]
+
+bool isFilm(const Case& c) { return c.model == ModelKind::Film; }
 
 /// What is recorded over a wave.
 std::vector<Quantity> quantitiesOverWave(Case c)
 {
+    if (isFilm(c)) return quantitiesOfForcedFilm(c);
     c.diskSurface.kind = DiskSurfaceKind::Waves;
     return SpringModel::quantities(c);
 }
@@ -51,9 +57,11 @@ SpringModel modelOverFlatDisk(Case c)
     return SpringModel(c);
 }
 
-/// From half of the lowest frequency of the static state to 1.5 times the highest [Hz]; nothing without a mode.
+/// From half of the lowest frequency of the static state to 1.5 times the highest [Hz]; nothing without a mode. The
+/// modes of a film take too long to be asked.
 std::optional<ValueRange> defaultFrequencies(const Case& c)
 {
+    if (isFilm(c)) return frequenciesOfFilm;
     if (c.model != ModelKind::Springs) return {};
     const SpringModel model = modelOverFlatDisk(c);
     double lowest = mostFrequency, highest = 0.0;
@@ -67,8 +75,12 @@ std::optional<ValueRange> defaultFrequencies(const Case& c)
     return ValueRange{roundedTo(belowModes * lowest, 2), roundedTo(std::min(aboveModes * highest, mostFrequency), 2)};
 }
 
-/// Between two frequencies at which the waves under both air springs are in phase, if the speed is held [Hz].
-double beatOf(const Case& c) { return std::abs(speedAlong(c)) / (c.springs.frontDistance + c.springs.rearDistance); }
+/// Between two frequencies at which the waves under both air springs, or under both ends of the slider, are in phase,
+/// if the speed is held [Hz].
+double beatOf(const Case& c)
+{
+    return std::abs(speedAlong(c)) / (isFilm(c) ? c.slider.length : c.springs.frontDistance + c.springs.rearDistance);
+}
 
 /// Eight in each beat, if the speed is held.
 int defaultSteps(const Case& c, const ValueRange& range, bool lengthHeld)
@@ -82,7 +94,7 @@ double defaultAmplitude(const Case& c)
 {
     const std::vector<double>& given = c.diskSurface.waveAmplitudes;
     const bool hasWave = hasWaves(c.diskSurface) && !given.empty() && given.front() != 0.0;
-    return hasWave ? std::abs(given.front()) : standardAmplitude;
+    return hasWave ? std::abs(given.front()) : isFilm(c) ? smallAmplitude : standardAmplitude;
 }
 
 class ResponsePerformance {
@@ -116,7 +128,8 @@ public:
                            });
         StudyReport report = responseReport(task_, result_);
         if (!whole) return ended(report, StudyStatus::Cancelled, "stopped before all frequencies were done");
-        if (std::ranges::none_of(result_.points, [](const ResponsePoint& at) { return at.motion.valid(); }))
+        if (result_.others.empty() &&
+            std::ranges::none_of(result_.points, [](const ResponsePoint& at) { return at.motion.valid(); }))
             return ended(report, StudyStatus::Failed, "no motion is valid: " + result_.points.front().motion.problem);
         return report;
     }
@@ -177,6 +190,36 @@ void checkEnd(StudyReader& reader, const ResponseTask& task, const char* name, d
     for (const CaseProblem& problem : checkCombinations(over)) reader.add(name, problem.key + ": " + problem.message);
 }
 
+/// The film of the task's case, which takes seconds to find: false where it is stopped. Throws std::runtime_error.
+bool takeFilm(ResponseTask& task, const StudyCallback& callback)
+{
+    const auto goOn = [&](double share) {
+        return !callback || callback({0.0, "answer of the film, " + percent(share)});
+    };
+    auto film = FilmUnderWaves::make(task.start, task.quantity.name, task.amplitude, task.frequencies, task.beat, goOn);
+    if (!film) return false;
+    const auto law = characteristic(task.start);
+    if (law && film->regions()[film->atRest()].name == ContactRegion::Apart)
+        task.toContact = film->restSpacing() - law->touchDown;
+    task.sliderAt = [film = std::move(film)](double frequency) {
+        return std::make_unique<ForcedFilm>(film, frequency);
+    };
+    return true;
+}
+
+StudyReport performResponse(ResponseTask task, int jobs, const StudyCallback& callback)
+{
+    try {
+        if (!isFilm(task.start))
+            takeSprings(task);
+        else if (!takeFilm(task, callback))
+            return ended({}, StudyStatus::Cancelled, "stopped before the film's answer to waves was known");
+    } catch (const std::runtime_error& error) {
+        return ended({}, StudyStatus::Failed, error.what());
+    }
+    return ResponsePerformance(task, callback).perform(jobs);
+}
+
 } // namespace
 
 void takeSprings(ResponseTask& task)
@@ -192,9 +235,13 @@ StudyPerformance planResponse(StudyReader& reader)
 {
     ResponseTask task;
     task.start = reader.start();
-    if (task.start.model != ModelKind::Springs) {
-        reader.add("case", "is not of model \"springs\": a study of forced motion takes the slider with two degrees of "
-                           "freedom");
+    const bool film = isFilm(task.start);
+    if (!film && task.start.model != ModelKind::Springs) {
+        reader.add("case", "is of model \"contact\": a study of forced motion takes springs or a linear film");
+        return {};
+    }
+    if (const std::string reason = film ? reasonAgainstForcedFilm(task.start) : std::string(); !reason.empty()) {
+        reader.add("case", reason);
         return {};
     }
     if (!(std::abs(speedAlong(task.start)) > 0.0)) {
@@ -216,11 +263,13 @@ StudyPerformance planResponse(StudyReader& reader)
     const std::optional<int> givenSteps = reader.integer("steps", 1, 2000);
     const std::string quantity = reader.choice("quantity");
     task.amplitude = reader.number("amplitude");
-    const double least = aboveRoundOff * ForcedSprings::roundOffOfHeight(modelOverFlatDisk(task.start));
+    const double least = film ? 0.0 : aboveRoundOff * ForcedSprings::roundOffOfHeight(modelOverFlatDisk(task.start));
     if (task.amplitude < least)
         reader.add("amplitude", "is lost in the round-off of the height of the slider: at least " +
                                     fewDigits(least, "nm") + " is needed");
     const std::optional<double> wavelength = reader.number("wavelength", "m", "um", 1e-9, longestWave);
+    if (film && reader.has("wavelength"))
+        reader.add("wavelength", "is held with springs alone: at another speed the film is another one");
     const bool wrongLength = reader.has("wavelength") && !wavelength;
     task.wavelength = wavelength.value_or(0.0);
     task.starts = reader.integer("starts");
@@ -237,10 +286,12 @@ StudyPerformance planResponse(StudyReader& reader)
     checkEnd(reader, task, "to", *to);
     const int steps = givenSteps.value_or(defaultSteps(task.start, {*from, *to}, task.wavelength > 0.0));
     if (task.wavelength == 0.0) task.beat = beatOf(task.start);
+    if (film) {
+        task.under = task.start.surface.pointsOfInterest.empty() ? "the trailing edge" : "the first point of interest";
+        task.ends = "both ends of the slider";
+    }
     for (int i = 0; i <= steps; ++i) task.frequencies.push_back(std::lerp(*from, *to, double(i) / steps));
-    takeSprings(task);
-    return
-        [task](int jobs, const StudyCallback& callback) { return ResponsePerformance(task, callback).perform(jobs); };
+    return [task](int jobs, const StudyCallback& callback) { return performResponse(task, jobs, callback); };
 }
 
 StudyForm responseForm(const Case& c)
@@ -258,7 +309,7 @@ StudyForm responseForm(const Case& c)
         numberKey("to", end(&ValueRange::upper), "Hz", "kHz", leastFrequency, mostFrequency, "the highest frequency"),
         onlyOffered(integerKey("steps", range ? defaultSteps(c, *range, false) : fewestSteps, 1, 2000,
                                "from one end to the other; without it 60, and with the speed held up to 400, so that "
-                               "8 are in each beat of the waves under the two air springs")),
+                               "8 are in each beat of the waves under the two air springs, or along a film")),
         choiceKey("quantity", "flying_height", std::move(quantities), "whose amplitude and phase are taken"),
         numberKey("amplitude", defaultAmplitude(c), "m", "nm", leastAmplitude, mostAmplitude,
                   "of the waves, which replace the surface of the case"),
@@ -273,7 +324,8 @@ StudyForm responseForm(const Case& c)
     };
     form.remark =
         "The speed of the disk is held and the length of its waves changes. With wavelength = \"50 um\" that is "
-        "the length of the waves, and the speed changes.";
+        "the length of the waves, and the speed changes (springs only). A film is linear about its static state "
+        "(film.motion = \"linear\"), under no contact or that of Ono and Yamane.";
     return form;
 }
 

@@ -81,7 +81,7 @@ StudyChart responseChart(const ResponseTask& task, const ResponseResult& result)
     const Quantity& quantity = task.quantity;
     ChartPanel amplitude{frequencyAxis(),
                          {"Amplitude of the " + readableName(quantity), quantity.unit, quantity.displayUnit}};
-    ChartPanel phase{frequencyAxis(), {"Phase against the disk under the pad", "rad", "deg"}};
+    ChartPanel phase{frequencyAxis(), {"Phase against the disk under " + task.under, "rad", "deg"}};
     const auto amplitudeOf = [](const ForcedMotion& motion) { return motion.amplitude(); };
     const auto phaseOf = [turn = phaseTurnOf(result)](const ForcedMotion& motion) { return turn.of(motion.harmonic); };
     for (ChartPanel* panel : {&amplitude, &phase}) {
@@ -137,7 +137,7 @@ StudyTable pointTable(const ResponseTask& task, const ResponseResult& result)
                      {"frequency", "Hz", "kHz", "Frequency of the forcing"},
                      {"settled", "", "", "Settled"},
                      {"amplitude", q.unit, q.displayUnit, "Amplitude of the first harmonic of the " + readableName(q)},
-                     {"phase", "rad", "deg", "Phase against the disk under the pad"},
+                     {"phase", "rad", "deg", "Phase against the disk under " + task.under},
                      {"linear_amplitude", q.unit, q.displayUnit, "Amplitude of small motions"},
                      {"linear_phase", "rad", "deg", "Phase of small motions", true},
                      {"least", q.unit, q.displayUnit, "Least value of the " + readableName(q), true},
@@ -208,10 +208,10 @@ StudyReport responseReport(const ResponseTask& task, const ResponseResult& resul
     report.tables = {pointTable(task, result), jumpTable(task, result)};
     const double step = (task.frequencies.back() - task.frequencies.front()) / double(task.frequencies.size() - 1);
     if (task.beat > 0.0 && step > coarse * task.beat)
-        report.warnings.push_back(
-            "The frequencies are " + fewDigits(step, "kHz") +
-            " apart. With the speed held, the waves under the two air springs are in phase each " +
-            fewDigits(task.beat, "kHz", 3) + ": maxima and minima of the amplitude between the points are not shown.");
+        report.warnings.push_back("The frequencies are " + fewDigits(step, "kHz") +
+                                  " apart. With the speed held, the waves under " + task.ends + " are in phase each " +
+                                  fewDigits(task.beat, "kHz", 3) +
+                                  ": maxima and minima of the amplitude between the points are not shown.");
     std::size_t failed = 0;
     const ResponsePoint* first = nullptr;
     for (const ResponsePoint& point : result.points)

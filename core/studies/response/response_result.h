@@ -28,7 +28,9 @@ struct ResponseTask {
     std::vector<double> frequencies; // in rising order [Hz]
     double beat =
         0.0; // of the waves under both air springs, or under both ends of a film, where the speed is held [Hz]; else 0
-    int starts = 0; // from which other motions are looked for
+    std::string under = "the pad";            // the disk against which phases are given
+    std::string ends = "the two air springs"; // whose waves beat
+    int starts = 0;                           // from which other motions are looked for
     SettleOptions settle;
     std::optional<double> toContact; // of a law with a touch-down height: from the static state down to it [m]
     /// At a frequency [Hz].
