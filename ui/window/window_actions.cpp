@@ -152,7 +152,7 @@ void WindowActions::buildRun(QMainWindow& window)
     solveGiven = add(menu, tr("Solve at the &given attitude"), QKeySequence(Qt::SHIFT | Qt::Key_F9), {},
                      tr("Solve for the pressure only, at the height, pitch and roll of the start"));
     smallMotions = add(menu, tr("F&ilm, small motions"), {}, {},
-                       tr("Make the film linear about the static state and start near it: runs follow the values that you move"));
+                       tr("Make the film linear about the static state and start near it: runs follow what you move"));
     smallMotions->setCheckable(true);
     for (QAction* action : {solve, solveGiven, smallMotions}) action->setVisible(false);
     menu->addSeparator();

@@ -279,7 +279,7 @@ bool FilmUnderWaves::setForces(Made& made, std::span<const double> frequencies, 
             throw std::runtime_error("the film's answer to waves at one frequency was not found");
         // The wave under the point is Re W e^(i omega t); it is to be a sin(omega t).
         const DiskTopography topography(over.diskSurface);
-        const Velocity v = DiskUnderFilm(over, topography, level.gaps.grid, level.gaps.pad).velocity();
+        const Velocity v = surfaceVelocity(over, topography);
         const auto under = [&](double time) {
             return topography.height(made.point.x - v.x * time, made.point.y - v.y * time);
         };
