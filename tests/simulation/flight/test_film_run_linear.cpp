@@ -160,6 +160,11 @@ private slots:
         QCOMPARE(knownLinearState(other)->film.fit.error, kept->film.fit.error);
         other.suspension.preload *= 1.01;
         QVERIFY(!knownLinearState(other));
+        // Another one beside it, which it outlives.
+        other.diskSurface = {};
+        QVERIFY_STATUS(fly(other), RunStatus::Completed);
+        QVERIFY(knownLinearState(other) && knownLinearState(c));
+        QCOMPARE(knownLinearState(c)->film.fit.error, kept->film.fit.error);
     }
 
     // Who moves a value sees at once what the same film does about the state of another value: where the slider rests

@@ -199,7 +199,13 @@ private slots:
         const double beat = std::abs(speedAlong(c)) / c.slider.length;
         std::vector<double> frequencies;
         for (int k = 0; k <= 8; ++k) frequencies.push_back(100e3 + 0.5 * k * beat);
-        const auto film = FilmUnderWaves::make(c, "height", wave, frequencies, beat, [](double) { return true; });
+        double least = 1.0, most = 0.0; // of the shares that are told
+        const auto film = FilmUnderWaves::make(c, "height", wave, frequencies, beat, [&](double share) {
+            least = std::min(least, share);
+            most = std::max(most, share);
+            return true;
+        });
+        QVERIFY(least == 0.0 && most > 0.9 && most <= 1.0);
         for (const double frequency : {frequencies[3] + 0.21 * beat, frequencies[5] + 0.43 * beat}) {
             const auto own = filmOf(c, "height", {frequency});
             const double error =
