@@ -102,9 +102,8 @@ MapCell judgeCell(const BouncingMapTask& task, double x, double y, const std::fu
     BouncingSearch search = task.search;
     search.mostCrossings = 0;
     search.goOn = goOn;
-    const Vector3 units = sectionUnits(*c);
     for (int k = 0; k < task.starts; ++k) {
-        const BouncingRun run = searchCycle(caseOfStart(*c, k), x, units, search);
+        const BouncingRun run = searchCycle(*task.sliderOf(*c, k), x, search);
         cell.done = cell.done && (!goOn || goOn());
         if (!cell.done) return cell;
         if (run.end == BouncingEnd::Failed) cell.problem = run.problem;

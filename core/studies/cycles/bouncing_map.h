@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Does the slider fly, is it caught, or does it bounce for ever? A map over two values of the case. Each cell is run
-// from several starts (caseOfStart), each with a verdict (bouncing_run.h). Oscillations within the contact that never
+// from several starts (SliderOf), each with a verdict (bouncing_run.h). Oscillations within the contact that never
 // reach d_e count as caught. Beside each cell stands W, which one loop of
 // its contact law takes out of the slider (core/physics/contact/ono_yamane.h).
 #pragma once
@@ -40,6 +40,7 @@ struct BouncingMapTask {
     BouncingMapAxis x, y;
     int starts = 3;
     BouncingSearch search;
+    SliderOf sliderOf{};
     std::vector<MapMark> marks{};
 };
 

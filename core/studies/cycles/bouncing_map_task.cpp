@@ -171,6 +171,7 @@ std::optional<MarkedMapTask> readBouncingMap(StudyReader& reader, int starts, do
     MarkedMapTask task;
     task.start = reader.start();
     task.search.duration = duration;
+    task.sliderOf = slidersLike(task.start);
     task.starts = reader.integer("map.starts", 1, mostStarts).value_or(starts);
     const std::optional<BouncingMapAxis> x = readAxis(reader, "map.x"), y = readAxis(reader, "map.y");
     if (!x || !y) return {};

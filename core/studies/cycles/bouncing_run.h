@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A long run of the spring model, with the verdict on its motion (core/simulation/recording/motion_verdict.h): it
+// A long run of a slider, with the verdict on its motion (core/simulation/recording/motion_verdict.h): it
 // flies, it is caught, or it bounces. A run that does not come to rest is the start of the search for its cycle: the
 // smallest number n of crossings of the section after which a state returns nearly, then Newton's method.
 #pragma once
@@ -55,12 +55,11 @@ struct BouncingRun {
     double amplitude() const { return 0.5 * (minimumSpacing.most - minimumSpacing.least); }
 };
 
-/// The k-th start of a case: as it says, then at a tenth, a hundredth, ... of that height above d_e and at the static
-/// pitch.
-Case caseOfStart(const Case& c, int k);
+/// The sliders like a case.
+SliderOf slidersLike(const Case& c);
 
-/// From the start of the case, or from a state on the section (return_map.h).
-BouncingRun searchCycle(const Case& c, double value, const Vector3& units, const BouncingSearch& search,
-                        const std::optional<Vector3>& from = {});
+/// From the slider's start, or from a state on the section (bouncing_slider.h).
+BouncingRun searchCycle(const BouncingSlider& slider, double value, const BouncingSearch& search,
+                        const std::optional<Eigen::VectorXd>& from = {});
 
 } // namespace touchdown

@@ -12,6 +12,9 @@
 
 namespace touchdown {
 
+using Eigen::MatrixXd, Eigen::VectorXd;
+using Multipliers = std::vector<std::complex<double>>;
+
 namespace {
 
 constexpr double parameterStep = 3e-6; // of the derivative by the parameter, of its range [-]
@@ -36,18 +39,21 @@ const ContinuationOptions cycleContinuation{.lower = 0.0,
 
 /// Zero where a complex pair crosses the unit circle: the product of m_i m_j - 1 over all pairs. Two real multipliers
 /// with the product 1 change its sign as well.
-double neimarkSackerTest(const std::array<std::complex<double>, 3>& m)
+double neimarkSackerTest(const Multipliers& m)
 {
-    return ((m[0] * m[1] - 1.0) * (m[0] * m[2] - 1.0) * (m[1] * m[2] - 1.0)).real();
+    std::complex<double> product = 1.0;
+    for (std::size_t i = 0; i < m.size(); ++i)
+        for (std::size_t j = i + 1; j < m.size(); ++j) product *= m[i] * m[j] - 1.0;
+    return product.real();
 }
 
 /// Whether the pair whose product is nearest to 1 is complex.
-bool isPairOnCircle(const std::array<std::complex<double>, 3>& m)
+bool isPairOnCircle(const Multipliers& m)
 {
     double least = std::numeric_limits<double>::infinity();
     bool complex = false;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = i + 1; j < 3; ++j) {
+    for (std::size_t i = 0; i < m.size(); ++i)
+        for (std::size_t j = i + 1; j < m.size(); ++j) {
             const double distance = std::abs(m[i] * m[j] - 1.0);
             if (distance >= least) continue;
             least = distance;
@@ -62,31 +68,25 @@ public:
     CyclePiece(const CycleTrace& trace, int crossings, double limit)
         : trace_(trace), crossings_(crossings), limit_(limit)
     {
-        problem_.linearise = [this](const Eigen::VectorXd& x, double p, ContinuationProblem::Linearised& at) {
+        problem_.linearise = [this](const VectorXd& x, double p, ContinuationProblem::Linearised& at) {
             return linearise(x, p, at);
         };
-        problem_.tests = [this](const Eigen::VectorXd& x, double p) -> std::vector<double> {
+        problem_.tests = [this](const VectorXd& x, double p) -> std::vector<double> {
             const Return& at = returnOf(x, p);
             halves_ = halvesOf(at, x);
-            return {(at.derivative + Matrix3::Identity()).determinant(),
+            return {(at.derivative + MatrixXd::Identity(x.size(), x.size())).determinant(),
                     neimarkSackerTest(multipliersOf(at.derivative))};
         };
-        problem_.guards = [this](const Eigen::VectorXd& x, double p) -> std::vector<double> {
+        problem_.guards = [this](const VectorXd& x, double p) -> std::vector<double> {
             const Return& at = returnOf(x, p);
             return {at.switches == switches_ ? 1.0 : -1.0, distanceOfHalves(at, x)};
         };
     }
     CyclePiece(const CyclePiece&) = delete;
 
-    bool solve(Vector3& x, double p)
-    {
-        Eigen::VectorXd y = x;
-        if (!solveAt(problem_, y, p, cycleContinuation.tolerance)) return false;
-        x = y;
-        return true;
-    }
-    const Return& at(const Vector3& x, double p) { return returnOf(x, p); }
-    Branch follow(const Vector3& x, double p, bool rising)
+    bool solve(VectorXd& x, double p) { return solveAt(problem_, x, p, cycleContinuation.tolerance); }
+    const Return& at(const VectorXd& x, double p) { return returnOf(x, p); }
+    Branch follow(const VectorXd& x, double p, bool rising)
     {
         switches_ = returnOf(x, p).switches;
         return followBranch(problem_, x, p, rising, cycleContinuation, trace_.goOn);
@@ -96,28 +96,27 @@ public:
 
 private:
     /// Where the branch is asked for several things at one point, it is integrated once.
-    const Return& returnOf(const Vector3& x, double p)
+    const Return& returnOf(const VectorXd& x, double p)
     {
-        if (x == lastX_ && p == lastP_) return last_;
+        if (p == lastP_ && x == lastX_) return last_;
         lastX_ = x;
         lastP_ = p;
         last_ = {};
-        if (const std::optional<Case> c = trace_.caseAt(trace_.value(std::clamp(p, 0.0, 1.0))))
-            last_ =
-                ReturnMap(*c, trace_.units).apply(x, {.crossings = crossings_, .limit = limit_, .derivative = true});
+        if (const auto slider = trace_.sliderAt(trace_.value(std::clamp(p, 0.0, 1.0))))
+            last_ = slider->apply(x, {.crossings = crossings_, .limit = limit_, .derivative = true});
         return last_;
     }
 
-    bool linearise(const Vector3& x, double p, ContinuationProblem::Linearised& at)
+    bool linearise(const VectorXd& x, double p, ContinuationProblem::Linearised& at)
     {
         if (trace_.reached) trace_.reached(std::clamp(p, 0.0, 1.0));
         const Return& here = returnOf(x, p);
         if (!here.returned || !here.derivative.allFinite()) return false;
-        at.byState = here.derivative - Matrix3::Identity();
+        at.byState = here.derivative - MatrixXd::Identity(x.size(), x.size());
         // Central, or one-sided at the ends of the range, beyond which the map is extrapolated: the case ends there.
         const double inside = std::clamp(p, 0.0, 1.0);
         const double before = std::max(0.0, inside - parameterStep), after = std::min(1.0, inside + parameterStep);
-        const std::optional<Vector3> low = reached(x, before), high = reached(x, after);
+        const std::optional<VectorXd> low = reached(x, before), high = reached(x, after);
         if (!low || !high) return false;
         at.byParameter = (*high - *low) / (after - before);
         at.residual = here.x + (p - inside) * at.byParameter - x;
@@ -125,26 +124,26 @@ private:
     }
 
     /// The way between the two states of a cycle with an even number of crossings that are half of it apart.
-    static Vector3 halvesOf(const Return& at, const Vector3& x)
+    static VectorXd halvesOf(const Return& at, const VectorXd& x)
     {
-        if (at.passed.size() % 2 != 0 || at.passed.empty()) return Vector3::Zero();
+        if (at.passed.size() % 2 != 0 || at.passed.empty()) return VectorXd::Zero(x.size());
         return at.passed[at.passed.size() / 2 - 1] - x;
     }
 
     /// It becomes zero where the cycle meets one of half its period, and beyond, the halves are exchanged: the branch
     /// would be followed back.
-    double distanceOfHalves(const Return& at, const Vector3& x) const
+    double distanceOfHalves(const Return& at, const VectorXd& x) const
     {
         if (at.passed.size() % 2 != 0 || at.passed.empty()) return 1.0;
-        const Vector3 halves = halvesOf(at, x);
-        return halves.dot(halves_) < 0.0 ? -halves.norm() : halves.norm();
+        const VectorXd halves = halvesOf(at, x);
+        return halves_.size() > 0 && halves.dot(halves_) < 0.0 ? -halves.norm() : halves.norm();
     }
 
-    std::optional<Vector3> reached(const Vector3& x, double p) const
+    std::optional<VectorXd> reached(const VectorXd& x, double p) const
     {
-        const std::optional<Case> c = trace_.caseAt(trace_.value(p));
-        if (!c) return {};
-        const Return there = ReturnMap(*c, trace_.units).apply(x, {.crossings = crossings_, .limit = limit_});
+        const auto slider = trace_.sliderAt(trace_.value(p));
+        if (!slider) return {};
+        const Return there = slider->apply(x, {.crossings = crossings_, .limit = limit_});
         if (!there.returned) return {};
         return there.x;
     }
@@ -154,8 +153,8 @@ private:
     double limit_; // [s]
     ContinuationProblem problem_;
     std::vector<CycleSwitch> switches_;
-    Vector3 halves_ = Vector3::Zero(); // at the last point of the branch
-    Vector3 lastX_ = Vector3::Zero();
+    VectorXd halves_; // at the last point of the branch; empty before
+    VectorXd lastX_;
     double lastP_ = std::numeric_limits<double>::quiet_NaN();
     Return last_;
 };
@@ -167,7 +166,7 @@ public:
 
     CycleBranch follow(bool rising)
     {
-        Vector3 x = start_.x;
+        VectorXd x = start_.x;
         double p = trace_.share(start_.value), period = start_.period;
         int crossings = start_.crossings;
         for (int k = 0; k < mostPieces; ++k) {
@@ -197,7 +196,7 @@ public:
             period = branch_.points.back().period;
             if (!jump(last, piece, x, p, crossings)) return std::move(branch_);
             branch_.marks.back().ends = false;
-            rising = last.tangent[3] > 0.0;
+            rising = last.tangent[last.x.size()] > 0.0;
         }
         end(CycleMark::End, "more grazings than are followed");
         return std::move(branch_);
@@ -210,10 +209,9 @@ private:
         for (std::size_t i = 0; i < found.points.size(); ++i) {
             const BranchPoint& point = found.points[i];
             const double value = trace_.value(point.p);
-            const std::optional<Case> c = trace_.caseAt(value);
-            if (!c) continue;
-            const LimitCycle cycle =
-                figuresOf(ReturnMap(*c, trace_.units), *c, value, point.x, piece.crossings(), piece.limit());
+            const auto slider = trace_.sliderAt(value);
+            if (!slider) continue;
+            const LimitCycle cycle = figuresOf(*slider, value, point.x, piece.crossings(), piece.limit());
             if (!(cycle.period > 0.0)) continue;
             const auto mark =
                 std::ranges::find_if(found.marks, [&](const BranchMark& each) { return each.point == i; });
@@ -237,35 +235,34 @@ private:
     {
         const std::vector<CycleSwitch>& before = branch_.points.back().switches;
         for (const double s : beyond) {
-            const Vector3 x = last.x + s * last.tangent.head(3);
-            const double p = last.p + s * last.tangent[3];
-            const std::optional<Case> c = trace_.caseAt(trace_.value(p));
-            if (!c) continue;
-            const ReturnMap map(*c, trace_.units);
-            Return there = map.apply(x, {.crossings = piece.crossings(), .limit = piece.limit()});
+            const VectorXd x = last.x + s * last.tangent.head(last.x.size());
+            const double p = last.p + s * last.tangent[last.x.size()];
+            const auto slider = trace_.sliderAt(trace_.value(p));
+            if (!slider) continue;
+            Return there = slider->apply(x, {.crossings = piece.crossings(), .limit = piece.limit()});
             if (!there.returned) { // flies away or is caught: later switches have no meaning
                 there.switches.resize(std::min(there.switches.size(), before.size()));
-                const std::string lost = firstDifference(map.model(), before, there.switches);
+                const std::string lost = firstDifference(*slider, before, there.switches);
                 return lost.empty() ? "the slider does not come back" : lost;
             }
             if (there.switches == before) continue;
-            return firstDifference(map.model(), before, there.switches);
+            return firstDifference(*slider, before, there.switches);
         }
         return {};
     }
 
     /// The cycle beyond a grazing, with another set of switches.
-    bool jump(const BranchPoint& last, const CyclePiece& before, Vector3& x, double& p, int& crossings) const
+    bool jump(const BranchPoint& last, const CyclePiece& before, VectorXd& x, double& p, int& crossings) const
     {
         const std::vector<CycleSwitch> switches = branch_.points.back().switches;
         for (const double s : beyond)
             for (const int more : {0, 1, -1}) {
                 const int n = before.crossings() + more;
-                const double there = last.p + s * last.tangent[3];
+                const double there = last.p + s * last.tangent[last.x.size()];
                 if (n < 1 || there < 0.0 || there > 1.0) continue;
                 CyclePiece piece(trace_, n, before.limit());
-                const Vector3 guess = last.x + s * last.tangent.head(3);
-                Vector3 y = guess;
+                const VectorXd guess = last.x + s * last.tangent.head(last.x.size());
+                VectorXd y = guess;
                 if (!piece.solve(y, there) || piece.at(y, there).switches == switches) continue;
                 if (piece.at(y, there).repeats(y) < nearestRepeat) continue;
                 if ((y - guess).norm() > std::max(farthestBeyond * s, leastBeyond)) continue;

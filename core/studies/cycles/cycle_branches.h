@@ -13,14 +13,15 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/simulation/equilibria/equilibrium.h"
 #include "core/studies/cycles/limit_cycle.h"
 
 namespace touchdown {
@@ -48,9 +49,8 @@ struct CycleBranch {
 };
 
 struct CycleTrace {
-    CaseAt caseAt;
-    double from = 0.0, to = 1.0; // range of the parameter [its unit]
-    Vector3 units = Vector3::Ones();
+    std::function<std::shared_ptr<const BouncingSlider>(double value)> sliderAt; // null where the case is not valid
+    double from = 0.0, to = 1.0;                                                 // range of the parameter [its unit]
     std::function<bool()> goOn{};
     std::function<void(double share)> reached{}; // receives each value at which cycles are sought, by its share
     /// The share of a value in the range, and back.

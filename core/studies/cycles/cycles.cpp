@@ -67,6 +67,11 @@ public:
 
 private:
     std::optional<Case> caseAt(double value) const { return caseWith(task_.start, task_.parameter, value); }
+    std::shared_ptr<const BouncingSlider> sliderAt(double value) const
+    {
+        const std::optional<Case> c = caseAt(value);
+        return c ? task_.sliderOf(*c, 0) : nullptr;
+    }
 
     void searchAt(std::size_t i, const GoOn& goOn)
     {
@@ -76,7 +81,7 @@ private:
         if (const std::optional<Case> c = caseAt(value)) {
             BouncingSearch search = task_.search;
             search.goOn = goOn;
-            run = searchCycle(caseOfStart(*c, int(i % std::size_t(task_.starts))), value, task_.units, search);
+            run = searchCycle(*task_.sliderOf(*c, int(i % std::size_t(task_.starts))), value, search);
         } else {
             run.problem = "the case is not valid at " + task_.text.of(value);
         }
@@ -111,8 +116,7 @@ private:
             high = std::max(high, share);
             traced_ = std::max(traced_.load(), mostOfBranches * (high - low));
         };
-        const CycleTrace trace{
-            [this](double value) { return caseAt(value); }, task_.from, task_.to, task_.units, goOn, reached};
+        const CycleTrace trace{[this](double value) { return sliderAt(value); }, task_.from, task_.to, goOn, reached};
         for (std::size_t i = 0; i < runs_.size() && result_.branches.size() < mostBranches && goOn(); ++i) {
             traced_ = std::max(traced_.load(), double(i) / double(runs_.size()));
             const std::optional<LimitCycle> cycle = runs_[i] ? runs_[i]->cycle : std::nullopt;
@@ -133,12 +137,12 @@ private:
                 if (mark.kind != CycleMark::PeriodDoubling || mark.ends || result_.branches.size() >= mostBranches)
                     continue;
                 const LimitCycle* unstable = unstableNear(branch, mark.point);
-                const std::optional<Case> c = unstable ? caseAt(unstable->value) : std::nullopt;
-                if (!c) continue;
+                const auto slider = unstable ? sliderAt(unstable->value) : nullptr;
+                if (!slider) continue;
                 BouncingSearch search = task_.search;
                 search.goOn = trace.goOn;
                 const BouncingRun run =
-                    searchCycle(*c, unstable->value, task_.units, search, Vector3((1.0 + perturbation) * unstable->x));
+                    searchCycle(*slider, unstable->value, search, Eigen::VectorXd((1.0 + perturbation) * unstable->x));
                 const auto known = [&](const CycleBranch& each) { return liesOn(each, *run.cycle); };
                 if (run.cycle && std::ranges::none_of(result_.branches, known)) keep(traceCycle(trace, *run.cycle));
             }
@@ -250,6 +254,7 @@ StudyWork planCycles(StudyReader& reader)
     task.starts = reader.integer("starts");
     task.search.duration = reader.number("duration");
     task.search.mostCrossings = reader.integer("crossings");
+    task.sliderOf = slidersLike(task.start);
     std::optional<MarkedMapTask> map;
     if (reader.has("map")) {
         map = readBouncingMap(reader, task.starts, task.search.duration);
@@ -272,7 +277,6 @@ StudyWork planCycles(StudyReader& reader)
     }
     task.from = *from;
     task.to = *to;
-    task.units = sectionUnits(task.start);
     for (int i = 0; i < values; ++i) task.values.push_back(std::lerp(*from, *to, (i + 0.5) / values));
     return [task, map](int jobs, const StudyCallback& callback) {
         return map ? performBoth(task, *map, jobs, callback) : CyclesPerformance(task, callback).perform(jobs);

@@ -4,8 +4,8 @@
 //
 // At `values` values between from and to, the case is run from `starts` starts: as the case says, then from a tenth, a
 // hundredth, ... of that height above d_e at the static pitch. A run that bounces at its end is the start of Newton's
-// method on the return map (return_map.h); the cycle is followed over the whole range, in both directions and through
-// folds (cycle_branches.h). Cycles that no run reaches and that are on no such branch are not found.
+// method on the return map (bouncing_slider.h); the cycle is followed over the whole range, in both directions and
+// through folds (cycle_branches.h). Cycles that no run reaches and that are on no such branch are not found.
 //
 // Each cycle has its frequency, amplitude, Floquet multipliers and its energy balance by part. The parameter may be
 // several keys with commas between them: all take the same value, as the damping ratios of both air springs do.

@@ -21,7 +21,7 @@ struct CyclesTask {
     std::vector<double> values;  // at which runs start, there [unit of the parameter]
     int starts = 3;
     BouncingSearch search;
-    Vector3 units = Vector3::Ones();
+    SliderOf sliderOf;
 };
 
 struct CyclesResult {

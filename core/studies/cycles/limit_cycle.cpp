@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/case/contact_law.h"
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
 #include "core/formats/units.h"
 #include "core/formats/words.h"
 
 namespace touchdown {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
@@ -29,28 +33,29 @@ double LimitCycle::residual() const
     return largest > 0.0 ? std::abs(energies.sum()) / largest : 0.0;
 }
 
-std::array<std::complex<double>, 3> multipliersOf(const Matrix3& derivative)
+std::vector<std::complex<double>> multipliersOf(const Eigen::MatrixXd& derivative)
 {
-    const SmallComplexVector values = eigenvaluesOf(derivative);
-    std::array<std::complex<double>, 3> all{values[0], values[1], values[2]};
+    const Eigen::VectorXcd values = Eigen::EigenSolver<Eigen::MatrixXd>(derivative, false).eigenvalues();
+    std::vector<std::complex<double>> all(values.begin(), values.end());
     std::ranges::stable_sort(all, std::ranges::greater(), [](const auto& value) { return std::abs(value); });
     return all;
 }
 
-CycleSolution solveCycle(const ReturnMap& map, Vector3 x, int crossings, double limit)
+CycleSolution solveCycle(const BouncingSlider& slider, VectorXd x, int crossings, double limit)
 {
     CycleSolution solution;
     solution.crossings = crossings;
     const ReturnRequest request{.crossings = crossings, .limit = limit, .derivative = true};
-    Return at = map.apply(x, request);
+    Return at = slider.apply(x, request);
     for (int k = 0;; ++k) {
         if (!at.returned) {
             solution.problem =
                 "the slider does not come back to the touch-down height within " + fewDigitsOfTime(limit);
             return solution;
         }
-        const Vector3 residual = at.x - x;
-        const Vector3 change = solveFullPivoting(at.derivative - Matrix3::Identity(), residual);
+        const VectorXd residual = at.x - x;
+        const MatrixXd slope = at.derivative - MatrixXd::Identity(x.size(), x.size());
+        const VectorXd change = slope.fullPivLu().solve(residual);
         if (residual.norm() <= cycleFound && change.norm() <= cycleFound) break;
         if (k == mostCycleIterations || !change.allFinite()) {
             solution.problem = "Newton's method found no cycle of " + counted(std::size_t(crossings), "crossing") +
@@ -62,7 +67,7 @@ CycleSolution solveCycle(const ReturnMap& map, Vector3 x, int crossings, double 
         double share = 1.0;
         Return next;
         for (int halving = 0; halving < mostHalvings; ++halving, share *= 0.5) {
-            next = map.apply(x - share * change, request);
+            next = slider.apply(x - share * change, request);
             if (next.returned && (next.x - (x - share * change)).norm() < residual.norm()) break;
         }
         if (residual.norm() <= cycleFound && !(share >= 1.0)) break; // round-off
@@ -84,13 +89,13 @@ CycleSolution solveCycle(const ReturnMap& map, Vector3 x, int crossings, double 
     return solution;
 }
 
-LimitCycle figuresOf(const ReturnMap& map, const Case& c, double value, const Vector3& x, int crossings, double limit)
+LimitCycle figuresOf(const BouncingSlider& slider, double value, const VectorXd& x, int crossings, double limit)
 {
     LimitCycle cycle;
     cycle.value = value;
     cycle.x = x;
     cycle.crossings = crossings;
-    Return way = map.apply(x, {.crossings = crossings, .limit = limit, .derivative = true, .measurements = true});
+    Return way = slider.apply(x, {.crossings = crossings, .limit = limit, .derivative = true, .measurements = true});
     if (!way.returned || !way.derivative.allFinite()) return cycle;
     cycle.period = way.time;
     cycle.separation = way.separation;
@@ -100,7 +105,7 @@ LimitCycle figuresOf(const ReturnMap& map, const Case& c, double value, const Ve
     for (double* part :
          {&cycle.energies.air, &cycle.energies.suspension, &cycle.energies.contact, &cycle.energies.friction})
         if (std::abs(*part) < energyAccuracy * way.energies.largest()) *part = 0.0;
-    cycle.cycleWork = cycleWork(c).value();
+    cycle.cycleWork = slider.cycleWork();
     cycle.touchDowns = static_cast<int>(std::ranges::count_if(way.switches, [](const CycleSwitch& each) {
         return each.guard == SpringModel::Pad && each.before.contact == ContactRegion::Apart;
     }));
@@ -113,14 +118,14 @@ bool sameCycle(const LimitCycle& a, const LimitCycle& b)
     return near(a.period, b.period) && near(a.amplitude(), b.amplitude()) && near(a.separation.most, b.separation.most);
 }
 
-std::string firstDifference(const SpringModel& model, const std::vector<CycleSwitch>& before,
+std::string firstDifference(const BouncingSlider& slider, const std::vector<CycleSwitch>& before,
                             const std::vector<CycleSwitch>& now)
 {
     const auto [was, is] = std::ranges::mismatch(before, now);
     const bool appears = was == before.end() || (is != now.end() && now.size() > before.size());
     if (appears && is == now.end()) return {};
     const CycleSwitch& first = appears ? *is : *was;
-    return model.eventName(first.guard, first.before, first.after);
+    return slider.nameOf(first);
 }
 
 } // namespace touchdown

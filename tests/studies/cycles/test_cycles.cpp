@@ -10,6 +10,7 @@
 #include "core/case/contact_kind.h"
 #include "core/case/parameters.h"
 #include "core/studies/cycles/bouncing_run.h"
+#include "core/studies/cycles/bouncing_springs.h"
 #include "core/studies/study_plan.h"
 #include "tests/support/bouncing_slider.h"
 #include "tests/support/study_cells.h"
@@ -99,7 +100,7 @@ private slots:
         const auto endAt = [&](double meniscusForce) {
             Case at = c;
             at.onoYamane.meniscusForce = meniscusForce;
-            return searchCycle(at, meniscusForce, sectionUnits(c), {.duration = 2e-3}).end;
+            return searchCycle(BouncingSprings(at, sectionUnits(c)), meniscusForce, {.duration = 2e-3}).end;
         };
         QCOMPARE(endAt(0.995 * value), BouncingEnd::Bounces);
         QVERIFY(endAt(1.005 * value) != BouncingEnd::Bounces);

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "core/studies/cycles/bouncing_run.h"
+#include "core/studies/cycles/bouncing_springs.h"
 #include "core/studies/cycles/cycle_branches.h"
 #include "core/studies/runs/measured_run.h"
 #include "tests/support/bouncing_slider.h"
@@ -19,7 +20,7 @@ namespace test_limit_cycle {
 
 BouncingRun found(const Case& c, double duration = 1e-3)
 {
-    return searchCycle(c, 0.0, sectionUnits(c), {.duration = duration});
+    return searchCycle(BouncingSprings(c, sectionUnits(c)), 0.0, {.duration = duration});
 }
 
 /// Mean frequency of the upward crossings of the mean value, between samples by a straight line [Hz].
@@ -156,8 +157,8 @@ private slots:
         Case c = bouncingSlider();
         c.springs.frontDampingRatio = c.springs.rearDampingRatio = 0.05;
         const LimitCycle cycle = *found(c).cycle;
-        const ReturnMap map(c, sectionUnits(c));
-        Vector3 x = cycle.x + Vector3(1e-4, 1e-4, 1e-4);
+        const BouncingSprings map(c, sectionUnits(c));
+        Eigen::VectorXd x = cycle.x + Vector3(1e-4, 1e-4, 1e-4);
         std::vector<double> distance;
         for (int k = 0; k < 200; ++k) {
             const Return next = map.apply(x, {.limit = 1e-4});
@@ -174,9 +175,9 @@ private slots:
     void newtonSaysWhyThereIsNone()
     {
         const Case c = bouncingSlider(10e-3);
-        const ReturnMap map(c, sectionUnits(c));
+        const BouncingSprings map(c, sectionUnits(c));
         const CycleSolution none =
-            solveCycle(map, {map.coordinates(map.model().staticState())[0], -0.05, 0.0}, 1, 1e-4);
+            solveCycle(map, Vector3(map.coordinates(map.model().staticState())[0], -0.05, 0.0), 1, 1e-4);
         QVERIFY(!none.found);
         QVERIFY2(none.problem.starts_with("the slider does not come back") ||
                      none.problem.starts_with("Newton's method found no cycle of 1 crossing"),
@@ -215,7 +216,8 @@ private slots:
         const Case c = bouncingSlider();
         const BouncingRun whole = found(c);
         QVERIFY(whole.samples > 4000);
-        const BouncingRun bounded = searchCycle(c, 0.0, sectionUnits(c), {.duration = 1e-3, .mostSamples = 1000});
+        const BouncingRun bounded =
+            searchCycle(BouncingSprings(c, sectionUnits(c)), 0.0, {.duration = 1e-3, .mostSamples = 1000});
         QVERIFY(bounded.samples >= 1000 && bounded.samples <= 2000);
         QCOMPARE(bounded.end, whole.end);
         QCOMPARE(bounded.frequency, whole.frequency);
@@ -227,7 +229,7 @@ private slots:
         const Case c = bouncingSlider();
         const LimitCycle cycle = *found(c).cycle;
         QCOMPARE(cycle.crossings, 1);
-        const CycleSolution twice = solveCycle(ReturnMap(c, sectionUnits(c)), cycle.x, 2, 1e-4);
+        const CycleSolution twice = solveCycle(BouncingSprings(c, sectionUnits(c)), cycle.x, 2, 1e-4);
         QVERIFY2(twice.found, twice.problem.c_str());
         QCOMPARE(twice.crossings, 1);
     }

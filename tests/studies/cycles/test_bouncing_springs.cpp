@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/cycles/return_map.h"
+#include "core/studies/cycles/bouncing_springs.h"
 
 #include <QTest>
 
@@ -9,16 +9,16 @@
 using namespace touchdown;
 using namespace touchdown::test;
 
-namespace test_return_map {
+namespace test_bouncing_springs {
 
-class TestReturnMap : public QObject {
+class TestBouncingSprings : public QObject {
     Q_OBJECT
 
 private slots:
     void coordinatesOfAStateAreItsOwn()
     {
         const Case c = bouncingSlider();
-        const ReturnMap map(c, sectionUnits(c));
+        const BouncingSprings map(c, sectionUnits(c));
         const Vector3 x{16.0, -3.0, 2.0};
         const SpringModel::State y = map.state(x);
         QVERIFY((map.coordinates(y) - x).norm() < 1e-12);
@@ -40,7 +40,7 @@ private slots:
         QFETCH(double, friction);
         Case c = bouncingSlider();
         c.onoYamane.friction = friction;
-        const ReturnMap map(c, sectionUnits(c));
+        const BouncingSprings map(c, sectionUnits(c));
         const Vector3 x{map.coordinates(map.model().staticState())[0], -1.5, 0.1};
         const ReturnRequest request{.crossings = crossings, .limit = 1e-4, .derivative = true};
         const Return at = map.apply(x, request);
@@ -50,7 +50,7 @@ private slots:
         for (int k = 0; k < 3; ++k) {
             const Vector3 way = step * Vector3::Unit(k);
             const Return after = map.apply(x + way, request), before = map.apply(x - way, request);
-            const Vector3 difference = (after.x - before.x) / (2.0 * step);
+            const Eigen::VectorXd difference = (after.x - before.x) / (2.0 * step);
             QVERIFY2((difference - at.derivative.col(k)).norm() < 1e-5 * at.derivative.norm(),
                      qPrintable(QString::number(k)));
         }
@@ -59,16 +59,16 @@ private slots:
     void noReturn()
     {
         const Case c = bouncingSlider(10e-3); // W > 0: caught
-        const ReturnMap map(c, sectionUnits(c));
+        const BouncingSprings map(c, sectionUnits(c));
         const Vector3 x{map.coordinates(map.model().staticState())[0], -1.0, 0.0};
         QVERIFY(!map.apply(x, {.crossings = 200, .limit = 1e-3}).returned);
-        QVERIFY(!map.apply({x[0], 1.0, 0.0}, {.limit = 1e-3}).returned); // upwards
+        QVERIFY(!map.apply(Vector3(x[0], 1.0, 0.0), {.limit = 1e-3}).returned); // upwards
         QVERIFY(!map.apply(Vector3::Constant(NAN), {.limit = 1e-3}).returned);
     }
 };
 
-TOUCHDOWN_TEST(TestReturnMap)
+TOUCHDOWN_TEST(TestBouncingSprings)
 
-} // namespace test_return_map
+} // namespace test_bouncing_springs
 
-#include "test_return_map.moc"
+#include "test_bouncing_springs.moc"

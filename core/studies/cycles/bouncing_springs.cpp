@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/studies/cycles/return_map.h"
+#include "core/studies/cycles/bouncing_springs.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/case/contact_law.h"
+#include "core/case/parameters.h"
+#include "core/formats/units.h"
 #include "core/numerics/adaptive.h"
 #include "core/numerics/gauss_legendre.h"
 
@@ -27,7 +29,7 @@ Eigen::RowVector4d normalOf(const SpringModel& model, int guard)
 
 class ReturnRecorder {
 public:
-    ReturnRecorder(const ReturnMap& map, const ReturnRequest& request, const CycleState& start, Return& result)
+    ReturnRecorder(const BouncingSprings& map, const ReturnRequest& request, const CycleState& start, Return& result)
         : map_(map), model_(map.model()), request_(request), result_(result), y_(start)
     {}
 
@@ -46,8 +48,8 @@ public:
     {
         if (result_.returned) return;
         result_.switches.push_back({guard, before, after});
-        const bool crossing = ReturnMap::crosses(guard, before, after);
-        if (crossing) result_.passed.push_back(map_.coordinates(y_));
+        const bool crossing = result_.switches.back().crosses();
+        if (crossing) result_.passed.emplace_back(map_.coordinates(y_));
         const bool last = crossing && result_.passed.size() == static_cast<std::size_t>(request_.crossings);
         if (request_.derivative) switchTo(guard, before, after, last);
         if (!last) return;
@@ -105,7 +107,7 @@ private:
         }
     }
 
-    const ReturnMap& map_;
+    const BouncingSprings& map_;
     const SpringModel& model_;
     const ReturnRequest& request_;
     Return& result_;
@@ -114,57 +116,82 @@ private:
     Eigen::Matrix4d phi_ = Eigen::Matrix4d::Identity();
 };
 
+/// Tells a watch what the integrator tells a recorder.
+class WatchedRun {
+public:
+    WatchedRun(const BouncingSprings& slider, const SpringModel::State& start, BouncingWatch& watch)
+        : slider_(slider), last_(start), watch_(watch)
+    {}
+
+    template <class At>
+    bool step(double t, const SpringModel::State& y, SpringModel::Mode, At&& at)
+    {
+        const SpringModel& model = slider_.model();
+        const bool goesOn =
+            watch_.step(t, [&](double time) { return model.guards(at(time).template head<2>()).minCoeff(); });
+        last_ = y;
+        return goesOn;
+    }
+    void event(double time, int guard, bool, SpringModel::Mode before, SpringModel::Mode after)
+    {
+        const CycleSwitch of{guard, before, after};
+        const Eigen::VectorXd x = slider_.coordinates(last_);
+        watch_.event(time, of, of.crosses() ? &x : nullptr);
+    }
+
+private:
+    const BouncingSprings& slider_;
+    SpringModel::State last_;
+    BouncingWatch& watch_;
+};
+
 } // namespace
 
-double CycleEnergies::largest() const
+Case caseOfStart(const Case& c, int k)
 {
-    return std::max({std::abs(air), std::abs(suspension), std::abs(contact), std::abs(friction)});
-}
-
-void SwingOf::add(double value)
-{
-    least = std::min(least, value);
-    most = std::max(most, value);
-}
-
-double Return::repeats(const Vector3& from) const
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t part = 1; part < passed.size(); ++part)
-        if (passed.size() % part == 0) nearest = std::min(nearest, (passed[part - 1] - from).norm());
-    return nearest;
+    if (k == 0) return c;
+    Case lower = c;
+    const double takeOff = characteristic(c).value().takeOff;
+    const double height = std::max(c.initial.flyingHeight, 2.0 * takeOff);
+    lower.initial.flyingHeight = takeOff + (height - takeOff) * std::pow(10.0, -k);
+    lower.initial.pitch = c.springs.pitch;
+    lower.initial.verticalVelocity = lower.initial.pitchVelocity = 0.0;
+    lower.initial.branch = ContactBranch::TouchDown;
+    return checkCombinations(lower).empty() ? lower : c;
 }
 
 Vector3 sectionUnits(const Case& c) { return SpringModel(c).scale().tail<3>(); }
 
-ReturnMap::ReturnMap(const Case& c, const Vector3& units)
+BouncingSprings::BouncingSprings(const Case& c, const Vector3& units)
     : model_(c),
       units_(units),
+      startHeight_(c.initial.flyingHeight),
+      cycleWork_(touchdown::cycleWork(c).value()),
       touchDown_(characteristic(c).value().touchDown),
       padDistance_(c.springs.padDistance),
       frontCutoff_(model_.interval(SpringModel::Front, {}).lower),
       rearCutoff_(model_.interval(SpringModel::Rear, {}).lower)
 {}
 
-Vector3 ReturnMap::coordinates(const CycleState& y) const
+Vector3 BouncingSprings::coordinates(const CycleState& y) const
 {
     return Vector3(y[1], y[2] - padDistance_ * y[3], y[3]).cwiseQuotient(units_);
 }
 
-SpringModel::State ReturnMap::state(const Vector3& x) const
+SpringModel::State BouncingSprings::state(const Vector3& x) const
 {
     const Vector3 si = x.cwiseProduct(units_);
     return {touchDown_ + padDistance_ * si[0], si[0], si[1] + padDistance_ * si[2], si[2]};
 }
 
-SpringModel::Mode ReturnMap::modeAt(const CycleState& y) const
+SpringModel::Mode BouncingSprings::modeAt(const CycleState& y) const
 {
     const SpringModel::Guards spacings = model_.guards(y.head<2>());
     return {spacings[SpringModel::Front] > frontCutoff_, spacings[SpringModel::Rear] > rearCutoff_,
             ContactRegion::Pressed};
 }
 
-Return ReturnMap::apply(const Vector3& x, const ReturnRequest& request) const
+Return BouncingSprings::apply(const Eigen::VectorXd& x, const ReturnRequest& request) const
 {
     Return result;
     if (!x.allFinite() || !(x[1] < 0.0)) return result; // the section is crossed downwards
@@ -175,12 +202,26 @@ Return ReturnMap::apply(const Vector3& x, const ReturnRequest& request) const
     if (!result.returned) return result;
     result.x = result.passed.back();
     if (request.derivative) {
+        result.derivative.resize(3, 3);
         Eigen::Matrix<double, 4, 3> embed;
         for (int k = 0; k < 3; ++k) embed.col(k) = state(Vector3::Unit(k)) - state(Vector3::Zero());
         const Eigen::Matrix<double, 4, 3> reached = recorder.fundamental() * embed;
         for (int k = 0; k < 3; ++k) result.derivative.col(k) = coordinates(reached.col(k));
     }
     return result;
+}
+
+std::string BouncingSprings::run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
+                                 BouncingWatch& watch) const
+{
+    const Start<SpringModel> begin =
+        from ? start(*from) : Start<SpringModel>{model_.initialState(), model_.initialMode()};
+    watch.begin(model_.guards(begin.y.head<2>()).minCoeff(), begin.mode.contact);
+    WatchedRun recorder(*this, begin.y, watch);
+    const AdaptiveOptions options{.tolerance = tolerance, .firstStep = 1e-3 * model_.shortestPeriod()};
+    const IntegrationResult result = integrateAdaptive(model_, begin, duration, options, recorder);
+    if (result.end == IntegrationEnd::Reached) return {};
+    return result.end == IntegrationEnd::Stopped ? "stopped" : "the run ends at " + fewDigitsOfTime(result.time, 3);
 }
 
 } // namespace touchdown
