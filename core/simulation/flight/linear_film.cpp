@@ -14,9 +14,6 @@ using Complex = std::complex<double>;
 
 namespace {
 
-/// Of a real pole its own part, of a pair both parts.
-double partsOf(Complex rate) { return rate.imag() == 0.0 ? 1.0 : 2.0; }
-
 /// The integrals of e^(z (1 - x)) x^j over x from 0 to 1, j = 0..3.
 std::array<Complex, 4> powersUnder(Complex z)
 {
@@ -73,7 +70,7 @@ void LinearFilm::setDisk(double time, bool /*touched*/)
         disk_ += (std::polar(1.0, wave.omega * time) * wave.force).real();
     for (std::size_t k = 0; k < model_.transient.size(); ++k) {
         const Complex rate = model_.fit.poles[k].rate;
-        if (rate.real() * time > gone) disk_ += partsOf(rate) * (std::exp(rate * time) * model_.transient[k]).real();
+        if (rate.real() * time > gone) disk_ += termsOf(rate) * (std::exp(rate * time) * model_.transient[k]).real();
     }
 }
 
@@ -87,7 +84,7 @@ void LinearFilm::setWeights(double dt)
         weights.decay = std::exp(pole.rate * dt);
         weights.integrals = powersUnder(pole.rate * dt);
         for (Complex& integral : weights.integrals) integral *= dt;
-        stiffness_ += partsOf(pole.rate) * (pole.residue * weights.integrals[3]).real();
+        stiffness_ += termsOf(pole.rate) * (pole.residue * weights.integrals[3]).real();
     }
 }
 
@@ -106,7 +103,7 @@ FilmStepResult LinearFilm::step(double dt, const SliderMotion& from, const Vecto
             const FilmFit::Pole& pole = model_.fit.poles[k];
             const auto& [decay, integrals] = weights_[k];
             predicted_[k] = decay * states_[k] + integrals[0] * u + integrals[1] * rise + integrals[2] * bend;
-            atCubic_ -= partsOf(pole.rate) * (pole.residue * predicted_[k]).real();
+            atCubic_ -= termsOf(pole.rate) * (pole.residue * predicted_[k]).real();
         }
     }
     cubic_ = q - model_.place - quadratic_;

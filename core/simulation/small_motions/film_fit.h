@@ -40,6 +40,9 @@ struct FilmFit {
     void pass(auto& stream) { stream(constant, poles, order, values, error); }
 };
 
+/// Terms of a sum for a pole with this rate: two where its conjugate is understood.
+inline double termsOf(FilmFit::Complex rate) { return rate.imag() == 0.0 ? 1.0 : 2.0; }
+
 /// `goOn` false, asked before each value of Z: the result is of no use. `solved` becomes false where a linear system
 /// was not solved.
 FilmFit fitFilm(SmallMotions& motions, bool& solved, const std::function<bool()>& goOn = {});

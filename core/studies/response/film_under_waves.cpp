@@ -10,7 +10,6 @@
 
 #include "core/case/contact_kind.h"
 #include "core/simulation/contact/disk_under_film.h"
-#include "core/simulation/contact/pad_contact.h"
 #include "core/simulation/flight/film_run.h"
 #include "core/simulation/flight/film_scene.h"
 #include "core/simulation/flight/linear_film.h"
@@ -25,23 +24,12 @@
 namespace touchdown {
 
 using Complex = std::complex<double>;
-using Eigen::Index, Eigen::MatrixXcd, Eigen::MatrixXd, Eigen::VectorXcd, Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXcd;
 
 namespace {
 
-constexpr double nodesOfBeat = 8.0;    // at least [-]
-constexpr double bearingDepth = 1e-11; // as of the pad [m]
-constexpr int degree = 5;              // of the polynomials between nodes
-
-/// Over a flat disk, at rest: the slider's start is not that of the film.
-Case stillCase(Case c)
-{
-    c.diskSurface = {};
-    c.film.motion = FilmMotion::Linear;
-    c.initial.state = InitialState::Static;
-    c.initial.heightOffset = c.initial.pitchOffset = c.initial.rollOffset = 0.0;
-    return c;
-}
+constexpr double nodesOfBeat = 8.0; // at least [-]
+constexpr int degree = 5;           // of the polynomials between nodes
 
 /// Of the height of a place of the slider, by q.
 Vector3 slopeAt(const Case& c, SurfacePoint at)
@@ -49,18 +37,15 @@ Vector3 slopeAt(const Case& c, SurfacePoint at)
     return {1.0, 0.5 * c.slider.length - at.x, 0.5 * c.slider.width - at.y};
 }
 
-double partsOf(Complex pole) { return pole.imag() == 0.0 ? 1.0 : 2.0; }
-
 } // namespace
 
 /// Of a case, while it is made.
 struct FilmUnderWaves::Made {
-    explicit Made(const Case& given) : c(given), still(stillCase(given)), scene(still) {}
+    explicit Made(const Case& given) : c(given), still(FilmInPieces::stillCase(given)), scene(still) {}
 
     Case c, still;
     FilmScene scene;
-    Vector3 q = Vector3::Zero(), scale = Vector3::Zero(), toRate = Vector3::Zero(); // q_0, S, 1/(M S)
-    SurfacePoint point;                                                             // whose disk counts the time [m]
+    SurfacePoint point; // whose disk counts the time [m]
 };
 
 std::vector<Quantity> quantitiesOfForcedFilm(const Case& c)
@@ -99,158 +84,34 @@ std::shared_ptr<const FilmUnderWaves> FilmUnderWaves::make(const Case& c, const 
     case FilmScene::State::Ready: break;
     }
     const std::shared_ptr<FilmUnderWaves> film(new FilmUnderWaves);
-    const LinearFilmModel& linear = *made.scene.linear;
-    const SliderBody& body = *made.scene.body;
-    made.q = linear.place;
-    made.scale = linear.arms.cwiseInverse();
-    made.toRate = (body.inertia().cwiseProduct(made.scale)).cwiseInverse();
-    film->positions_ = body.holdsRoll() ? 2 : 3;
+    film->pieces_ = std::make_unique<const FilmInPieces>(made.scene, made.still);
+    const FilmInPieces& pieces = *film->pieces_;
     film->amplitude_ = amplitude;
     film->limit_ = c.film.linearLimit;
-    for (const FilmFit::Pole& pole : linear.fit.poles) film->poles_.push_back(pole.rate);
-    film->size_ = 2 * film->positions_;
-    for (const Complex pole : film->poles_) film->size_ += static_cast<Index>(partsOf(pole)) * film->positions_;
 
-    const Attitude rest = body.attitude(made.q);
-    const SurfacePoint pad = made.scene.spacing.bearing(rest, bearingDepth).at;
-    film->separation_ = film->readingOf(made, slopeAt(c, pad), made.scene.spacing.at(rest).spacing);
     made.point = c.surface.pointsOfInterest.empty() ? SurfacePoint{c.slider.length, 0.5 * c.slider.width}
                                                     : c.surface.pointsOfInterest.front();
     const Vector3 atPoint = slopeAt(c, made.point);
-    const double flyingHeight = atPoint.dot(made.q) + made.scene.recess.at(made.point.x, made.point.y);
-    if (quantity == "minimum_spacing") film->quantity_ = film->separation_;
+    const double flyingHeight = atPoint.dot(pieces.place()) + made.scene.recess.at(made.point.x, made.point.y);
+    if (quantity == "minimum_spacing") film->quantity_.film = pieces.separation();
     if (quantity == "flying_height" || quantity == "flying_height_above_disk")
-        film->quantity_ = film->readingOf(made, atPoint, flyingHeight);
+        film->quantity_.film = pieces.reading(atPoint, flyingHeight);
     if (quantity == "flying_height_above_disk") film->quantity_.disk = {0.0, 1.0}; // less a sin(omega t)
     for (Index k = 0; k < 3; ++k)
         if (quantity == std::array{"height", "pitch", "roll"}[static_cast<std::size_t>(k)])
-            film->quantity_ = film->readingOf(made, Vector3::Unit(k), made.q[k]);
-    film->setRegions(made);
+            film->quantity_.film = pieces.reading(Vector3::Unit(k), pieces.place()[k]);
 
     // Where the case starts too far from the state for a linear film, the slider starts there at rest.
     Vector3 u = Vector3::Zero(), w = Vector3::Zero();
     if (c.initial.state == InitialState::Static) {
-        u = Vector3(c.initial.heightOffset, c.initial.pitchOffset, c.initial.rollOffset).cwiseQuotient(made.scale);
+        u = Vector3(c.initial.heightOffset, c.initial.pitchOffset, c.initial.rollOffset).cwiseQuotient(pieces.scale());
         w = Vector3(c.initial.verticalVelocity, c.initial.pitchVelocity, c.initial.rollVelocity)
-                .cwiseQuotient(made.scale);
+                .cwiseQuotient(pieces.scale());
     }
-    if (linearErrorPerSize * u.cwiseAbs().sum() > film->limit_ * film->gap()) u = w = Vector3::Zero();
-    film->start_ = {film->settledAt(u.head(film->positions_), w.head(film->positions_)),
-                    {.contact = film->regions_[film->atRest_].name}};
+    if (linearErrorPerSize * u.cwiseAbs().sum() > film->limit_ * pieces.gap()) u = w = Vector3::Zero();
+    const Index n = pieces.positions();
+    film->start_ = {pieces.settledAt(u.head(n), w.head(n)), {.contact = pieces.regions()[pieces.atRest()].name}};
     return film->setForces(made, frequencies, beat, goOn) ? film : nullptr;
-}
-
-FilmUnderWaves::Reading FilmUnderWaves::readingOf(const Made& made, const Vector3& slope, double constant) const
-{
-    Reading reading;
-    reading.row = Eigen::RowVectorXd::Zero(size_);
-    reading.row.head(positions_) = slope.cwiseProduct(made.scale).head(positions_).transpose();
-    reading.constant = constant;
-    return reading;
-}
-
-double FilmUnderWaves::gap() const { return std::max(restSpacing(), leastLinearGap); }
-
-VectorXd FilmUnderWaves::settledAt(const VectorXd& u, const VectorXd& w) const
-{
-    VectorXd y(size_);
-    y << u, rateUnit * w, VectorXd::Zero(size_ - 2 * positions_);
-    Index at = 2 * positions_;
-    for (const Complex pole : poles_) {
-        const Complex share = -std::abs(pole) / pole;
-        y.segment(at, positions_) = share.real() * u;
-        at += positions_;
-        if (partsOf(pole) == 1.0) continue;
-        y.segment(at, positions_) = share.imag() * u;
-        at += positions_;
-    }
-    return y;
-}
-
-void FilmUnderWaves::setRegions(Made& made)
-{
-    const Index n = positions_;
-    const LinearFilmModel& linear = *made.scene.linear;
-    const SliderBody& body = *made.scene.body;
-    const auto scaled = [&](const Matrix3& matrix) {
-        return MatrixXd((made.toRate.asDiagonal() * matrix * made.scale.asDiagonal()).topLeftCorner(n, n));
-    };
-    // Without contact.
-    MatrixXd a = MatrixXd::Zero(size_, size_);
-    a.block(0, n, n, n) = MatrixXd::Identity(n, n) / rateUnit;
-    a.block(n, 0, n, n) = -rateUnit * scaled(linear.fit.constant + Matrix3(body.springs().asDiagonal()));
-    a.block(n, n, n, n) = -scaled(Matrix3(body.dampers().asDiagonal()));
-    Index at = 2 * n;
-    for (const FilmFit::Pole& pole : linear.fit.poles) {
-        const double size = std::abs(pole.rate), parts = partsOf(pole.rate);
-        const MatrixXd one = MatrixXd::Identity(n, n);
-        a.block(at, at, n, n) = pole.rate.real() * one;
-        a.block(at, 0, n, n) = size * one;
-        a.block(n, at, n, n) = -rateUnit * parts / size * scaled(pole.residue.real());
-        if (parts == 2.0) {
-            a.block(n, at + n, n, n) = rateUnit * parts / size * scaled(pole.residue.imag());
-            a.block(at, at + n, n, n) = -pole.rate.imag() * one;
-            a.block(at + n, at, n, n) = pole.rate.imag() * one;
-            a.block(at + n, at + n, n, n) = pole.rate.real() * one;
-            at += n;
-        }
-        at += n;
-    }
-    const auto add = [&](ContactRegion name, const Matrix3& stiffness, const Vector3& force) -> Region& {
-        Region& region = regions_.emplace_back();
-        region.name = name;
-        region.a = a;
-        region.a.block(n, 0, n, n) -= rateUnit * scaled(stiffness);
-        region.b = VectorXd::Zero(size_);
-        region.b.segment(n, n) = rateUnit * force.cwiseProduct(made.toRate).head(n);
-        const Eigen::EigenSolver<MatrixXd> eigen(region.a);
-        region.rates = eigen.eigenvalues();
-        region.vectors = eigen.eigenvectors();
-        region.inverse = region.vectors.partialPivLu().inverse();
-        region.shift = -region.a.partialPivLu().solve(region.b);
-        if (eigen.info() != Eigen::Success || !region.inverse.allFinite() || !region.shift.allFinite())
-            throw std::runtime_error("the motions over the linear film were not found (film.motion)");
-        return region;
-    };
-    auto* pad = dynamic_cast<PadContact*>(made.scene.contact.get());
-    CharacteristicLaw* law = pad ? pad->characteristic() : nullptr;
-    if (!law) {
-        add(ContactRegion::Apart, Matrix3::Zero(), Vector3::Zero());
-    } else {
-        const Attitude rest = body.attitude(made.q);
-        const Vector3 bySeparation = slopeAt(made.c, made.scene.spacing.bearing(rest, bearingDepth).at);
-        if (!law->acts()) pad->begin(made.c.initial.branch, rest); // else the scene has begun
-        const Vector3 restForce = pad->at(rest, 0.0).load();
-        const ContactRegion restRegion = law->region();
-        constexpr std::array all{ContactRegion::Apart, ContactRegion::Pressed, ContactRegion::Lifting,
-                                 ContactRegion::Bridged};
-        const auto regionOf = [&](ContactRegion name) {
-            law->setRegion(name);
-            return law->region();
-        };
-        for (const ContactRegion name : all) {
-            const ContactRegion known = regionOf(name);
-            const auto found = std::ranges::find(regions_, known, &Region::name);
-            places_[static_cast<std::size_t>(name)] = static_cast<std::size_t>(found - regions_.begin());
-            if (found != regions_.end()) continue;
-            // By the separation alone, which is that of a tangent: the bearing place stays as at rest.
-            constexpr double rise = 1e-9; // [m]; the law is affine
-            const Vector3 force = pad->at(rest, 0.0).load();
-            const Vector3 slope = (pad->at({rest.height + rise, rest.pitch, rest.roll}, 0.0).load() - force) / rise;
-            Region& region = add(known, -slope * bySeparation.transpose(), force - restForce);
-            region.presses = known == ContactRegion::Pressed || known == ContactRegion::Lifting;
-            region.interval = law->interval();
-        }
-        for (Region& region : regions_)
-            for (const bool upper : {false, true}) {
-                regionOf(region.name);
-                law->cross(upper);
-                (upper ? region.above : region.below) = placeOf(law->region());
-            }
-        atRest_ = placeOf(restRegion);
-    }
-    for (const Complex rate : regions_[atRest_].rates)
-        if (std::abs(rate.imag()) > std::abs(rate.real())) fastest_ = std::max(fastest_, std::abs(rate));
 }
 
 bool FilmUnderWaves::setForces(Made& made, std::span<const double> frequencies, double beat,
@@ -263,7 +124,7 @@ bool FilmUnderWaves::setForces(Made& made, std::span<const double> frequencies, 
     }
     FilmScene& scene = made.scene;
     FilmLevel& level = *scene.level;
-    level.film.setAttitude(scene.body->attitude(made.q));
+    level.film.setAttitude(scene.body->attitude(pieces_->place()));
     SmallMotions motions(level, *scene.body);
     bool goes = true;
     motions.ask(
@@ -289,7 +150,8 @@ bool FilmUnderWaves::setForces(Made& made, std::span<const double> frequencies, 
             here = std::conj(here);
         }
         force *= Complex(0.0, -amplitude_) / here;
-        forces_.emplace_back(rateUnit * force.cwiseProduct(made.toRate.cast<Complex>()).head(positions_));
+        forces_.emplace_back(FilmInPieces::rateUnit *
+                             force.cwiseProduct(pieces_->toRate().cast<Complex>()).head(pieces_->positions()));
     }
     return true;
 }
@@ -300,7 +162,7 @@ VectorXcd FilmUnderWaves::forceAt(double frequency) const
     const auto above = static_cast<std::size_t>(std::ranges::lower_bound(nodes_, frequency) - nodes_.begin());
     if (above < count && nodes_[above] == frequency) return forces_[above];
     const std::size_t first = std::min(above - std::min(above, points / 2), count - points);
-    VectorXcd sum = VectorXcd::Zero(positions_);
+    VectorXcd sum = VectorXcd::Zero(pieces_->positions());
     for (std::size_t i = first; i < first + points; ++i) {
         double weight = 1.0;
         for (std::size_t k = first; k < first + points; ++k)

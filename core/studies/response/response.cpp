@@ -199,8 +199,8 @@ bool takeFilm(ResponseTask& task, const StudyCallback& callback)
     auto film = FilmUnderWaves::make(task.start, task.quantity.name, task.amplitude, task.frequencies, task.beat, goOn);
     if (!film) return false;
     const auto law = characteristic(task.start);
-    if (law && film->regions()[film->atRest()].name == ContactRegion::Apart)
-        task.toContact = film->restSpacing() - law->touchDown;
+    if (law && film->pieces().regions()[film->pieces().atRest()].name == ContactRegion::Apart)
+        task.toContact = film->pieces().restSpacing() - law->touchDown;
     task.sliderAt = [film = std::move(film)](double frequency) {
         return std::make_unique<ForcedFilm>(film, frequency);
     };
