@@ -52,7 +52,7 @@ std::unique_ptr<RunRecord> performed(const Case& c, double until, bool similar, 
             whole = !left && !(limited && processorTime() - start > quick);
             return whole;
         };
-        record = performedRecord(c, until, goOn, {.nearby = similar});
+        record = performedRecord(c, until, goOn, {.kept = similar ? KeptStates::Similar : KeptStates::Own});
     } catch (const std::exception&) {
         return nullptr;
     }

@@ -238,7 +238,7 @@ std::unique_ptr<RunRecord> performedRecord(const Case& c, double until, const st
     // The gap over a disk that is not flat is sought at each sample, which takes longer than the rest of a preview.
     // These samples show oscillations up to 1 MHz.
     constexpr double coarsest = 0.4e-6; // [s]
-    if (options.nearby && c.diskSurface.kind != DiskSurfaceKind::Flat)
+    if (options.kept == KeptStates::Similar && c.diskSurface.kind != DiskSurfaceKind::Flat)
         part.run.sampleInterval = std::max(part.run.sampleInterval, coarsest);
     auto record = std::make_unique<RunRecord>(0, c, std::string(), recordedQuantities(c), recordedFields(c));
     const auto take = [&](const RunUpdate& update) {

@@ -56,9 +56,9 @@ public:
     {}
 
     /// `known`: a static state in hand; null: none.
-    Summary run(const StaticSolution* known, bool nearby)
+    Summary run(const StaticSolution* known, KeptStates kept)
     {
-        if (from_ ? resume() : prepare(known, nearby)) advance();
+        if (from_ ? resume() : prepare(known, kept)) advance();
         if (recorder_) {
             recorder_->end();
             if (!run_.send(reached()) && end_.completed()) stop();
@@ -100,9 +100,9 @@ private:
     }
 
     /// False when the run ends here.
-    bool prepare(const StaticSolution* known, bool nearby)
+    bool prepare(const StaticSolution* known, KeptStates kept)
     {
-        switch (scene_.prepare([this] { return goOn(); }, known, nearby)) {
+        switch (scene_.prepare([this] { return goOn(); }, known, kept)) {
         case FilmScene::State::Stopped: return stop();
         case FilmScene::State::Failed: return fail(RunFailure::Other, scene_.message);
         case FilmScene::State::Ready: break;
@@ -434,7 +434,7 @@ private:
 
 Summary runFilm(const Case& c, const RunCallback& callback, const RunOptions& options)
 {
-    return FilmRun(c, callback, options).run(options.rest.get(), options.nearby);
+    return FilmRun(c, callback, options).run(options.rest.get(), options.kept);
 }
 
 } // namespace touchdown

@@ -54,13 +54,13 @@ SteadyResult FilmScene::findRest(const StaticSolution* known, const std::functio
     return known->state.gaps ? known->state : steadyNear(still, still, known->state, ask);
 }
 
-FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const StaticSolution* known, bool nearby)
+FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const StaticSolution* known, KeptStates states)
 {
     topography = diskTopography(case_, goOn);
     if (!goOn()) return State::Stopped;
-    const std::shared_ptr<const LinearState> kept = !isLinear() ? nullptr
-                                                    : nearby    ? nearestLinearState(case_)
-                                                                : knownLinearState(case_);
+    const std::shared_ptr<const LinearState> kept = !isLinear() || states == KeptStates::None ? nullptr
+                                                    : states == KeptStates::Similar ? nearestLinearState(case_)
+                                                                                    : knownLinearState(case_);
     SteadyResult rest = kept ? kept->rest : findRest(known, goOn);
     if (rest.status == SteadyStatus::Cancelled) return State::Stopped;
     const bool fromRest = case_.initial.state == InitialState::Static;
@@ -82,10 +82,8 @@ FilmScene::State FilmScene::prepare(const std::function<bool()>& goOn, const Sta
     if (!makeParts(rest, goOn)) return State::Stopped;
     body.emplace(case_, bodyRest_);
     if (kept && !isStateOf(*kept, case_)) {
-        const SliderBody before(kept->solved, bodyRest_);
-        const Vector3 load = body->load() - before.load();
-        bodyRest_ = body->attitude(before.rest() + stepOf(kept->film.fit.at(0.0).real(), load));
-        body.emplace(case_, bodyRest_);
+        body.emplace(bodyUnderLoad(case_, SliderBody(kept->solved, bodyRest_), kept->film.fit.at(0.0).real()));
+        bodyRest_ = body->attitude(body->rest());
         if (!moveRest(kept->film, rest))
             return fail("with the film linear about the state of a similar case no state of rest was found");
         moved = true;

@@ -15,6 +15,7 @@
 #include "core/physics/slider/minimum_spacing.h"
 #include "core/simulation/contact/disk_under_film.h"
 #include "core/simulation/contact/slider_contact.h"
+#include "core/simulation/recording/run_summary.h"
 #include "core/simulation/static_state/disk_on_cells.h"
 #include "core/simulation/static_state/slider_body.h"
 
@@ -38,8 +39,9 @@ public:
 
     enum class State : std::uint8_t { Ready, Stopped, Failed };
     /// Surface of the disk, static state, initial attitude, film there. `goOn`: false stops, and must remain false.
-    /// `known`: a static state in hand, which is used if it is that of the case; null: none. `nearby`: see RunOptions.
-    State prepare(const std::function<bool()>& goOn, const StaticSolution* known = nullptr, bool nearby = false);
+    /// `known`: a static state in hand, which is used if it is that of the case; null: none. `kept`: see RunOptions.
+    State prepare(const std::function<bool()>& goOn, const StaticSolution* known = nullptr,
+                  KeptStates kept = KeptStates::Own);
     /// In place of prepare(), which was Ready for the run that is continued. `level->pressure` is not that of the
     /// start.
     State restore(StateStream& stream, const std::function<bool()>& goOn);

@@ -161,14 +161,20 @@ Summary refusedRun(std::string reason);
 
 struct StaticSolution;
 
+/// Which of the static states that are kept a run of a linear film may take.
+enum class KeptStates : std::uint8_t {
+    Own,     // that of its case
+    Similar, // also that of a similar case (nearestLinearState), whose film is the same: a look at once, for one who
+             // moves a value. What it finds depends on what was run before.
+    None     // it finds its own, which a comparison of times needs
+};
+
 struct RunOptions {
     bool energyBalance =
         false; // springs: report the integrator's energy error as figure "energy_balance", as film runs do
     /// Film: a static state in hand. If it is that of the case, the run starts from it and does not solve for it again.
     std::shared_ptr<const StaticSolution> rest = nullptr;
-    /// A linear film may be linear about the static state of a similar case that is kept (nearestLinearState), whose
-    /// film is the same: a look at once, for one who moves a value. What it finds depends on what was run before.
-    bool nearby = false;
+    KeptStates kept = KeptStates::Own;
     /// Wall time between two checkpoints [s]; none: there are no checkpoints. Integrator `cvode` makes none.
     std::optional<double> checkpointEach{};
     /// The state from which the run continues; what was sent before is not sent again. Null: from its start.

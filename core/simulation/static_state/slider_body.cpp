@@ -78,4 +78,14 @@ double SliderBody::displacement(const Vector3& change) const
     return std::abs(change[0]) + 0.5 * length_ * std::abs(change[1]) + 0.5 * width_ * std::abs(change[2]);
 }
 
+SliderBody bodyUnderLoad(const Case& c, const SliderBody& before, Matrix3 filmStiffness)
+{
+    Vector3 load = SliderBody(c, before.attitude(before.rest())).load() - before.load();
+    if (before.holdsRoll()) {
+        holdRoll(filmStiffness);
+        load[2] = 0.0;
+    }
+    return {c, before.attitude(before.rest() + solvePartialPivoting(filmStiffness, load))};
+}
+
 } // namespace touchdown

@@ -76,4 +76,8 @@ private:
     bool holdsRoll_ = false;
 };
 
+/// The body of a case on the film of another one: where its suspension exerts its load, the film of a stiffness takes
+/// the difference of the two loads.
+SliderBody bodyUnderLoad(const Case& c, const SliderBody& before, Matrix3 filmStiffness);
+
 } // namespace touchdown

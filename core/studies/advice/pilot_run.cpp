@@ -68,7 +68,7 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
     pilot.lowest = std::numeric_limits<double>::infinity();
     bool known = false;
     double begin = threadSeconds();
-    const Summary summary = run(quiet, [&](const RunUpdate& update) {
+    const auto look = [&](const RunUpdate& update) {
         const SampleBatch& batch = update.samples;
         for (std::size_t k = 0; k < batch.size(); ++k) {
             const double under = disk >= 0 ? batch.columns[static_cast<std::size_t>(disk)][k] : 0.0;
@@ -90,7 +90,9 @@ PilotRun pilotRun(const Case& c, const PilotEnough& enough, const GoOn& goOn)
         known = known || (enough && batch.size() > 0 && enough(pilot.samples));
         begin += threadSeconds() - looked;
         return !known;
-    });
+    };
+    // Its time is that of a run that finds its static state.
+    const Summary summary = run(quiet, look, {.kept = KeptStates::None});
     if (!known && !pilot.stopped && summary.status != RunStatus::Completed) pilot.problem = summary.message;
     if (!known && !pilot.course.empty()) pilot.course.back().second = threadSeconds() - begin;
     return pilot;

@@ -55,7 +55,7 @@ MeasuredRun measureSteady(const Case& c, const std::vector<std::string>& names, 
 
 MeasuredRun measure(const PrecisionTask& task, const Case& c, const GoOn& goOn, const ShareTeller& tell = {})
 {
-    if (task.inTime) return measureRun(c, namesOf(task), goOn, {}, tell);
+    if (task.inTime) return measureRun(c, namesOf(task), goOn, {.kept = KeptStates::None}, tell);
     MeasuredRun run = measureSteady(c, namesOf(task), goOn);
     if (tell) tell(1.0);
     return run;

@@ -200,7 +200,7 @@ private slots:
         other.slider.mass *= mass;
         other.initial.heightOffset = 0.02e-9;
         QVERIFY(!hasLinearState(linear(other)) && nearestLinearState(linear(other)));
-        const Flight look = fly(linear(other), 0, {.nearby = true});
+        const Flight look = fly(linear(other), 0, {.kept = KeptStates::Similar});
         QVERIFY_STATUS(look, RunStatus::Completed);
         QVERIFY(!hasLinearState(linear(other))); // it made none
         const Flight own = fly(linear(other));
@@ -218,8 +218,22 @@ private slots:
         // At rest it stays there.
         other.initial.heightOffset = 0.0;
         other.slider.mass *= 1.01; // so that this state is not its own
-        const Flight still = fly(linear(other), 0, {.nearby = true});
+        const Flight still = fly(linear(other), 0, {.kept = KeptStates::Similar});
         QVERIFY(swing(still) < 1e-14);
+    }
+
+    // Who compares times has it found anew.
+    void findsItsStateAnew()
+    {
+        const Case c = linear(let(0.02e-9, 2e-6));
+        const Flight first = fly(c);
+        const auto kept = knownLinearState(c);
+        QVERIFY(kept);
+        QVERIFY_STATUS(fly(c), RunStatus::Completed);
+        QCOMPARE(knownLinearState(c).get(), kept.get());
+        const Flight anew = fly(c, 0, {.kept = KeptStates::None});
+        QVERIFY(knownLinearState(c).get() != kept.get());
+        QCOMPARE(largestDifference(first, anew), 0.0);
     }
 
     // Waves of another height are the same waves; other waves are not.
@@ -232,7 +246,7 @@ private slots:
         QVERIFY_STATUS(fly(c), RunStatus::Completed);
         for (double& amplitude : c.diskSurface.waveAmplitudes) amplitude *= 1.7;
         QVERIFY(!hasLinearState(c));
-        const Flight look = fly(c, 0, {.nearby = true}), own = fly(c);
+        const Flight look = fly(c, 0, {.kept = KeptStates::Similar}), own = fly(c);
         QVERIFY_STATUS(look, RunStatus::Completed);
         QVERIFY2(largestDifference(own, look) < 1e-4, qPrintable(QString::number(largestDifference(own, look))));
         QCOMPARE(look.figure("film_linearity_error") > 0.0, true);
@@ -255,7 +269,7 @@ private slots:
         damped.suspension.pitchDamping = 1e-9;
         damped.suspension.rollDamping = 1e-9;
         QCOMPARE(knownLinearState(damped), knownLinearState(c));
-        const Flight look = fly(damped, 0, {.nearby = true}), own = fly(damped);
+        const Flight look = fly(damped, 0, {.kept = KeptStates::Similar}), own = fly(damped);
         QCOMPARE(look.of("minimum_spacing"), own.of("minimum_spacing"));
         QVERIFY(own.of("minimum_spacing") != fly(c).of("minimum_spacing"));
         Case faster = c;
