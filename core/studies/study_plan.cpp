@@ -244,8 +244,8 @@ std::span<const StudyKind> studyKinds()
          "equilibria",
          planHysteresis, hysteresisForm},
         {"cycles", "Sustained bouncing",
-         "Finds cycles on which a slider on springs bounces for ever, follows them over a parameter, and shows where "
-         "they end",
+         "Finds cycles on which a slider on springs, or on a linear film, bounces for ever, follows them over a "
+         "parameter, and shows where they end",
          planCycles, cyclesForm},
         {"response", "Forced motion over the frequency",
          "Drives a slider on springs, or on a linear film, by waves of the disk, with the frequency going up and down: "

@@ -9,8 +9,6 @@
 namespace touchdown {
 namespace {
 
-/// Points so near to the nearest one's height bear with it [m].
-constexpr double bearingDepth = 1e-11;
 /// By which the corners move where a stiffness is taken from two loads [m]: far below the bearing depth.
 constexpr double stiffnessStep = 1e-13;
 

@@ -25,6 +25,9 @@ std::optional<GapLaw> gapLawOf(const Case& c);
 /// Many asperities on the pad of a case.
 MultiAsperity manyAsperities(const Case& c);
 
+/// Points so near to the nearest one's height bear with it [m].
+inline constexpr double bearingDepth = 1e-11;
+
 class PadContact final : public SliderContact {
 public:
     /// The spacing must last. The law begins on `initial.branch` at the attitude that is accepted first.
@@ -45,6 +48,7 @@ public:
 
     /// Where the law is Ono and Yamane's; else null.
     CharacteristicLaw* characteristic() { return dynamic_cast<CharacteristicLaw*>(law_.get()); }
+    const CharacteristicLaw* characteristic() const { return dynamic_cast<const CharacteristicLaw*>(law_.get()); }
 
 private:
     /// Where the pad bears at attitude_.

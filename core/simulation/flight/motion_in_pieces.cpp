@@ -58,6 +58,10 @@ bool MotionInPieces::sample(double dt)
         const double sign = upper ? -1.0 : 1.0, border = sign * (upper ? within.upper : within.lower);
         if (!std::isfinite(border)) continue;
         const double first = sign * spacing_ - border, last = sign * spacing - border;
+        if (first < 0.0 && sign * rate_ < 0.0) { // it came in beyond the border, by round-off
+            cross(upper, 0.0);
+            return false;
+        }
         const bool turns = sign * rate_ < 0.0 && sign * rate > 0.0;
         double left = 0.0, right = dt;
         if (last >= 0.0 && (!turns || std::min(first, last) > reach)) continue;

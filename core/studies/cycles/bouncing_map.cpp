@@ -103,7 +103,7 @@ MapCell judgeCell(const BouncingMapTask& task, double x, double y, const std::fu
     search.mostCrossings = 0;
     search.goOn = goOn;
     for (int k = 0; k < task.starts; ++k) {
-        const BouncingRun run = searchCycle(*task.sliderOf(*c, k), x, search);
+        const BouncingRun run = runOf(task.sliderOf, *c, k, x, search);
         cell.done = cell.done && (!goOn || goOn());
         if (!cell.done) return cell;
         if (run.end == BouncingEnd::Failed) cell.problem = run.problem;

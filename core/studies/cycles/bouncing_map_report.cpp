@@ -174,6 +174,10 @@ StudyReport mapReport(const MarkedMapTask& task, const std::vector<MapCell>& cel
         report.warnings.push_back("In " + counted(taking, "cell") +
                                   " of the map the slider bounces at the end though W >= 0; a longer duration "
                                   "shows whether that bouncing decays.");
+    if (task.start.model == ModelKind::Film)
+        report.warnings.push_back("The film is linear about the static state of the case, in all cells and from all "
+                                  "starts: a motion that is large against the spacing may end otherwise on the film "
+                                  "itself.");
     if (failed != cells.end()) report.warnings.push_back("One run of the map or more failed: " + failed->problem + ".");
     return report;
 }

@@ -73,6 +73,8 @@ std::optional<BouncingMapAxis> readAxis(StudyReader& reader, const std::string& 
     std::vector<double> values;
     for (int i = 0; i < points; ++i) values.push_back(axis.at(double(i) / (points - 1)));
     axis.values = std::move(values);
+    for (const double value : axis.values)
+        if (!keepsFilm(reader, name, *keys, value)) return {};
     return axis;
 }
 

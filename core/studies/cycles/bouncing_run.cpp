@@ -3,15 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "core/formats/units.h"
 #include "core/simulation/recording/motion_verdict.h"
+#include "core/studies/cycles/bouncing_film.h"
 #include "core/studies/cycles/bouncing_springs.h"
 
 namespace touchdown {
 
 namespace {
 
-constexpr double judgedShare = 0.1;    // of a run, at its end [-]
 constexpr double nearReturn = 0.05;    // distance of a state that returns nearly, of its size [-]
 constexpr std::size_t keptStates = 64; // on the section
 constexpr int stepsBetweenAsking = 4096;
@@ -95,7 +97,8 @@ private:
 
 SliderOf slidersLike(const Case& c)
 {
-    return [units = sectionUnits(c)](const Case& at, int start) {
+    if (c.model == ModelKind::Film) return filmsLike(c);
+    return [units = sectionUnits(c)](const Case& at, int start, const GoOn&) {
         return std::make_shared<const BouncingSprings>(caseOfStart(at, start), units);
     };
 }
@@ -107,12 +110,28 @@ BouncingRun searchCycle(const BouncingSlider& slider, double value, const Bounci
     run.value = value;
     run.height = slider.startHeight();
     BouncingRecorder recorder(slider, search);
-    run.problem = slider.run(from, search.duration, search.tolerance, recorder);
+    const LongMotion motion = slider.run(from, search.duration, search.tolerance, recorder);
+    run.problem = motion.problem;
     if (!run.problem.empty()) return run;
     run.minimumSpacing = recorder.spacing();
     run.end = recorder.end();
     run.samples = recorder.samples();
-    if (recorder.crossings() < fewestCrossings || search.mostCrossings == 0) return run;
+    const auto leaveOut = [&](double modelError) {
+        run.cycle.reset();
+        run.end = BouncingEnd::Failed;
+        run.modelError = modelError;
+        run.problem = "it bounces so far that the linear film has an estimated error of " + percent(modelError) +
+                      " of the motion, above film.linear_limit";
+        return run;
+    };
+    if (run.end == BouncingEnd::Bounces && motion.tooFar) return leaveOut(motion.modelError);
+    if (search.mostCrossings == 0) return run;
+    if (recorder.crossings() < fewestCrossings) {
+        if (run.end == BouncingEnd::Bounces)
+            run.problem = "it comes down to d_s fewer than " + std::to_string(fewestCrossings) +
+                          " times in the last tenth: no cycle was sought";
+        return run;
+    }
     const std::size_t most = std::min<std::size_t>(static_cast<std::size_t>(search.mostCrossings), recorder.kept() - 1);
     const Eigen::VectorXd& last = recorder.state(0);
     const auto frequencyOf = [&](std::size_t crossings) { // of cycles with so many
@@ -129,12 +148,26 @@ BouncingRun searchCycle(const BouncingSlider& slider, double value, const Bounci
         if (!solution.found) continue;
         LimitCycle cycle = figuresOf(slider, value, solution.x, solution.crossings, limit);
         if (!(cycle.period > 0.0)) continue;
+        if (cycle.tooFar) return leaveOut(cycle.modelError);
         run.frequency = frequencyOf(std::size_t(cycle.crossings));
         run.cycle = std::move(cycle);
         run.problem.clear();
         break;
     }
     return run;
+}
+
+BouncingRun runOf(const SliderOf& sliderOf, const Case& c, int start, double value, const BouncingSearch& search)
+{
+    BouncingRun none;
+    none.value = value;
+    none.problem = "stopped";
+    try {
+        if (const auto slider = sliderOf(c, start, search.goOn)) return searchCycle(*slider, value, search);
+    } catch (const std::runtime_error& error) {
+        none.problem = error.what();
+    }
+    return none;
 }
 
 } // namespace touchdown

@@ -50,16 +50,20 @@ struct BouncingRun {
     SwingOf minimumSpacing;          // in the last tenth [m]
     double frequency = 0.0;          // of the last crossings of the run, at most 64, by those of the cycle [Hz]
     std::optional<LimitCycle> cycle; // where one was found
+    double modelError = 0.0;         // of a motion that is too large for a linear film, and has failed for that [-]
     std::string problem;             // why a run that still crosses the section has none, or why the run failed
     std::size_t samples = 0;         // that the verdict was given on
     double amplitude() const { return 0.5 * (minimumSpacing.most - minimumSpacing.least); }
 };
 
-/// The sliders like a case.
+/// The sliders like a case on springs or a linear film, under Ono and Yamane's contact.
 SliderOf slidersLike(const Case& c);
 
 /// From the slider's start, or from a state on the section (bouncing_slider.h).
 BouncingRun searchCycle(const BouncingSlider& slider, double value, const BouncingSearch& search,
                         const std::optional<Eigen::VectorXd>& from = {});
+
+/// The same of a case at its k-th start; where it has no slider, its problem says why.
+BouncingRun runOf(const SliderOf& sliderOf, const Case& c, int start, double value, const BouncingSearch& search);
 
 } // namespace touchdown

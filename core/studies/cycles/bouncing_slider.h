@@ -13,7 +13,7 @@
 //   dP/dx = C (I - f- g^T/(g . f-)) Phi B    at the section; B and C take x to y and y to x
 //
 // (Leine & Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems, 2004, chapter 7.) At a grazing
-// g . f- = 0 and the map is not smooth. Cycles that never cross d_s are not found.
+// g . f- = 0 and the map is not smooth. Cycles that never cross d_s downwards are not found.
 #pragma once
 
 #include <functional>
@@ -26,6 +26,7 @@
 #include <Eigen/Core>
 
 #include "core/simulation/springs/spring_model.h"
+#include "core/work/parallel.h"
 
 namespace touchdown {
 
@@ -78,6 +79,8 @@ struct Return {
     double repeats(const Eigen::VectorXd& from) const;
     CycleEnergies energies;
     SwingOf separation, minimumSpacing; // d; the smallest spacing of the slider
+    double modelError = 0.0;            // of a linear film and its separation, of the motion, as estimated [-]
+    bool tooFar = false;                // that error is above film.linear_limit
 };
 
 /// Watches a long motion.
@@ -91,15 +94,22 @@ public:
     virtual void event(double time, const CycleSwitch& of, const Eigen::VectorXd* x) = 0;
 };
 
+inline constexpr double judgedShare = 0.1; // of a long motion, at its end [-]
+
+struct LongMotion {
+    std::string problem{};   // why it ended before, in a sentence without a full stop; "" where it did not
+    double modelError = 0.0; // as of Return, without the separation's, in the judged share [-]
+    bool tooFar = false;
+};
+
 class BouncingSlider {
 public:
     virtual ~BouncingSlider() = default;
 
     virtual Return apply(const Eigen::VectorXd& x, const ReturnRequest& request) const = 0;
     /// Over `duration` [s] from the start of the case, or from a state on the section. `tolerance` as of a request.
-    /// Returns why the motion ended before, in a sentence without a full stop; "" where it did not.
-    virtual std::string run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
-                            BouncingWatch& watch) const = 0;
+    virtual LongMotion run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
+                           BouncingWatch& watch) const = 0;
     virtual double startHeight() const = 0;    // flying height there [m]
     virtual double shortestPeriod() const = 0; // of the motions about the static state and in contact [s]
     virtual double cycleWork() const = 0;      // W of the contact law [J]
@@ -109,6 +119,7 @@ public:
 
 /// The slider of a case that differs from one in the values of a few keys, at its k-th start: as the case says, then at
 /// a tenth, a hundredth, ... of that height above d_e, at rest. Throws std::runtime_error, a sentence.
-using SliderOf = std::function<std::shared_ptr<const BouncingSlider>(const Case& c, int start)>;
+/// `goOn`: false stops, and the result is null.
+using SliderOf = std::function<std::shared_ptr<const BouncingSlider>(const Case& c, int start, const GoOn& goOn)>;
 
 } // namespace touchdown

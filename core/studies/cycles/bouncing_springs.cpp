@@ -211,8 +211,8 @@ Return BouncingSprings::apply(const Eigen::VectorXd& x, const ReturnRequest& req
     return result;
 }
 
-std::string BouncingSprings::run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
-                                 BouncingWatch& watch) const
+LongMotion BouncingSprings::run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
+                                BouncingWatch& watch) const
 {
     const Start<SpringModel> begin =
         from ? start(*from) : Start<SpringModel>{model_.initialState(), model_.initialMode()};
@@ -221,7 +221,8 @@ std::string BouncingSprings::run(const std::optional<Eigen::VectorXd>& from, dou
     const AdaptiveOptions options{.tolerance = tolerance, .firstStep = 1e-3 * model_.shortestPeriod()};
     const IntegrationResult result = integrateAdaptive(model_, begin, duration, options, recorder);
     if (result.end == IntegrationEnd::Reached) return {};
-    return result.end == IntegrationEnd::Stopped ? "stopped" : "the run ends at " + fewDigitsOfTime(result.time, 3);
+    return {.problem = result.end == IntegrationEnd::Stopped ? "stopped"
+                                                             : "the run ends at " + fewDigitsOfTime(result.time, 3)};
 }
 
 } // namespace touchdown

@@ -25,8 +25,8 @@ public:
     BouncingSprings(const Case& c, const Vector3& units);
 
     Return apply(const Eigen::VectorXd& x, const ReturnRequest& request) const override;
-    std::string run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
-                    BouncingWatch& watch) const override;
+    LongMotion run(const std::optional<Eigen::VectorXd>& from, double duration, double tolerance,
+                   BouncingWatch& watch) const override;
     double startHeight() const override { return startHeight_; }
     double shortestPeriod() const override { return model_.shortestPeriod(); }
     double cycleWork() const override { return cycleWork_; }

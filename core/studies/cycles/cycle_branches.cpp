@@ -25,8 +25,11 @@ constexpr std::array beyond{1e-6, 1e-5, 1e-4, 1e-3, 3e-3}; // arclengths at whic
 constexpr double farthestBeyond = 30.0; // distance of that cycle from the extrapolation, in such arclengths
 constexpr double leastBeyond = 1e-3;    // or so far
 constexpr double nearestRepeat = 1e-4;  // distance at which a cycle has met one with fewer crossings, in units of x
+constexpr double alikeCycles = 2e-3;    // difference of periods and spacings of one cycle [-]
+constexpr double chordError = 0.1;      // of a branch between two points, of the way between them [-]
+constexpr const char* tooLarge = "the motion becomes too large for a linear film (film.linear_limit)";
 enum CycleTest { DoublingTest, NeimarkSackerTest };
-enum CycleGuard { SwitchGuard, RepeatGuard };
+enum CycleGuard { SwitchGuard, RepeatGuard, ModelGuard };
 
 const ContinuationOptions cycleContinuation{.lower = 0.0,
                                             .upper = 1.0,
@@ -79,7 +82,7 @@ public:
         };
         problem_.guards = [this](const VectorXd& x, double p) -> std::vector<double> {
             const Return& at = returnOf(x, p);
-            return {at.switches == switches_ ? 1.0 : -1.0, distanceOfHalves(at, x)};
+            return {at.switches == switches_ ? 1.0 : -1.0, distanceOfHalves(at, x), at.tooFar ? -1.0 : 1.0};
         };
     }
     CyclePiece(const CyclePiece&) = delete;
@@ -172,7 +175,9 @@ public:
         for (int k = 0; k < mostPieces; ++k) {
             CyclePiece piece(trace_, crossings, longestReturn * period);
             const Branch found = piece.follow(x, p, rising);
-            add(found, piece);
+            const bool known = add(found, piece);
+            if (!known && !branch_.points.empty()) end(CycleMark::End, tooLarge);
+            if (!known) return std::move(branch_);
             closed_ = found.end == BranchEnd::Closed;
             if (branch_.points.empty() || found.points.empty() || found.end == BranchEnd::Stopped ||
                 found.end == BranchEnd::Bound || closed_)
@@ -185,6 +190,10 @@ public:
             }
             if (found.end == BranchEnd::Guard && found.guard == RepeatGuard) {
                 end(CycleMark::PeriodDoubling, "meets the cycle of half the period");
+                return std::move(branch_);
+            }
+            if (found.end == BranchEnd::Guard && found.guard == ModelGuard) {
+                end(CycleMark::End, tooLarge);
                 return std::move(branch_);
             }
             const std::string change = changeBeyond(last, piece);
@@ -204,7 +213,8 @@ public:
     bool closed() const { return closed_; }
 
 private:
-    void add(const Branch& found, const CyclePiece& piece)
+    /// False where the branch leaves its model.
+    bool add(const Branch& found, const CyclePiece& piece)
     {
         for (std::size_t i = 0; i < found.points.size(); ++i) {
             const BranchPoint& point = found.points[i];
@@ -213,6 +223,7 @@ private:
             if (!slider) continue;
             const LimitCycle cycle = figuresOf(*slider, value, point.x, piece.crossings(), piece.limit());
             if (!(cycle.period > 0.0)) continue;
+            if (cycle.tooFar) return false;
             const auto mark =
                 std::ranges::find_if(found.marks, [&](const BranchMark& each) { return each.point == i; });
             branch_.points.push_back(cycle);
@@ -223,6 +234,7 @@ private:
                                                                      : CycleMark::PeriodDoubling;
             branch_.marks.push_back({kind, cycle, {}, false, branch_.points.size() - 1});
         }
+        return true;
     }
 
     void end(CycleMark kind, const std::string& remark)
@@ -311,13 +323,14 @@ bool liesOn(const CycleBranch& branch, const LimitCycle& cycle)
         const LimitCycle &a = branch.points[i - 1], &b = branch.points[i];
         if (std::min(a.value, b.value) > cycle.value || std::max(a.value, b.value) < cycle.value) continue;
         const double share = a.value == b.value ? 0.0 : (cycle.value - a.value) / (b.value - a.value);
-        const auto between = [&](double first, double second) { return std::lerp(first, second, share); };
-        LimitCycle at = a;
-        at.period = between(a.period, b.period);
-        at.separation.most = between(a.separation.most, b.separation.most);
-        at.minimumSpacing = {between(a.minimumSpacing.least, b.minimumSpacing.least),
-                             between(a.minimumSpacing.most, b.minimumSpacing.most)};
-        if (sameCycle(at, cycle)) return true;
+        const auto between = [&](double first, double second, double own) {
+            const double chord = std::lerp(first, second, share);
+            return std::abs(chord - own) <=
+                   alikeCycles * std::max(std::abs(chord), std::abs(own)) + chordError * std::abs(second - first);
+        };
+        if (between(a.period, b.period, cycle.period) && between(a.amplitude(), b.amplitude(), cycle.amplitude()) &&
+            between(a.separation.most, b.separation.most, cycle.separation.most))
+            return true;
     }
     return false;
 }

@@ -5,7 +5,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/formats/quotation.h"
 #include "core/formats/words.h"
+#include "core/simulation/static_state/static_solution.h"
 #include "core/studies/hysteresis/held_steps.h"
 #include "core/studies/runs/joint_key.h"
 #include "core/studies/study/study_reader.h"
@@ -40,6 +42,16 @@ std::optional<Parameter> readKeys(StudyReader& reader, const std::string& name, 
 std::optional<double> readValue(StudyReader& reader, const std::string& name, const Parameter& keys)
 {
     return reader.number(name, keys.unit, keys.displayUnit, keys.minimum, keys.maximum);
+}
+
+bool keepsFilm(StudyReader& reader, const std::string& name, const Parameter& keys, double value)
+{
+    const Case& start = reader.start();
+    const std::optional<Case> changed = caseWith(start, keys, value);
+    if (start.model != ModelKind::Film || !changed || sameFilmApart(start, *changed)) return true;
+    reader.add(name, inQuotes(keys.key) + " changes the film, which is linear about the static state of the case "
+                                          "(film.motion); contact, friction, suspension, load and mass leave it");
+    return false;
 }
 
 } // namespace touchdown

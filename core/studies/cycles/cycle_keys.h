@@ -22,4 +22,8 @@ std::optional<Parameter> readKeys(StudyReader& reader, const std::string& name, 
 /// A value of the keys that the study's key `name` gives, within the range of each.
 std::optional<double> readValue(StudyReader& reader, const std::string& name, const Parameter& keys);
 
+/// Reports at the study's key `name` where a value of the keys changes the film of the start, which is linear about one
+/// static state. False: it does.
+bool keepsFilm(StudyReader& reader, const std::string& name, const Parameter& keys, double value);
+
 } // namespace touchdown

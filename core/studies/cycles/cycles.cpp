@@ -8,6 +8,7 @@
 #include <limits>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "core/case/contact_law.h"
@@ -15,6 +16,7 @@
 #include "core/formats/quotation.h"
 #include "core/formats/units.h"
 #include "core/formats/words.h"
+#include "core/studies/cycles/bouncing_film.h"
 #include "core/studies/cycles/bouncing_map_task.h"
 #include "core/studies/cycles/cycle_keys.h"
 #include "core/studies/cycles/cycles_report.h"
@@ -67,10 +69,15 @@ public:
 
 private:
     std::optional<Case> caseAt(double value) const { return caseWith(task_.start, task_.parameter, value); }
-    std::shared_ptr<const BouncingSlider> sliderAt(double value) const
+    /// Null where the case is not valid there, or its motions are not found.
+    std::shared_ptr<const BouncingSlider> sliderAt(double value, const GoOn& goOn) const
     {
         const std::optional<Case> c = caseAt(value);
-        return c ? task_.sliderOf(*c, 0) : nullptr;
+        try {
+            return c ? task_.sliderOf(*c, 0, goOn) : nullptr;
+        } catch (const std::runtime_error&) {
+            return nullptr;
+        }
     }
 
     void searchAt(std::size_t i, const GoOn& goOn)
@@ -81,7 +88,7 @@ private:
         if (const std::optional<Case> c = caseAt(value)) {
             BouncingSearch search = task_.search;
             search.goOn = goOn;
-            run = searchCycle(*task_.sliderOf(*c, int(i % std::size_t(task_.starts))), value, search);
+            run = runOf(task_.sliderOf, *c, int(i % std::size_t(task_.starts)), value, search);
         } else {
             run.problem = "the case is not valid at " + task_.text.of(value);
         }
@@ -116,7 +123,8 @@ private:
             high = std::max(high, share);
             traced_ = std::max(traced_.load(), mostOfBranches * (high - low));
         };
-        const CycleTrace trace{[this](double value) { return sliderAt(value); }, task_.from, task_.to, goOn, reached};
+        const CycleTrace trace{[this, goOn](double value) { return sliderAt(value, goOn); }, task_.from, task_.to, goOn,
+                               reached};
         for (std::size_t i = 0; i < runs_.size() && result_.branches.size() < mostBranches && goOn(); ++i) {
             traced_ = std::max(traced_.load(), double(i) / double(runs_.size()));
             const std::optional<LimitCycle> cycle = runs_[i] ? runs_[i]->cycle : std::nullopt;
@@ -137,7 +145,7 @@ private:
                 if (mark.kind != CycleMark::PeriodDoubling || mark.ends || result_.branches.size() >= mostBranches)
                     continue;
                 const LimitCycle* unstable = unstableNear(branch, mark.point);
-                const auto slider = unstable ? sliderAt(unstable->value) : nullptr;
+                const auto slider = unstable ? trace.sliderAt(unstable->value) : nullptr;
                 if (!slider) continue;
                 BouncingSearch search = task_.search;
                 search.goOn = trace.goOn;
@@ -229,9 +237,13 @@ StudyWork planCycles(StudyReader& reader)
 {
     CyclesTask task;
     task.start = reader.start();
-    if (task.start.model != ModelKind::Springs) {
-        reader.add("case",
-                   "is not of model \"springs\": a study of cycles takes the slider with two degrees of freedom");
+    const bool film = task.start.model == ModelKind::Film;
+    if (!film && task.start.model != ModelKind::Springs) {
+        reader.add("case", "is of model \"contact\": a study of cycles takes springs or a linear film");
+        return {};
+    }
+    if (const std::string reason = film ? reasonAgainstBouncingFilm(task.start) : std::string(); !reason.empty()) {
+        reader.add("case", reason);
         return {};
     }
     if (task.start.diskSurface.kind != DiskSurfaceKind::Flat) {
@@ -270,7 +282,9 @@ StudyWork planCycles(StudyReader& reader)
         return readEnd(reader, name, *parameter, parameter->key == standardKey ? std::optional(own) : std::nullopt);
     };
     const std::optional<double> from = end("from", 0.0), to = end("to", largestMeniscusForce(task.start));
-    if (!from || !to) return {};
+    if (!from || !to || !keepsFilm(reader, "parameter", *parameter, *from) ||
+        !keepsFilm(reader, "parameter", *parameter, *to))
+        return {};
     if (*from == *to) {
         reader.add("to", "is the same as from: there is nothing to follow");
         return {};
@@ -297,6 +311,10 @@ StudyForm cyclesForm(const Case& c)
         numberKey("duration", c.run.duration, "s", "us", 1e-6, 1.0, "of each run; its last part is judged"),
         integerKey("crossings", 8, 1, 32, "of the touch-down height in one cycle, at most"),
     };
+    form.remark =
+        "On springs, or on a film that is linear about its static state (film.motion = \"linear\"), under Ono and "
+        "Yamane's contact over a flat disk. On a film the values that change are those of contact, friction, "
+        "suspension, load and mass.";
     for (StudyKey& key : bouncingMapKeys(c, largestMeniscusForce(c))) form.keys.push_back(std::move(key));
     return form;
 }

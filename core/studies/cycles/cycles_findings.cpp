@@ -57,6 +57,7 @@ public:
                 " further values; the table special_points lists them");
         addRuns();
         addBalance();
+        addFilm();
         return std::move(findings_);
     }
 
@@ -103,6 +104,9 @@ private:
             say("No sustained bouncing found in " + counted(runs, "run") + at + ": " +
                 std::to_string(endsOf(BouncingEnd::Flies)) + " end flying, " +
                 std::to_string(endsOf(BouncingEnd::Caught)) + " caught in contact" +
+                (endsOf(BouncingEnd::Unknown) > 0
+                     ? ", " + std::to_string(endsOf(BouncingEnd::Unknown)) + " are too short to tell"
+                     : "") +
                 (endsOf(BouncingEnd::Failed) > 0 ? ", " + std::to_string(endsOf(BouncingEnd::Failed)) + " fail" : ""));
             return;
         }
@@ -203,7 +207,7 @@ private:
             result_.runs, [](const BouncingRun& run) { return run.end == BouncingEnd::Bounces && !run.cycle; });
         if (lost > 0 && agreement.runs > 0)
             say(counted(std::size_t(lost), "run") + (lost == 1 ? " still bounces" : " still bounce") +
-                " at the end without a cycle that Newton's method finds");
+                " at the end, on no cycle that was found");
     }
 
     void addBalance()
@@ -214,6 +218,31 @@ private:
         if (!result_.branches.empty())
             say("The energies of each cycle add up to zero within " + fewDigits(std::max(largest, 1e-15), "", 1) +
                 " of their largest part");
+    }
+
+    void addFilm()
+    {
+        if (task_.start.model != ModelKind::Film) return;
+        SwingOf error, left; // of cycles, of those that are left out
+        for (const CycleBranch& branch : result_.branches)
+            for (const LimitCycle& point : branch.points) error.add(point.modelError);
+        std::size_t runs = 0;
+        for (const BouncingRun& run : result_.runs) {
+            if (!(run.modelError > 0.0)) continue;
+            ++runs;
+            left.add(run.modelError);
+        }
+        say("The film is linear about the static state of the case, and the slider is nearest where it is there, at "
+            "all values" +
+            (result_.branches.empty() ? std::string()
+                                      : "; its error is estimated as " + percent(error.least) + " to " +
+                                            percent(error.most) + " of the motion along the cycles") +
+            ". Starts far from that state are followed on it as well: which motion they lead to may be another on "
+            "the film itself");
+        if (runs > 0)
+            say(counted(runs, "run") + (runs == 1 ? " ends" : " end") +
+                " bouncing too far for a linear film, and no cycle is sought: its error is estimated as up to " +
+                percent(left.most) + ", above film.linear_limit = " + percent(task_.start.film.linearLimit));
     }
 
     const CyclesTask& task_;

@@ -10,6 +10,8 @@ namespace touchdown {
 
 namespace {
 
+bool isFilm(const CyclesTask& task) { return task.start.model == ModelKind::Film; }
+
 using CycleOrdinate = std::function<double(const LimitCycle&)>;
 
 /// Branches cut where their stability changes; each part reaches to the first point of the next.
@@ -89,13 +91,14 @@ StudyChart energyChart(const CyclesTask& task, const CyclesResult& result)
             {energy}};
 }
 
-std::vector<StudyColumn> energyColumns()
+std::vector<StudyColumn> energyColumns(bool film)
 {
-    return {{"work", "J", "pJ", "W, which one loop of the contact law takes"},
-            {"contact", "J", "pJ", "Energy that contact and adhesion give in one cycle"},
-            {"air", "J", "pJ", "Energy that the dashpots of the air springs give"},
-            {"suspension", "J", "pJ", "Energy that the dashpots of the suspension give"},
-            {"friction", "J", "pJ", "Energy that friction gives"}};
+    return {
+        {"work", "J", "pJ", "W, which one loop of the contact law takes"},
+        {"contact", "J", "pJ", "Energy that contact and adhesion give in one cycle"},
+        {"air", "J", "pJ", film ? "Energy that the film gives" : "Energy that the dashpots of the air springs give"},
+        {"suspension", "J", "pJ", "Energy that the dashpots of the suspension give"},
+        {"friction", "J", "pJ", "Energy that friction gives"}};
 }
 
 void addEnergies(std::vector<StudyValue>& row, const LimitCycle& cycle)
@@ -116,9 +119,14 @@ StudyTable cycleTable(const CyclesTask& task, const CyclesResult& result)
                      {"separation_max", "m", "nm", "Largest separation d of the pad"},
                      {"touch_downs", "", "", "Touch-downs in one cycle"},
                      {"stable", "", "", "Stable"},
-                     {"multiplier", "", "", "Largest magnitude of a Floquet multiplier"}};
-    for (StudyColumn& column : energyColumns()) table.columns.push_back(std::move(column));
+                     {"multiplier", "", "",
+                      isFilm(task) ? "Largest magnitude of a Floquet multiplier, also of slow parts of the film"
+                                   : "Largest magnitude of a Floquet multiplier"}};
+    for (StudyColumn& column : energyColumns(isFilm(task))) table.columns.push_back(std::move(column));
     table.columns.push_back({"residual", "", "", "Residual of the energy balance, of its largest part"});
+    if (isFilm(task))
+        table.columns.push_back(
+            {"linear_error", "", "", "Estimated error of the linear film and of the nearest point, of the motion"});
     for (std::size_t k = 0; k < result.branches.size(); ++k)
         for (const LimitCycle& point : result.branches[k].points) {
             std::vector<StudyValue> row{double(k + 1),
@@ -133,6 +141,7 @@ StudyTable cycleTable(const CyclesTask& task, const CyclesResult& result)
                                         point.largestMultiplier()};
             addEnergies(row, point);
             row.emplace_back(point.residual());
+            if (isFilm(task)) row.emplace_back(point.modelError);
             table.rows.push_back(std::move(row));
         }
     return table;
@@ -148,7 +157,7 @@ StudyTable specialTable(const CyclesTask& task, const CyclesResult& result)
                      {"value", task.text.unit, task.text.displayUnit, task.text.label},
                      {"frequency", "Hz", "kHz", "Frequency"},
                      {"amplitude", "m", "nm", "Amplitude, half the swing of the minimum spacing"}};
-    for (StudyColumn& column : energyColumns()) table.columns.push_back(std::move(column));
+    for (StudyColumn& column : energyColumns(isFilm(task))) table.columns.push_back(std::move(column));
     for (std::size_t k = 0; k < result.branches.size(); ++k)
         for (const MarkedCycle& mark : result.branches[k].marks) {
             std::vector<StudyValue> row{
@@ -171,8 +180,9 @@ StudyTable longRunTable(const CyclesTask& task, const CyclesResult& result)
                      {"remark", "", "", "Remark"}};
     for (const BouncingRun& run : result.runs) {
         const bool bounces = run.end == BouncingEnd::Bounces || run.cycle;
-        table.rows.push_back({run.value, run.height, std::string(name(run.end)), known(bounces, run.frequency),
-                              known(bounces, run.amplitude()), run.problem});
+        table.rows.push_back({run.value, run.height, std::string(name(run.end)),
+                              known(bounces && run.frequency > 0.0, run.frequency), known(bounces, run.amplitude()),
+                              run.problem});
     }
     return table;
 }
@@ -190,6 +200,16 @@ StudyReport cyclesReport(const CyclesTask& task, const CyclesResult& result)
     if (const std::vector<ValueRange> ranges = creatingRanges(task); !ranges.empty())
         report.warnings.push_back("W is negative for " + uncapitalized(task.text.label) + " " +
                                   text(ranges, task.text) + creatingLaw);
+    std::size_t cycles = 0, driven = 0;
+    for (const CycleBranch& branch : result.branches)
+        for (const LimitCycle& cycle : branch.points) {
+            ++cycles;
+            driven += cycle.energies.air > 0.0;
+        }
+    if (isFilm(task) && driven > 0)
+        report.warnings.push_back("on " + std::to_string(driven) + " of " + counted(cycles, "cycle") +
+                                  " the film gives energy: it does not damp each vibration of the slider on this grid; "
+                                  "see the modes of the case, and take more film.nodes");
     for (const BouncingRun& run : result.runs)
         if (run.end == BouncingEnd::Failed) {
             report.warnings.push_back("one run or more failed: " + run.problem);

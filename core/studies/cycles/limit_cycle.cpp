@@ -21,9 +21,6 @@ constexpr int mostHalvings = 10;        // of one of its steps
 constexpr double cycleFound = 1e-9;     // residual and last change, in units of x [-]
 constexpr double shorterPeriod = 1e-6;  // distance at which a part of the crossings is a cycle by itself [-]
 constexpr double energyAccuracy = 1e-9; // of an energy along a cycle, of the largest part [-]
-constexpr double alikeCycles = 2e-3;    // difference of periods and spacings of one cycle [-]
-
-bool near(double a, double b) { return std::abs(a - b) <= alikeCycles * std::max(std::abs(a), std::abs(b)); }
 
 } // namespace
 
@@ -110,12 +107,9 @@ LimitCycle figuresOf(const BouncingSlider& slider, double value, const VectorXd&
         return each.guard == SpringModel::Pad && each.before.contact == ContactRegion::Apart;
     }));
     cycle.switches = std::move(way.switches);
+    cycle.modelError = way.modelError;
+    cycle.tooFar = way.tooFar;
     return cycle;
-}
-
-bool sameCycle(const LimitCycle& a, const LimitCycle& b)
-{
-    return near(a.period, b.period) && near(a.amplitude(), b.amplitude()) && near(a.separation.most, b.separation.most);
 }
 
 std::string firstDifference(const BouncingSlider& slider, const std::vector<CycleSwitch>& before,

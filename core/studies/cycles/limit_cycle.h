@@ -25,6 +25,8 @@ struct LimitCycle {
     CycleEnergies energies;                        // a part that is zero but for round-off is 0 [J]
     double cycleWork = 0.0;                        // W of the contact law [J]
     std::vector<CycleSwitch> switches;
+    double modelError = 0.0; // as of Return [-]
+    bool tooFar = false;
     double frequency() const { return 1.0 / period; }
     double amplitude() const { return 0.5 * (minimumSpacing.most - minimumSpacing.least); }
     double largestMultiplier() const { return std::abs(multipliers[0]); }
@@ -46,9 +48,6 @@ CycleSolution solveCycle(const BouncingSlider& slider, Eigen::VectorXd x, int cr
 
 /// Its figures at a value of the parameter. The period is 0 where x is no point of a cycle.
 LimitCycle figuresOf(const BouncingSlider& slider, double value, const Eigen::VectorXd& x, int crossings, double limit);
-
-/// Two cycles of the same case are the same.
-bool sameCycle(const LimitCycle& a, const LimitCycle& b);
 
 /// "take-off": the first switch that is lost or appears; "" where both lists are the same.
 std::string firstDifference(const BouncingSlider& slider, const std::vector<CycleSwitch>& before,

@@ -31,12 +31,6 @@ namespace {
 constexpr double nodesOfBeat = 8.0; // at least [-]
 constexpr int degree = 5;           // of the polynomials between nodes
 
-/// Of the height of a place of the slider, by q.
-Vector3 slopeAt(const Case& c, SurfacePoint at)
-{
-    return {1.0, 0.5 * c.slider.length - at.x, 0.5 * c.slider.width - at.y};
-}
-
 } // namespace
 
 /// Of a case, while it is made.
@@ -89,28 +83,22 @@ std::shared_ptr<const FilmUnderWaves> FilmUnderWaves::make(const Case& c, const 
     film->amplitude_ = amplitude;
     film->limit_ = c.film.linearLimit;
 
-    made.point = c.surface.pointsOfInterest.empty() ? SurfacePoint{c.slider.length, 0.5 * c.slider.width}
-                                                    : c.surface.pointsOfInterest.front();
-    const Vector3 atPoint = slopeAt(c, made.point);
-    const double flyingHeight = atPoint.dot(pieces.place()) + made.scene.recess.at(made.point.x, made.point.y);
+    made.point = FilmInPieces::pointOf(c);
     if (quantity == "minimum_spacing") film->quantity_.film = pieces.separation();
     if (quantity == "flying_height" || quantity == "flying_height_above_disk")
-        film->quantity_.film = pieces.reading(atPoint, flyingHeight);
+        film->quantity_.film = pieces.flyingHeight();
     if (quantity == "flying_height_above_disk") film->quantity_.disk = {0.0, 1.0}; // less a sin(omega t)
     for (Index k = 0; k < 3; ++k)
         if (quantity == std::array{"height", "pitch", "roll"}[static_cast<std::size_t>(k)])
             film->quantity_.film = pieces.reading(Vector3::Unit(k), pieces.place()[k]);
 
     // Where the case starts too far from the state for a linear film, the slider starts there at rest.
-    Vector3 u = Vector3::Zero(), w = Vector3::Zero();
-    if (c.initial.state == InitialState::Static) {
-        u = Vector3(c.initial.heightOffset, c.initial.pitchOffset, c.initial.rollOffset).cwiseQuotient(pieces.scale());
-        w = Vector3(c.initial.verticalVelocity, c.initial.pitchVelocity, c.initial.rollVelocity)
-                .cwiseQuotient(pieces.scale());
+    auto [u, w] = pieces.startOf(c);
+    if (linearErrorPerSize * u.cwiseAbs().sum() > film->limit_ * pieces.gap()) {
+        u.setZero();
+        w.setZero();
     }
-    if (linearErrorPerSize * u.cwiseAbs().sum() > film->limit_ * pieces.gap()) u = w = Vector3::Zero();
-    const Index n = pieces.positions();
-    film->start_ = {pieces.settledAt(u.head(n), w.head(n)), {.contact = pieces.regions()[pieces.atRest()].name}};
+    film->start_ = {pieces.settledAt(u, w), {.contact = pieces.regions()[pieces.atRest()].name}};
     return film->setForces(made, frequencies, beat, goOn) ? film : nullptr;
 }
 

@@ -179,20 +179,9 @@ ForcedState ForcedFilm::lowered(double distance) const
 
 ForcedState ForcedFilm::continued(const ForcedState& before) const
 {
-    constexpr int mostRegions = 4;
-    const FilmInPieces::Reading& reading = film_->pieces().separation();
-    const double separation = reading.row.dot(before.y) + reading.constant;
-    std::size_t at = film_->pieces().placeOf(before.mode.contact);
-    for (int k = 0; k < mostRegions; ++k) {
-        const FilmInPieces::Region& region = film_->pieces().regions()[at];
-        if (separation < region.interval.lower)
-            at = region.below;
-        else if (separation > region.interval.upper)
-            at = region.above;
-        else
-            break;
-    }
-    return {before.y, {.contact = film_->pieces().regions()[at].name}};
+    const FilmInPieces& pieces = film_->pieces();
+    const std::size_t region = pieces.regionFrom(pieces.placeOf(before.mode.contact), before.y);
+    return {before.y, {.contact = pieces.regions()[region].name}};
 }
 
 ForcedPeriods ForcedFilm::run(const ForcedState& start, const ForcedRequest& request) const

@@ -201,6 +201,8 @@ bool takeFilm(ResponseTask& task, const StudyCallback& callback)
     const auto law = characteristic(task.start);
     if (law && film->pieces().regions()[film->pieces().atRest()].name == ContactRegion::Apart)
         task.toContact = film->pieces().restSpacing() - law->touchDown;
+    for (const double mode : film->pieces().frequencies())
+        if (mode < task.frequencies.front() || mode > task.frequencies.back()) task.outside.push_back(mode);
     task.sliderAt = [film = std::move(film)](double frequency) {
         return std::make_unique<ForcedFilm>(film, frequency);
     };

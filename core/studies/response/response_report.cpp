@@ -212,6 +212,12 @@ StudyReport responseReport(const ResponseTask& task, const ResponseResult& resul
                                   " apart. With the speed held, the waves under " + task.ends + " are in phase each " +
                                   fewDigits(task.beat, "kHz", 3) +
                                   ": maxima and minima of the amplitude between the points are not shown.");
+    if (!task.outside.empty()) {
+        std::vector<std::string> outside;
+        for (const double each : task.outside) outside.push_back(fewDigits(each, "kHz", 3));
+        report.warnings.push_back("The slider also vibrates outside the range, about its static state, at " +
+                                  joined(outside) + ": wider from and to include that.");
+    }
     std::size_t failed = 0;
     const ResponsePoint* first = nullptr;
     for (const ResponsePoint& point : result.points)

@@ -32,6 +32,7 @@ struct ResponseTask {
     std::string ends = "the two air springs"; // whose waves beat
     int starts = 0;                           // from which other motions are looked for
     SettleOptions settle;
+    std::vector<double> outside; // frequencies of vibrations about a film's static state that are not in the range [Hz]
     std::optional<double> toContact; // of a law with a touch-down height: from the static state down to it [m]
     /// At a frequency [Hz].
     std::function<std::unique_ptr<ForcedSlider>(double frequency)> sliderAt;

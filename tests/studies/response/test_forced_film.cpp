@@ -13,10 +13,14 @@
 #include <QtTest>
 
 #include "core/case/contact_kind.h"
+#include "core/formats/decimal.h"
+#include "core/formats/units.h"
 #include "core/simulation/small_motions/linear_motion.h"
+#include "core/simulation/small_motions/small_motions.h"
 #include "core/simulation/static_state/steady.h"
 #include "core/studies/response/forced_springs.h"
 #include "core/studies/response/settled_motion.h"
+#include "core/studies/study_plan.h"
 #include "tests/support/film_flight.h"
 #include "tests/support/test_program.h"
 
@@ -212,6 +216,34 @@ private slots:
                 (film->forceAt(frequency) - own->forceAt(frequency)).norm() / own->forceAt(frequency).norm();
             QVERIFY2(error < 5e-3, qPrintable(QString::number(error)));
         }
+    }
+
+    /// Of the modes, those that no frequency of the study comes near.
+    void namesVibrationsOutsideTheRange()
+    {
+        const Case c = flying();
+        const std::vector<double> modes = filmOf(c, "height", {90e3})->pieces().frequencies();
+        // Those of the slider, no memory of the film.
+        const ModesResult known = touchdown::modes(c);
+        std::vector<double> slider;
+        for (const AirBearingMode& mode : known.modes)
+            if (mode.dampingRatio < 0.2 && mode.frequency > 0.0) slider.push_back(mode.frequency);
+        std::ranges::sort(slider);
+        QCOMPARE(modes.size(), slider.size());
+        for (std::size_t k = 0; k < modes.size(); ++k) QVERIFY(std::abs(modes[k] / slider[k] - 1.0) < 5e-3);
+        const auto warningOf = [&](double from, double to) {
+            const std::string text = "from = \"" + decimalText(from) + " Hz\"\nto = \"" + decimalText(to) +
+                                     " Hz\"\nsteps = 2\nperiods = 16\nstarts = 0\n";
+            const StudyPlan plan = parseStudy("response", text, "study", {}, &c);
+            if (!plan.valid()) qFatal("%s", plan.problems.front().text().c_str());
+            for (const std::string& warning : plan.perform(2, {}).warnings)
+                if (warning.find("outside the range") != std::string::npos) return warning;
+            return std::string();
+        };
+        QVERIFY(warningOf(0.9 * modes.front(), 1.1 * modes.back()).empty());
+        const std::string warning = warningOf(0.5 * (modes[0] + modes[1]), 1.1 * modes.back());
+        QVERIFY2(warning.find(fewDigits(modes.front(), "kHz", 3)) != std::string::npos, warning.c_str());
+        QVERIFY(warning.find(fewDigits(modes.back(), "kHz", 3)) == std::string::npos);
     }
 
     void saysWhatItCannotTake()
